@@ -3,7 +3,6 @@ package robotran.android.recorded
 import robotran.brick.log.toLogText
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -45,7 +44,7 @@ internal class RecordedRuns(private val tree: File) {
             )
         }
         val java = files("examples/lejos", ".java").map { file ->
-            val source = Program(file.name, ProgramLanguage.JAVA, listOf(SourceFile(file.name, file.readText())))
+            val source = Program(file.name, ProgramLanguage.JAVA, file.readText())
             compare(example(reader, source, physics), file, "shared/programs")
         }
         val projects = files("shared/projects/$RUNS", ".robotran").map { file ->

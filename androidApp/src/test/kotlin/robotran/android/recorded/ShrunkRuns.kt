@@ -3,7 +3,6 @@ package robotran.android.recorded
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -33,7 +32,7 @@ private suspend fun mistakeFaults(): List<String> {
             language = Language.ENGLISH,
         )
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
-    val result = reader.read(Program("Oops.java", ProgramLanguage.JAVA, listOf(SourceFile("Oops.java", text))))
+    val result = reader.read(Program("Oops.java", ProgramLanguage.JAVA, text))
     val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()
     val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
     return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")

@@ -8,7 +8,6 @@ import robotran.documents.FileKind
 import robotran.documents.StoreResult
 import robotran.documents.files.writeSafely
 import robotran.language.Language
-import robotran.language.ProgramLanguage
 import java.io.IOException
 import java.nio.file.InvalidPathException
 import java.nio.file.Path
@@ -99,7 +98,7 @@ private fun isBeside(course: Path, file: Path) = course.toAbsolutePath().parent?
 private fun isOnlyWritten(name: String) = ONLY_WRITTEN.any { name.endsWith(it, ignoreCase = true) }
 
 private fun isIncluded(program: String, file: Path): Boolean {
-    val language = ProgramLanguage.ofFile(program)?.takeIf { it.mayHaveFiles } ?: return false
+    val language = languageOf(program)?.takeIf { it.mayHaveFiles } ?: return false
     val read = readWithIncluded(program, language) as? ReadProgram.Read ?: return false
     return read.source.files.any { isSame(it.name, "$file") }
 }

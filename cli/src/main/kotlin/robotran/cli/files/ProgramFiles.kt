@@ -4,7 +4,6 @@ import robotran.brick.program.BrickProgram
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.language.Language
-import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramSource
@@ -60,7 +59,7 @@ internal fun readProgramFiles(
 
 private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
     val first = names.first()
-    val language = ProgramLanguage.ofFile(first)
+    val language = languageOf(first)?.takeIf { isNamed(first, it.extension) }
     return when {
         isNamed(first, JAVA) -> readJava(names, messages)
         language != null -> readWithIncluded(first, language, messages)

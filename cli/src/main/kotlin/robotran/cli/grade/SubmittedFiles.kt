@@ -13,13 +13,13 @@ import robotran.cli.files.filesIn
 import robotran.cli.files.isClassFile
 import robotran.cli.files.isFolder
 import robotran.cli.files.isNamed
+import robotran.cli.files.languageOf
 import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.input.PROJECT
 import robotran.cli.messages.CommandMessages
 import robotran.language.decodeText
-import robotran.programs.languageOfFile
 import robotran.programs.support
 import robotran.projects.isHandInLink
 import robotran.projects.isLink
@@ -148,8 +148,7 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
 private fun isOfSeveral(work: List<Path>): Boolean = work.any { isPlatformName(it.name) } ||
     work.filter { isNamed(it.name, JAVA) }.count(::canStart) > 1
 
-private fun canStart(file: Path): Boolean =
-    languageOfFile(file.name)?.support?.files?.canStart(beginningOf(file)) == true
+private fun canStart(file: Path): Boolean = languageOf(file.name)?.support?.files?.canStart(beginningOf(file)) == true
 
 private fun beginningOf(file: Path): String =
     decodeText(file.inputStream().use { it.readNBytes(LARGEST_FILE_BYTES) })?.text.orEmpty()

@@ -3,7 +3,6 @@ package robotran.desktop.worlds
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
@@ -48,7 +47,7 @@ internal object ShippedWorlds {
     private fun source(file: File?): ProgramSource {
         if (file == null) return Program("empty.robo", ProgramLanguage.ROBOLANG, "")
         val language = checkNotNull(ProgramLanguage.ofFile(file.name)) { file.name }
-        return Program(file.name, language, listOf(SourceFile(file.name, file.readText())))
+        return Program(file.name, language, file.readText())
     }
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText(), Language.ENGLISH)) {

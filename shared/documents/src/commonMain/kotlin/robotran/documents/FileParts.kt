@@ -4,7 +4,7 @@ import robotran.json.JsonLimits
 import robotran.json.JsonWarning
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramSource
 import robotran.programs.fault
 import robotran.programs.languageOfFile
@@ -82,7 +82,7 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
                 if (isTooLong(text)) {
                     Part.Unusable(OpenFilesError.TooLong(file.shownName))
                 } else {
-                    Part.OfProgram(ProjectProgram(file.name, code, listOf(SourceFile(file.name, text))))
+                    Part.OfProgram(ProjectProgram(Program(file.name, code, text)))
                 }
             }
 

@@ -1,6 +1,6 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.edit.formatJava
+import robotran.javacompiler.edit.JavaSyntax
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -8,7 +8,7 @@ class FormatJavaTest {
     @Test
     fun `our examples are laid out already`() {
         for (examples in listOf(examplePrograms, nxjExamplePrograms)) {
-            for ((name, source) in examples) assertEquals(source, formatJava(source), name)
+            for ((name, source) in examples) assertEquals(source, JavaSyntax.format(source), name)
         }
     }
 
@@ -37,7 +37,7 @@ class FormatJavaTest {
         }
 
         """.trimIndent(),
-        formatJava(
+        JavaSyntax.format(
             """
 
 
@@ -69,7 +69,7 @@ class FormatJavaTest {
 
     @Test
     fun `brackets that do not match do no harm`() {
-        assertEquals("}\n)\n", formatJava("} \n  )"))
-        assertEquals("", formatJava(" \n\n"))
+        assertEquals("}\n)\n", JavaSyntax.format("} \n  )"))
+        assertEquals("", JavaSyntax.format(" \n\n"))
     }
 }

@@ -5,6 +5,7 @@ import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -84,7 +85,7 @@ class Lesson internal constructor(
             listOf(
                 ProjectRobot(
                     world.robots.first().name,
-                    listOf(ProjectProgram(files.first().name, languageOf(files.first()), files)),
+                    listOf(ProjectProgram(Program(files.first().name, languageOf(files.first()), files))),
                 ),
             ),
         )

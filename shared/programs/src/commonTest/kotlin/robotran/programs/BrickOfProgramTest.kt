@@ -1,13 +1,13 @@
 package robotran.programs
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNull
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
 import robotran.languagesupport.BrickMention
 import robotran.languagesupport.SourceFile
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNull
 
 class BrickOfProgramTest {
     private val javaFiles = ProgramLanguage.JAVA.support.files
@@ -33,8 +33,7 @@ class BrickOfProgramTest {
         assertNull(brickOf("import my.lejos.Robot; class A { int lejosx.y; }"))
     }
 
-    private fun likely(text: String) =
-        likelyBrickOf(Program("Robot.java", ProgramLanguage.JAVA, listOf(SourceFile("Robot.java", text))))
+    private fun likely(text: String) = likelyBrickOf(Program("Robot.java", ProgramLanguage.JAVA, text))
 
     @Test
     fun `Java that an RCX cannot run is likely for an NXT`() {

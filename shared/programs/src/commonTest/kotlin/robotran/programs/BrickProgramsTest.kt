@@ -4,7 +4,6 @@ import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
-import robotran.languagesupport.SourceFile
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
@@ -22,7 +21,7 @@ class BrickProgramsTest {
     private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings, language = Language.ENGLISH)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
-        read(Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text))))
+        read(Program(name, ProgramLanguage.JAVA, text))
 
     private fun expectedIn(text: String, kinds: Set<String>): List<Pair<Int, String>> =
         text.lines().flatMapIndexed { index, line ->

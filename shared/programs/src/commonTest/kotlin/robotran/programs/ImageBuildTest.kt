@@ -143,7 +143,7 @@ class ImageBuildTest {
         return assertIs<ImageBuildResult.Built>(result, (result as? ImageBuildResult.HasErrors)?.diagnostics.toString())
     }
 
-    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     /** A program whose [statements] begin in line 5. */
     private fun mainOf(name: String, statements: String) = """

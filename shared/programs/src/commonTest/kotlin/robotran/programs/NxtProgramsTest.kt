@@ -5,7 +5,6 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
-import robotran.languagesupport.SourceFile
 import robotran.tinyvm.NxjProgram
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -17,7 +16,7 @@ class NxtProgramsTest {
     private val rcx = ProgramCompiler(testTarget, language = Language.ENGLISH)
     private val nxt = rcx.forTarget(nxtTestTarget)
 
-    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     private val squareNxj = java(
         "Square.java",

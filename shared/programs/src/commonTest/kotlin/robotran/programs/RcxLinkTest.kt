@@ -7,7 +7,6 @@ import robotran.brick.program.BrickProgram
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -65,10 +64,10 @@ class RcxLinkTest {
             }
         """.trimIndent()
         val steer =
-            compiled(Program("Steer.java", ProgramLanguage.JAVA, listOf(SourceFile("Steer.java", java))), nxtTestTarget)
+            compiled(Program("Steer.java", ProgramLanguage.JAVA, java), nxtTestTarget)
         val nqc = "task main() { while (true) { if (Message() == 7) OnFwd(OUT_A); Wait(5); } }"
         val waits =
-            compiled(Program("waits.nqc", ProgramLanguage.NQC, listOf(SourceFile("waits.nqc", nqc))), testTarget)
+            compiled(Program("waits.nqc", ProgramLanguage.NQC, nqc), testTarget)
         val session =
             Session(world, listOf(steer, waits).map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         session.apply(SessionInput.Press(BrickButton.ENTER, 0))

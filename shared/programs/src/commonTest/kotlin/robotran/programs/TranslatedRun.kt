@@ -8,7 +8,6 @@ import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -47,7 +46,7 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
         )
 
         is CompilationResult.Rejected -> read(
-            Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, translation.java))),
+            Program(name, ProgramLanguage.JAVA, translation.java),
         )
     }
 }

@@ -5,7 +5,6 @@ import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
@@ -16,7 +15,7 @@ class CompilingBesideTest {
     private val java = Program(
         "Hello.java",
         ProgramLanguage.JAVA,
-        listOf(SourceFile("Hello.java", "class Hello { public static void main(String[] args) { } }")),
+        "class Hello { public static void main(String[] args) { } }",
     )
 
     /** A caller that the machine keeps from going on may find the program compiled, so it may try again. */

@@ -3,7 +3,6 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.lejoslinker.LejosImage
 import robotran.tinyvm.config.LejosVersion
 import kotlin.test.Test
@@ -77,7 +76,7 @@ class EveryProgramLinksTest {
         return if (name.endsWith(".robo")) {
             Program(name, ProgramLanguage.ROBOLANG, text)
         } else {
-            Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text)))
+            Program(name, ProgramLanguage.JAVA, text)
         }
     }
 

@@ -1,10 +1,5 @@
 package robotran.programs
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.fuzz.Fuzzing
@@ -12,7 +7,11 @@ import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
-import robotran.languagesupport.SourceFile
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 /** A fix that is offered leaves a program with fewer mistakes, and with none that is new. */
 class HelpfulFixesFuzzTest {
@@ -25,7 +24,7 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `a fix of NQC helps`() = assertHelpful(nqcExamples + nqcPrograms) { name, text ->
-        Program(name, ProgramLanguage.NQC, listOf(SourceFile(name, text)))
+        Program(name, ProgramLanguage.NQC, text)
     }
 
     @Test
@@ -39,7 +38,7 @@ class HelpfulFixesFuzzTest {
         }
         val nqc = NqcProgramCompiler(settings)
         val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, Fuzzing.seed)
-        ofNqc.check(count, { name, text -> Program(name, ProgramLanguage.NQC, listOf(SourceFile(name, text))) }) {
+        ofNqc.check(count, { name, text -> Program(name, ProgramLanguage.NQC, text) }) {
             nqc.compile(it as Program)
         }
         for (fixes in listOf(ofRobolang, ofNqc)) {

@@ -3,7 +3,6 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
@@ -116,7 +115,7 @@ class LejosTablesTest {
             programs.flatMap { (name, text) ->
                 val told = when (
                     val result = compiler.read(
-                        Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text))),
+                        Program(name, ProgramLanguage.JAVA, text),
                     )
                 ) {
                     is ProgramResult.HasErrors -> result.diagnostics

@@ -8,7 +8,6 @@ import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
@@ -36,7 +35,7 @@ class NxjModesTest {
         }
     """.trimIndent()
 
-    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     @Test
     fun `what leJOS NXJ lacks is refused true to the brick, and accepted if forgiving`() = runTest {

@@ -6,6 +6,7 @@ import robotran.json.JsonValidationException
 import robotran.json.messages.JsonMessages
 import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.messages.reason
 import robotran.world.World
@@ -66,7 +67,7 @@ internal fun programIn(cursor: JsonCursor): ProjectProgram {
         listOf(SourceFile(name, textIn(cursor.member(TEXT))))
     }
     val view = cursor.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language.support.hasBlocks }
-    return ProjectProgram(name, language, files, view, unknownOf(cursor))
+    return ProjectProgram(Program(name, language, files), view, unknownOf(cursor))
 }
 
 private fun fileIn(cursor: JsonCursor): SourceFile {

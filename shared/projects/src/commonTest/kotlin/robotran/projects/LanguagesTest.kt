@@ -3,7 +3,6 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -57,7 +56,7 @@ class LanguagesTest {
         val java = Program(
             "Robot.java",
             ProgramLanguage.JAVA,
-            listOf(SourceFile("Robot.java", "class Robot { public static void main(String[] args) { spped = 3; } }")),
+            "class Robot { public static void main(String[] args) { spped = 3; } }",
         )
         reader.prepareFor(java)
         assertEquals(

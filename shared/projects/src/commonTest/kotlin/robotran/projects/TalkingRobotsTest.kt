@@ -89,8 +89,7 @@ class TalkingRobotsTest {
         """,
     )
 
-    private fun nqc(text: String) =
-        Program("a.nqc", ProgramLanguage.NQC, listOf(SourceFile("a.nqc", text.trimIndent())))
+    private fun nqc(text: String) = Program("a.nqc", ProgramLanguage.NQC, text.trimIndent())
 
     @Test
     fun `NQC asks Java and wakes Robolang while another robot listens`() = runTest {

@@ -1,7 +1,7 @@
 package robotran.assignments.doing
 
 import robotran.assignments.tokens.isSameProgram
-import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
@@ -69,5 +69,5 @@ fun isOfSolution(program: ProjectProgram, solution: List<ProjectProgram>): Boole
 private fun blankFor(program: ProjectProgram): ProjectProgram {
     val files = program.language.support.files
     val name = if (files.isNamedByContent) program.name else files.nameFor("program")
-    return ProjectProgram(name, program.language, listOf(SourceFile(name, "")), program.view)
+    return ProjectProgram(Program(name, program.language, ""), program.view)
 }

@@ -3,12 +3,12 @@ package robotran.nqc.support
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.CodeSyntax
+import robotran.languagesupport.CodeTokenKind
 import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.ProgramFiles
 import robotran.languagesupport.ProgramMeasure
 import robotran.languagesupport.linesOfBraceCode
 import robotran.nqc.edit.NqcSyntax
-import robotran.nqc.edit.NqcTokenKind
 import robotran.nqc.edit.nqcTokens
 
 object NqcSupport : LanguageSupport {
@@ -31,8 +31,8 @@ private object NqcMeasure : ProgramMeasure {
             val tokens = nqcTokens(line, isInComment).also { isInComment = it.endsInComment }.tokens
             tokens.mapNotNull { token ->
                 when (token.kind) {
-                    NqcTokenKind.COMMENT -> null
-                    NqcTokenKind.NAME -> ProgramMeasure.NAME
+                    CodeTokenKind.COMMENT -> null
+                    CodeTokenKind.NAME -> ProgramMeasure.NAME
                     else -> line.substring(token.start, token.end)
                 }
             }

@@ -4,7 +4,6 @@ import androidx.compose.ui.graphics.ImageBitmap
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
-import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
@@ -41,7 +40,7 @@ internal object ExamplePictures : CardPictures<String> {
 
     private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
         val text = set.programs[name] ?: return null
-        val source = Program(name, set.language, listOf(SourceFile(name, text)))
+        val source = Program(name, set.language, text)
         val compiled = reader.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
         return (compiled?.result as? ProgramResult.Ready)?.program
     }

@@ -4,7 +4,7 @@ import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.isOfSolution
 import robotran.assignments.doing.pupilCopy
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
@@ -63,7 +63,7 @@ private fun languageOf(assignment: Assignment): ProgramLanguage {
 
 private fun emptyProgram(language: ProgramLanguage): ProjectProgram {
     val name = language.support.files.nameFor("program")
-    return ProjectProgram(name, language, listOf(SourceFile(name, "")))
+    return ProjectProgram(Program(name, language, ""))
 }
 
 /** Asks before pupils get a program that solves the task, once for each such program. */

@@ -4,7 +4,7 @@ import robotran.assignments.doing.forbiddenWords
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.brick.kind.BrickKind
-import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.blockLanguage
 import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
@@ -29,4 +29,4 @@ private val WORDS: Map<BlockGroup, Set<String>> by lazy {
     }
 }
 
-private fun programOf(block: PaletteBlock) = ProjectProgram("", blockLanguage, listOf(SourceFile("", block.template)))
+private fun programOf(block: PaletteBlock) = ProjectProgram(Program("", blockLanguage, block.template))

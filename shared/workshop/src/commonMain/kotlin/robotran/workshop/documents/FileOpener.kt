@@ -290,16 +290,7 @@ internal class FileOpener(
 
     private companion object {
         val KINDS =
-            listOf(
-                FileKind.PROJECT,
-                FileKind.WORLD,
-                FileKind.ROBOT,
-                FileKind.COURSE,
-                FileKind.ROBOLANG,
-                FileKind.JAVA,
-                FileKind.NQC,
-                FileKind.NQC_HEADER,
-                FileKind.LASM,
+            listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOT, FileKind.COURSE) + FileKind.sources + listOf(
                 FileKind.RCX_IMAGE,
                 FileKind.ZIP,
                 // Windows and mail programs put .txt behind the name of a program, and links come in mails.

@@ -2,7 +2,6 @@ package robotran.workshop.programs
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.languagesupport.uniqueName
 import robotran.programs.Program
 import robotran.programs.support
@@ -12,5 +11,5 @@ internal fun newProgram(language: ProgramLanguage, others: List<Program>, brick:
     val files = language.support.files
     val stem = files.nameFor("program").removeSuffix(language.extension)
     val name = uniqueName(stem, language.extension, others.flatMap { it.files }.map { it.name })
-    return Program(name, language, listOf(SourceFile(name, files.newProgram(name, brick))))
+    return Program(name, language, files.newProgram(name, brick))
 }

@@ -7,12 +7,8 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 
 /** This program as stored in a project, with how it is shown. */
-fun Program.asProject(view: ProgramView? = null): ProjectProgram = ProjectProgram(
-    name,
-    language,
-    files,
-    view.takeIf { language.support.hasBlocks },
-)
+fun Program.asProject(view: ProgramView? = null): ProjectProgram =
+    ProjectProgram(this, view.takeIf { language.support.hasBlocks })
 
 internal fun ProjectProgram.asPupil(): Program = Program.of(files)
 

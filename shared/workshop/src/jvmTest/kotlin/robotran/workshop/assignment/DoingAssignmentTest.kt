@@ -141,7 +141,7 @@ class DoingAssignmentTest {
     @Test
     fun `beginning again restores exactly the programs and files given, and one touch undoes that`() {
         val files = listOf(SourceFile("Drive.java", "class Drive {}\n"), SourceFile("Other.java", "class Other {}\n"))
-        val java = ProjectProgram("Drive.java", ProgramLanguage.JAVA, files)
+        val java = ProjectProgram(Program("Drive.java", ProgramLanguage.JAVA, files))
         val name = pupils.world.robots.first().name
         val workshop = window(
             pupils.copy(robots = listOf(ProjectRobot(name, listOf(java, AnyAssignment.program(AnyAssignment.BEGIN))))),

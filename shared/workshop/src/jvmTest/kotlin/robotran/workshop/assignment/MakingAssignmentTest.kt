@@ -3,7 +3,6 @@ package robotran.workshop.assignment
 import robotran.assignments.doing.firstPrograms
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.learning.WorldGallery
 import robotran.programs.Program
 import robotran.projects.Project
@@ -139,7 +138,7 @@ class MakingAssignmentTest {
         assertEquals("", textOf(saved()))
         for ((solution, empty) in listOf("Mine.java" to "Program.java", "mine.nqc" to "program.nqc")) {
             val language = checkNotNull(ProgramLanguage.entries.find { solution.endsWith(it.extension) })
-            val written = ProjectProgram(solution, language, listOf(SourceFile(solution, "// mine")))
+            val written = ProjectProgram(Program(solution, language, "// mine"))
             workshop.handle(AssignmentEvent.Changed(workshop.making.assignment.copy(solution = listOf(written))))
             assertEquals(empty, workshop.making.emptyStart)
         }

@@ -8,7 +8,6 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.languagesupport.SourceFile
 import robotran.programs.ImageBuildResult
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
@@ -192,7 +191,7 @@ class SimulatedBrickTest {
         val PROGRAMS = listOf(
             Program.of("beeper.robo", ROBOLANG) to Program("beeper.robo", ProgramLanguage.ROBOLANG, ROBOLANG),
             Program.of("Beeper.java", JAVA) to
-                Program("Beeper.java", ProgramLanguage.JAVA, listOf(SourceFile("Beeper.java", JAVA))),
+                Program("Beeper.java", ProgramLanguage.JAVA, JAVA),
         )
     }
 }

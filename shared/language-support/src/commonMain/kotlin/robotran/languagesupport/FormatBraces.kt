@@ -1,20 +1,29 @@
-package robotran.nqc.edit
+package robotran.languagesupport
 
 /**
- * Formats NQC. Each block level is indented by four spaces, a continued line by eight more; lines with `#` begin at the
- * left. There are no trailing spaces and no two empty lines in a row, and the text ends in `\n`. The content of each line
- * stays as it is. Formatting a formatted text changes nothing. Never throws for any [source].
+ * How a language with braces is laid out.
+ *
+ * @property heads the words that begin a line which a statement must follow, if it ends in `)`.
+ * @property openEnds the words behind which a statement must follow.
+ * @property hasDirectives whether lines with `#` begin at the left.
  */
-fun formatNqc(source: String): String {
-    val layout = NqcLayout()
-    val lines = source.replace("\r\n", "\n").replace('\r', '\n').split('\n').map { layout.formatted(it) }
+class BraceLayout(val heads: Set<String>, val openEnds: Set<String>, val hasDirectives: Boolean = false)
+
+/**
+ * Formats a program. Each block level is indented by four spaces, a continued line by eight more. There are no trailing
+ * spaces and no two empty lines in a row, and the text ends in `\n`. The content of each line stays as it is. Formatting a
+ * formatted text changes nothing. Never throws for any [source].
+ */
+internal fun formatBraces(source: String, layout: BraceLayout, tokens: (String, Boolean) -> LineTokens): String {
+    val formatter = BraceFormatter(layout, tokens)
+    val lines = source.replace("\r\n", "\n").replace('\r', '\n').split('\n').map { formatter.formatted(it) }
     val kept = lines.filterIndexed { index, line -> line.isNotEmpty() || (index > 0 && lines[index - 1].isNotEmpty()) }
     val text = kept.dropWhile { it.isEmpty() }.dropLastWhile { it.isEmpty() }.joinToString("\n")
     return if (text.isEmpty()) "" else text + "\n"
 }
 
 /** Formats a source line by line. */
-private class NqcLayout {
+private class BraceFormatter(private val layout: BraceLayout, private val tokens: (String, Boolean) -> LineTokens) {
     /** The open brackets, the innermost last. */
     private val open = mutableListOf<Bracket>()
     private var isInComment = false
@@ -27,24 +36,25 @@ private class NqcLayout {
     fun formatted(line: String): String {
         val content = line.trim()
         val startsInComment = isInComment
-        val tokens = nqcTokens(content, startsInComment)
-        isInComment = tokens.endsInComment
-        val isDirective = isInDirective || tokens.tokens.firstOrNull()?.kind == NqcTokenKind.DIRECTIVE
+        val found = tokens(content, startsInComment)
+        isInComment = found.endsInComment
+        val begins = layout.hasDirectives && !startsInComment && content.startsWith('#')
+        val isDirective = isInDirective || begins
         isInDirective = isDirective && content.endsWith('\\')
         return when {
             content.isEmpty() -> ""
-            startsInComment -> inComment(content, tokens.tokens)
+            startsInComment -> inComment(content, found.tokens)
             isDirective -> if (content.startsWith('#')) content else line.trimEnd()
-            else -> code(content, tokens.tokens)
+            else -> code(content, found.tokens)
         }
     }
 
-    private fun inComment(content: String, tokens: List<NqcToken>): String {
+    private fun inComment(content: String, tokens: List<CodeToken>): String {
         track(content, tokens, commentIndent)
         return blanks(if (content.startsWith('*')) commentIndent + 1 else commentIndent) + content
     }
 
-    private fun code(content: String, tokens: List<NqcToken>): String {
+    private fun code(content: String, tokens: List<CodeToken>): String {
         val indent = indentOf(content.first())
         if (isInComment) commentIndent = indent
         track(content, tokens, indent)
@@ -58,11 +68,11 @@ private class NqcLayout {
     }
 
     /** Opens and closes the brackets of a line that is indented by [indent]. */
-    private fun track(content: String, tokens: List<NqcToken>, indent: Int) {
-        val code = tokens.filter { it.kind != NqcTokenKind.COMMENT }
+    private fun track(content: String, tokens: List<CodeToken>, indent: Int) {
+        val code = tokens.filter { it.kind != CodeTokenKind.COMMENT }
         if (code.isEmpty()) return
         val start = if (content.first() == '{') indent else indent - continuation
-        for (token in code.filter { it.kind == NqcTokenKind.SIGN && it.end == it.start + 1 }) {
+        for (token in code.filter { it.kind == CodeTokenKind.SIGN && it.end == it.start + 1 }) {
             when (val sign = content[token.start]) {
                 '{' -> open += Bracket(sign, start, start + STEP)
                 '(', '[' -> open += Bracket(sign, start, start + 2 * STEP)
@@ -77,14 +87,14 @@ private class NqcLayout {
         if (place >= 0) while (open.size > place) open.removeAt(open.lastIndex)
     }
 
-    private fun continuationAfter(content: String, code: List<NqcToken>): Int {
+    private fun continuationAfter(content: String, code: List<CodeToken>): Int {
         if (open.lastOrNull()?.sign.let { it == '(' || it == '[' }) return 0
         val words = code.map { content.substring(it.start, it.end) }
         val head = words.dropWhile { it == "}" }.firstOrNull()
         return when (words.last()) {
             ";", "{", "}", ",", ":" -> 0
-            "else", "do", "catch" -> STEP
-            ")" -> if (head in HEADS) STEP else 2 * STEP
+            in layout.openEnds -> STEP
+            ")" -> if (head in layout.heads) STEP else 2 * STEP
             else -> 2 * STEP
         }
     }
@@ -93,7 +103,6 @@ private class NqcLayout {
 
     private companion object {
         const val STEP = 4
-        val HEADS = "if else while for repeat until switch monitor acquire catch task sub void".split(' ').toSet()
         val OPENING = mapOf('}' to '{', ')' to '(', ']' to '[')
 
         fun blanks(count: Int) = " ".repeat(maxOf(0, count))
