@@ -119,10 +119,10 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** The ROM calls of the [watched] robot up to [state]. */
     val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
 
-    /** The chart of [lane] for the [watched] robot, over the recordedInputs known run. */
+    /** The chart of [lane] for the [watched] robot, over the whole known run. */
     fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
 
-    /** The ROM call counts of the [watched] robot, over the recordedInputs known run. */
+    /** The ROM call counts of the [watched] robot, over the whole known run. */
     val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
 
     /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */

@@ -4,13 +4,12 @@ package robotran.tinyvm.link
 internal class CodeWriter {
     private var words = IntArray(INITIAL_CAPACITY)
     private var places = IntArray(INITIAL_CAPACITY)
+
+    /** The positions of the words that are branch targets. */
     private val branches = ArrayList<Int>()
 
     var size = 0
         private set
-
-    /** The positions of the words that are branch targets. */
-    val branchPositions: List<Int> get() = branches
 
     /** The tables of `switch` statements; their targets are byte positions until [finish]. */
     val switches = ArrayList<SwitchTable>()

@@ -56,7 +56,6 @@ internal class LinkedMethod(val owner: LinkedClass, val entry: MethodEntry, val 
  * bytes of the instruction before the start that a brick lets it serve, too, 0 for none.
  * @property places for each word of [code], its byte position in the class file.
  * @property switches the tables of its `switch` statements.
- * @property registerCode the same code for quick execution without a debugger, null if it cannot express the method.
  */
 internal class MethodBody(
     val code: IntArray,
@@ -64,7 +63,6 @@ internal class MethodBody(
     private val places: IntArray,
     private val lines: LineTable,
     private val variables: List<LocalVariable>,
-    val registerCode: RegisterCode?,
     val switches: List<SwitchTable>,
 ) {
     /** The source line of the word at [position], 0 if unknown. */

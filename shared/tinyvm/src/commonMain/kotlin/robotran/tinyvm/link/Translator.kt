@@ -32,9 +32,7 @@ internal class Translator(
         positions[entry.bytes.size] = writer.size
         val words = writer.finish(positions)
         val places = writer.finishedPositions()
-        val handlers = handlers(positions)
-        val registers = registerCode(words, places, handlers)
-        return MethodBody(words, handlers, places, entry.lines, entry.variables, registers, writer.switches)
+        return MethodBody(words, handlers(positions), places, entry.lines, entry.variables, writer.switches)
     }
 
     /**
@@ -45,18 +43,6 @@ internal class Translator(
         val target = instruction.operand
         return instruction.opcode == Opcode.GOTO && target > instruction.place && target in lineStarts &&
             entry.lines.lineAt(target) == entry.lines.lineAt(instruction.place)
-    }
-
-    private fun registerCode(words: IntArray, places: IntArray, handlers: IntArray): RegisterCode? {
-        val isJoin = BooleanArray(words.size)
-        for (branch in writer.branchPositions) isJoin[words[branch]] = true
-        for (table in writer.switches) for (target in table.targets) isJoin[target] = true
-        val depths = IntArray(words.size) { code.depths[places[it]] }
-        val blocks = BlockCompiler(words, depths, isJoin, method.maxLocals, writer.switches, isExact) {
-            types.members.methods[it].argumentWords
-        }
-        val targets = handlers.indices.filter { it % HANDLER_NUMBERS == HANDLER_TARGET }.map { handlers[it] }
-        return RegisterCompiler(words, targets, blocks).compile()
     }
 
     private fun handlers(positions: IntArray): IntArray = entry.handlers
@@ -144,9 +130,8 @@ internal class Translator(
         /** The type id of a handler that catches everything. */
         const val CATCHES_ALL = -1
 
-        /** The numbers of a handler, see [MethodBody.handlers], of which the third is the target. */
+        /** The numbers of a handler, see [MethodBody.handlers]. */
         const val HANDLER_NUMBERS = 5
-        private const val HANDLER_TARGET = 2
 
         private val BRANCHES = (Opcode.IFEQ..Opcode.JSR).toSet() + Opcode.IFNULL + Opcode.IFNONNULL
 

@@ -2,7 +2,7 @@ package robotran.tinyvm.run
 
 import robotran.tinyvm.link.Operation
 
-/** The operations that are too rare for the interpreters' loops. */
+/** The operations that are too rare for the interpreter's loop. */
 internal class RareOperations(machine: VirtualMachine, calls: Calls) {
     private val arithmetic = QuirkyArithmetic(machine)
     val places = ArrayAddressing(machine, arithmetic)

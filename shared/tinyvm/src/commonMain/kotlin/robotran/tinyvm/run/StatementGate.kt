@@ -29,10 +29,9 @@ internal class StatementGate {
         return true
     }
 
-    /** Begins [statements] without asking [watch]. */
-    fun begin(statements: Int = 1) {
-        if (statements == 0) return
+    /** Begins a statement without asking [watch]. */
+    fun begin() {
         isPassed = false
-        begun += statements
+        begun++
     }
 }

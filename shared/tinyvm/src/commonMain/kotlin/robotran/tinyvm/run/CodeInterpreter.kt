@@ -4,15 +4,15 @@ import robotran.tinyvm.link.BuiltInException
 import robotran.tinyvm.link.Operation
 
 /**
- * Executes the stack code of one thread, one operation after the other. The verifier has checked everything that depends
+ * Executes the code of one thread, one operation after the other. The verifier has checked everything that depends
  * on the code alone, so it is not checked here.
  */
-internal class StackInterpreter(
+internal class CodeInterpreter(
     private val machine: VirtualMachine,
     private val calls: Calls,
     private val gate: StatementGate,
-    private val rare: RareOperations,
 ) {
+    private val rare = RareOperations(machine, calls)
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()
@@ -21,11 +21,10 @@ internal class StackInterpreter(
     private val division = rare.division
 
     /**
-     * Executes operations of the innermost frame of [thread], and of those that it calls and returns to, until at most
-     * [stop] bytecodes of the budget are left or something rare happens. Returns true if the debugger pauses the thread
-     * before a statement.
+     * Executes operations of the innermost frame of [thread], and of those that it calls and returns to, until the
+     * budget is used up or something rare happens. Returns true if the debugger pauses the thread before a statement.
      */
-    fun execute(thread: VmThread, stop: Int): Boolean {
+    fun execute(thread: VmThread): Boolean {
         val words = words
         var frame = thread.frame
         var code = frame.body.code
@@ -34,7 +33,7 @@ internal class StackInterpreter(
         var next = frame.next
         var top = frame.top
         var left = machine.budget
-        while (left > stop) {
+        while (left > 0) {
             left--
             when (code[next++]) {
                 Operation.STATEMENT -> {
@@ -352,13 +351,7 @@ internal class StackInterpreter(
                     val method = if (receiver == 0) null else types[words[receiver]].virtualMethods[code[next]]
                     val body = if (method == null || method.isSynchronized) null else method.body
                     val called =
-                        if (method == null ||
-                            body == null
-                        ) {
-                            null
-                        } else {
-                            thread.push(top - code[next + 1], method.frameWords)
-                        }
+                        if (method == null || body == null) null else thread.push(top - code[next + 1], method.frameWords)
                     frame.next = next + 2
                     if (method == null) {
                         frame.top = top
