@@ -13,10 +13,10 @@ object RobolangWords {
     val commands: List<String> = Keyword.COMMANDS.filter { it != Keyword.LEFT && it != Keyword.RIGHT }.map { it.text }
 
     /** Those that begin a block. */
-    val openers: Set<String> = OPENERS.mapTo(mutableSetOf()) { it.text }
+    internal val openers: Set<String> = OPENERS.mapTo(mutableSetOf()) { it.text }
 
     /** The operators that are words. */
-    val operators: List<String> = BinaryOperator.entries.map { it.text }.filter { it.first().isLetter() }
+    internal val operators: List<String> = BinaryOperator.entries.map { it.text }.filter { it.first().isLetter() }
 
     /** All words of the language. */
     val keywords: List<String> = Keyword.entries.map { it.text }
@@ -28,10 +28,10 @@ object RobolangWords {
     fun spellingOf(text: String): String? = Keyword.of(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
 
     /** All words of the language that a program for [brick] can have. */
-    fun keywordsOn(brick: BrickKind): List<String> = wordsOn(brick) { true }
+    internal fun keywordsOn(brick: BrickKind): List<String> = wordsOn(brick) { true }
 
     /** Those of them that begin a value, and the operators. */
-    fun valueWordsOn(brick: BrickKind): List<String> = wordsOn(brick) { it.beginsValue || it.text in operators }
+    internal fun valueWordsOn(brick: BrickKind): List<String> = wordsOn(brick) { it.beginsValue || it.text in operators }
 
     private fun wordsOn(brick: BrickKind, isMeant: (Keyword) -> Boolean): List<String> =
         Keyword.entries.filter { (it.brick == null || it.brick == brick) && isMeant(it) }.map { it.text }

@@ -12,6 +12,7 @@ import robotran.languagesupport.TextLines
 import robotran.languagesupport.callOf
 import robotran.languagesupport.completionOf
 import robotran.robolang.RobolangWords
+import robotran.robolang.words.Keyword
 
 /** The completions at the caret of a Robolang program; null if there are none. */
 internal fun completeRobolang(request: CompletionRequest): CompletionList? {
@@ -103,8 +104,9 @@ private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
         !isInWord(this[behind])
 }
 
-private val DECLARATIONS = listOf("var", "const", "procedure", "function", "for")
-private val DECLARING = setOf("var", "const", "procedure", "function", "for", "each", "(", ",")
+private val DECLARATIONS =
+    listOf(Keyword.VAR, Keyword.CONST, Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.FOR).map { it.text }
+private val DECLARING = DECLARATIONS + listOf(Keyword.EACH.text, "(", ",")
 
 private fun block(first: String, caret: Int, label: String = "$first … end") =
     Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)
