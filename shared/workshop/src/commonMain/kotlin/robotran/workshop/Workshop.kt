@@ -9,7 +9,6 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withTimeoutOrNull
-import robotran.brick.controls.startButton
 import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
@@ -67,7 +66,6 @@ import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
 import robotran.workshop.show.ShowStateHolder
-import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction

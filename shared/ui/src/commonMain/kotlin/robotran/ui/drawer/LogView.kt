@@ -119,7 +119,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(RunTexts.logTroubled(spoken), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.of(state.kind)) {
+        for (group in state.kind.callGroups) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(group.word(spoken), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))

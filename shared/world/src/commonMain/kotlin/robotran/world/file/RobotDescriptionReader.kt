@@ -33,7 +33,7 @@ import robotran.world.roundToThousandths
  */
 internal fun readDescription(place: JsonCursor, mayBeImpossible: Boolean = false): RobotDescription {
     val base = place.optional("like")?.let(::readyRobot)
-    val brick = place.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.RCX
+    val brick = place.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.DEFAULT
     val like = base ?: ReadyRobots.defaultOf(brick)
     val robot = RobotDescription(
         title = place.member("title").text(RobotLimits.MAXIMUM_TITLE_CHARACTERS),
