@@ -25,8 +25,7 @@ import robotran.brick.sensors.SensorKind
  * @property hasSoftSound whether it plays samples, so that a tone is a sine and no square wave.
  * @property hasRom whether programs act through the ROM in its memory, which can be looked at.
  * @property callGroups the subjects of the calls in its log.
- * @property javaPackage the package that a program in Java for it begins with.
- * @property javaVersion the version of the language that programs in Java for it are written in: 5 has `enum`.
+ * @property java what runs programs in Java on it; null if nothing does.
  * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
  * @property receivesPrograms whether programs can be sent to a real one, as an image or with LEGO's firmware.
  */
@@ -46,8 +45,7 @@ enum class BrickKind(
     val hasSoftSound: Boolean,
     val hasRom: Boolean,
     val callGroups: List<CallGroup>,
-    val javaPackage: String,
-    val javaVersion: Int,
+    val java: JavaPlatform?,
     val hasLegoFirmware: Boolean,
     val receivesPrograms: Boolean,
 ) {
@@ -68,8 +66,7 @@ enum class BrickKind(
         hasSoftSound = false,
         hasRom = true,
         callGroups = CallGroup.COMMON + listOf(CallGroup.INFRARED, CallGroup.TIMER, CallGroup.UNKNOWN),
-        javaPackage = "josx.platform.rcx",
-        javaVersion = 3,
+        java = JavaPlatform.LEJOS,
         hasLegoFirmware = true,
         receivesPrograms = true,
     ),
@@ -91,15 +88,11 @@ enum class BrickKind(
         hasSoftSound = true,
         hasRom = false,
         callGroups = CallGroup.COMMON + listOf(CallGroup.BLUETOOTH, CallGroup.SYSTEM),
-        javaPackage = "lejos.nxt",
-        javaVersion = 5,
+        java = JavaPlatform.NXJ,
         hasLegoFirmware = false,
         receivesPrograms = false,
     ),
     ;
-
-    /** The package that holds all of its library in Java, and that no other brick has. */
-    val javaRoot: String = javaPackage.substringBefore('.')
 
     companion object {
         /**
@@ -110,5 +103,11 @@ enum class BrickKind(
 
         /** The brick that runs programs for LEGO's own firmware. */
         val OF_LEGO_FIRMWARE: BrickKind = entries.single { it.hasLegoFirmware }
+
+        /** The brick with this [java]. */
+        fun with(java: JavaPlatform): BrickKind = entries.single { it.java == java }
+
+        /** The brick whose programs in Java name packages in [root], such as `lejos`; null if there is none. */
+        fun ofJavaRoot(root: String): BrickKind? = entries.firstOrNull { it.java?.root == root }
     }
 }
