@@ -8,7 +8,7 @@ import kotlin.test.assertTrue
 class BrickButtonTest {
     @Test
     fun `each button belongs to one brick, in its order`() {
-        assertEquals(BrickButton.entries.toList(), BrickKind.entries.flatMap(BrickButton::of))
+        assertEquals(BrickButton.entries.toList(), BrickKind.entries.flatMap { it.buttons })
         assertEquals(listOf("On-Off", "View", "Prgm", "Run"), BrickKind.RCX.buttons.map { it.label })
     }
 

@@ -98,7 +98,8 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
             Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
                 RobotTexts.looksAhead(spoken),
             (Facing.Free to RobotTexts.looksFree(spoken)).takeIf {
-                part.facing == Facing.Free || (part.sensor == SensorKind.LIGHT && BrickBuild.of(scope.robot.brick).hasShortForm)
+                part.facing == Facing.Free ||
+                    (part.sensor == SensorKind.LIGHT && BrickBuild.of(scope.robot.brick).hasShortForm)
             },
         )
         ChipRow(RobotTexts.looks(spoken), words, part.facing, "robot-looks") { facing ->

@@ -120,7 +120,9 @@ private fun plugErrors(robot: RobotDescription): List<RobotError> {
         when {
             port !in 1..robot.brick.inputPorts -> RobotError.NoSuchPort(number, robot.brick, port)
             part.kind !in robot.brick.sensors -> RobotError.UnreadableSensor(number, robot.brick, part.kind)
-            before.size >= robot.brick.sensorsOnPort || before.any { it.isSameThing(part) } -> RobotError.PortTaken(number, port)
+            before.size >= robot.brick.sensorsOnPort || before.any {
+                it.isSameThing(part)
+            } -> RobotError.PortTaken(number, port)
             else -> null
         }
     }
