@@ -79,10 +79,10 @@ class PhotosTest {
         installCamera()
         openHandIns()
         answer(Activity.RESULT_CANCELED) { }
-        assertEquals(null, page.told)
+        assertEquals(null, page.message)
         answer(Activity.RESULT_OK) { write(it, Bitmap.createBitmap(200, 200, Bitmap.Config.ARGB_8888)) }
-        app.waitUntil("Nothing is told") { page.told != null }
-        assertEquals(HandInsMessage.NoCodes(isPhoto = true), page.told)
+        app.waitUntil("Nothing is told") { page.message != null }
+        assertEquals(HandInsMessage.NoCodes(isPhoto = true), page.message)
         app.photograph("no-code-in-photo")
     }
 
@@ -93,7 +93,7 @@ class PhotosTest {
         shadowOf(context).checkActivities(true)
         shadowOf(context.packageManager).removeActivity(CAMERA)
         requestPhoto()
-        assertEquals(HandInsMessage.NoCamera, page.told)
+        assertEquals(HandInsMessage.NoCamera, page.message)
     }
 
     private fun openHandIns() {

@@ -81,11 +81,11 @@ internal object SavedProjectText {
         return SavedProjectCopy.Whole(entry, order, project, breakpoints.map(::breakpointIn))
     }
 
-    private fun breakpointIn(place: JsonCursor) = SavedBreakpoint(
-        place.member("robot").textOrNull().orEmpty(),
-        place.member("program").textOrNull().orEmpty(),
-        place.member("file").textOrNull().orEmpty(),
-        place.member("line").wholeNumber(1..Int.MAX_VALUE),
+    private fun breakpointIn(cursor: JsonCursor) = SavedBreakpoint(
+        cursor.member("robot").textOrNull().orEmpty(),
+        cursor.member("program").textOrNull().orEmpty(),
+        cursor.member("file").textOrNull().orEmpty(),
+        cursor.member("line").wholeNumber(1..Int.MAX_VALUE),
     )
 
     private const val FORMAT = "robotran-work "

@@ -5,7 +5,7 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
-import robotran.json.messages.told
+import robotran.json.messages.reason
 import robotran.language.Language
 
 /**
@@ -23,7 +23,7 @@ class JsonCursor internal constructor(
 
     fun member(name: String): JsonCursor = optional(name) ?: run {
         val near = members.keys.firstOrNull { it !in known.orEmpty() && isNear(it, name) }
-        val reason = told { if (near == null) missing() else missingBut(near) }
+        val reason = reason { if (near == null) missing() else missingBut(near) }
         throw JsonValidationException(path + JsonStep.Member(name), reason)
     }
 
@@ -82,9 +82,9 @@ class JsonCursor internal constructor(
 
     /** The items of a list whose size must be in [count]. */
     fun items(count: IntRange): List<JsonCursor> {
-        val items = element as? JsonArray ?: refuse(told { mustBeList() })
-        if (items.size > count.last) refuse(told { tooManyEntries(items.size, count.last) })
-        if (items.size < count.first) refuse(told { tooFewEntries(items.size, count.first) })
+        val items = element as? JsonArray ?: refuse(reason { mustBeList() })
+        if (items.size > count.last) refuse(reason { tooManyEntries(items.size, count.last) })
+        if (items.size < count.first) refuse(reason { tooFewEntries(items.size, count.first) })
         return items.mapIndexed { number, item -> JsonCursor(item, path + JsonStep.Item(number), questions) }
     }
 
@@ -92,21 +92,21 @@ class JsonCursor internal constructor(
      * A string of at most [maximum] visible characters, not blank unless [mayBeEmpty], one line unless [severalLines].
      */
     fun text(maximum: Int, mayBeEmpty: Boolean = false, severalLines: Boolean = false): String {
-        val text = textOrNull() ?: refuse(told { mustBeText() })
-        if (!mayBeEmpty && text.isBlank()) refuse(told { mustNotBeEmpty() })
-        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
+        val text = textOrNull() ?: refuse(reason { mustBeText() })
+        if (!mayBeEmpty && text.isBlank()) refuse(reason { mustNotBeEmpty() })
+        if (text.length > maximum) refuse(reason { tooManyCharacters(maximum) })
         val isOrdinary =
             text.none { it.isISOControl() && !(severalLines && it == '\n') } &&
                 text.indices.none { isUnpairedSurrogate(text, it) }
-        if (!isOrdinary) refuse(told { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
+        if (!isOrdinary) refuse(reason { if (severalLines) mustBeOrdinary() else mustBeOneOrdinaryLine() })
         return text
     }
 
     /** Any string of at most [maximum] characters, such as one of several lines. */
     fun longText(maximum: Int): String {
-        val text = textOrNull() ?: refuse(told { mustBeText() })
-        if (text.length > maximum) refuse(told { tooManyCharacters(maximum) })
-        if (text.indices.any { isUnpairedSurrogate(text, it) }) refuse(told { mustBeOrdinary() })
+        val text = textOrNull() ?: refuse(reason { mustBeText() })
+        if (text.length > maximum) refuse(reason { tooManyCharacters(maximum) })
+        if (text.indices.any { isUnpairedSurrogate(text, it) }) refuse(reason { mustBeOrdinary() })
         return text
     }
 
@@ -116,25 +116,25 @@ class JsonCursor internal constructor(
     fun textOrNull(): String? = (element as? JsonPrimitive)?.takeIf { it.isString }?.content
 
     fun number(range: ClosedRange<Double>): Double {
-        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
-        if (number !in range) refuse(told { mustBeFrom(writeDecimal(range.start), writeDecimal(range.endInclusive)) })
+        val number = numberOrNull() ?: refuse(reason { mustBeNumber() })
+        if (number !in range) refuse(reason { mustBeFrom(writeDecimal(range.start), writeDecimal(range.endInclusive)) })
         return number
     }
 
     fun wholeNumber(range: IntRange): Int {
-        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        val number = numberOrNull() ?: refuse(reason { mustBeNumber() })
         val isWhole = number == number.toInt().toDouble()
         if (!isWhole || number.toInt() !in range) {
-            refuse(told { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
+            refuse(reason { mustBeWholeFrom(range.first.toLong(), range.last.toLong()) })
         }
         return number.toInt()
     }
 
     /** The same as a `Long`. */
     fun longNumber(range: LongRange): Long {
-        val number = numberOrNull() ?: refuse(told { mustBeNumber() })
+        val number = numberOrNull() ?: refuse(reason { mustBeNumber() })
         if (number != number.toLong().toDouble() || number.toLong() !in range) {
-            refuse(told { mustBeWholeFrom(range.first, range.last) })
+            refuse(reason { mustBeWholeFrom(range.first, range.last) })
         }
         return number.toLong()
     }
@@ -142,11 +142,11 @@ class JsonCursor internal constructor(
     fun flag(): Boolean = when ((element as? JsonPrimitive)?.takeIf { !it.isString }?.content) {
         "true" -> true
         "false" -> false
-        else -> refuse(told { mustBeTrueOrFalse() })
+        else -> refuse(reason { mustBeTrueOrFalse() })
     }
 
     /** The value for one of a few keywords. */
-    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse(told { mustBeOneOf(words.keys) })
+    fun <T> choice(words: Map<String, T>): T = words[textOrNull()] ?: refuse(reason { mustBeOneOf(words.keys) })
 
     /** Stops reading with an error; [reason], in any language, follows the path: `must be a number`. */
     fun refuse(reason: (Language) -> String): Nothing = throw JsonValidationException(path, reason)
@@ -159,7 +159,7 @@ class JsonCursor internal constructor(
     fun refuseLine(sentence: (Language) -> String): Nothing =
         throw JsonValidationException(path, JsonValidationException.Form.WHOLE, sentence)
 
-    private val members: JsonObject get() = element as? JsonObject ?: refuse(told { mustBeObject() })
+    private val members: JsonObject get() = element as? JsonObject ?: refuse(reason { mustBeObject() })
 
     private fun numberOrNull(): Double? =
         (element as? JsonPrimitive)?.takeIf { it !is JsonNull && !it.isString }?.let { readDecimal(it.content) }

@@ -18,17 +18,17 @@ class JsonFormat(
     private val isNewer: (version: Int) -> (Language) -> String,
 ) {
     /**
-     * The version of the file at [place].
+     * The version of the file at [cursor].
      *
      * @throws JsonValidationException if it is of another format or too new.
      */
-    fun versionOf(place: JsonCursor): Int {
-        val format = place.optional("format")
+    fun versionOf(cursor: JsonCursor): Int {
+        val format = cursor.optional("format")
         if (format?.textOrNull() != name) {
-            if (format == null && place.path.steps.isEmpty()) throw JsonValidationException(null, isOther)
-            (format ?: place).refuseLine(isOther)
+            if (format == null && cursor.path.steps.isEmpty()) throw JsonValidationException(null, isOther)
+            (format ?: cursor).refuseLine(isOther)
         }
-        val field = place.member("version")
+        val field = cursor.member("version")
         val found = field.wholeNumber(0..Int.MAX_VALUE)
         if (found < 1) field.refuse { JsonMessages.of(it).mustBeFrom("1", "$version") }
         if (found > version) field.refuseLine(isNewer(found))

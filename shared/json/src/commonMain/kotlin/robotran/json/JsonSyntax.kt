@@ -1,6 +1,6 @@
 package robotran.json
 
-import robotran.json.messages.told
+import robotran.json.messages.reason
 import robotran.language.Language
 
 /** A text is no JSON, or exceeds a limit, so that it must not be parsed. */
@@ -19,10 +19,10 @@ internal class JsonSyntax(private val text: String) {
     /** The members whose names an object has twice, at most [JsonLimits.MAXIMUM_WARNINGS]. */
     fun check(): List<JsonPath> {
         if (text.length > JsonLimits.MAXIMUM_CHARACTERS) {
-            throw JsonSyntaxException(told { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
+            throw JsonSyntaxException(reason { fileTooLong(JsonLimits.MAXIMUM_CHARACTERS) }, null)
         }
         reader.skipBlanks()
-        if (reader.isAtEnd) throw JsonSyntaxException(told { emptyFile() }, null)
+        if (reader.isAtEnd) throw JsonSyntaxException(reason { emptyFile() }, null)
         if (reader.startsWord && !reader.startsLiteral) reader.fail { mustBeginWithBrace(it) }
         value(depth = 0, member = null)
         reader.skipBlanks()

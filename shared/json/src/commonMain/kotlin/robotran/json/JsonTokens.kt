@@ -2,7 +2,7 @@ package robotran.json
 
 import robotran.json.messages.JsonMessages
 import robotran.json.messages.JsonSyntaxMessages
-import robotran.json.messages.told
+import robotran.json.messages.reason
 import robotran.language.pasted.pastedCharacter
 
 /** Reads the tokens of a JSON text, and knows what people write in their place. */
@@ -172,7 +172,7 @@ internal class JsonTokens(private val text: String) {
 
     /** Refuses the text for a mistake in [line]. */
     fun fail(line: Int = this.line, sentence: JsonSyntaxMessages.(line: Int) -> String): Nothing =
-        throw JsonSyntaxException(told { sentence(line) }, line)
+        throw JsonSyntaxException(reason { sentence(line) }, line)
 
     private fun wordHere(): String {
         var end = place

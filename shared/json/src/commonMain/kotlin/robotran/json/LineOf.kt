@@ -8,20 +8,20 @@ package robotran.json
 internal fun lineOf(path: JsonPath, text: String): Int {
     val scanner = JsonScanner(text)
     var value = scanner.skipBlanks(0)
-    var told = value
+    var offset = value
     for (step in path.steps) {
         val found = when (step) {
             is JsonStep.Member -> scanner.findMember(value, step.name)
             is JsonStep.Item -> scanner.findItem(value, step.number)
         } ?: break
-        told = found.told
+        offset = found.offset
         value = found.value
     }
-    return lineAt(text, told)
+    return lineAt(text, offset)
 }
 
-/** @property told the offset to report: that of a member's name, because its value may start a later line. */
-private class Found(val told: Int, val value: Int)
+/** @property offset the offset to report: that of a member's name, because its value may start a later line. */
+private class Found(val offset: Int, val value: Int)
 
 /** Scans a text that is valid JSON. Positions are character offsets. */
 private class JsonScanner(private val text: String) {

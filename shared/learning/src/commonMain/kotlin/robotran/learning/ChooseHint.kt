@@ -34,7 +34,7 @@ fun chooseHint(lesson: Lesson, attempt: Attempt, language: Language): Hint? {
     val whens = lesson.text(language).whens
     val own = whens.zip(lesson.text(language, inBlocks = true).whens, ::HintForViews)
     return (common.take(1) + own + common.drop(1)).firstNotNullOfOrNull { hint ->
-        hint.text.condition.match(attempt)?.let { told(hint, it) }
+        hint.text.condition.match(attempt)?.let { hintOf(hint, it) }
     } ?: stagedHint(lesson, HintStage.NUDGE, language)
 }
 
@@ -50,7 +50,7 @@ fun stagedHint(lesson: Lesson, stage: HintStage, language: Language): Hint {
 
 private class HintForViews(val text: ConditionalHint, val blocks: ConditionalHint)
 
-private fun told(hint: HintForViews, match: HintMatch): Hint {
+private fun hintOf(hint: HintForViews, match: HintMatch): Hint {
     fun ConditionalHint.filled() = text.replace(WORD, match.word.orEmpty())
     return Hint(HintStage.NUDGE, hint.text.filled(), hint.blocks.filled(), hint.text.condition, match.line)
 }

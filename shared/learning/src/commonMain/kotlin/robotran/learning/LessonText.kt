@@ -29,7 +29,7 @@ data class LessonText(
         fun ofHarder(file: String, index: Int, inBlocks: Boolean): LessonText {
             val parts = sections(sections(file).single().body, "## ")
             val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
-            val (task, nudge, part, solution) = toldFor(inBlocks, paragraphs(harder.body))
+            val (task, nudge, part, solution) = paragraphsFor(inBlocks, paragraphs(harder.body))
             return of(file, inBlocks, BrickKind.DEFAULT).copy(
                 title = harder.heading.removePrefix(HARDER),
                 task = task,
@@ -46,16 +46,16 @@ data class LessonText(
         fun of(file: String, inBlocks: Boolean, brick: BrickKind): LessonText {
             val whole = sections(file).single()
             val parts = sections(whole.body, "## ").associate { it.heading to it.body }
-            val told = { body: String -> toldFor(inBlocks, toldOn(brick, paragraphs(body))) }
-            val under = { heading: String -> told(parts.getValue(heading)).joinToString(" ") }
+            val shownParagraphs = { body: String -> paragraphsFor(inBlocks, paragraphsOn(brick, paragraphs(body))) }
+            val under = { heading: String -> shownParagraphs(parts.getValue(heading)).joinToString(" ") }
             return LessonText(
                 whole.heading,
-                told(whole.body.substringBefore("## ")),
+                shownParagraphs(whole.body.substringBefore("## ")),
                 under("Task"),
                 under("Nudge"),
                 under("Part"),
                 under("Solution"),
-                conditionalHints(parts, told),
+                conditionalHints(parts, shownParagraphs),
             )
         }
     }
@@ -65,25 +65,27 @@ data class LessonText(
 data class ConditionalHint(val condition: HintCondition, val text: String)
 
 /** The hints below the headings `When ...`. */
-private fun conditionalHints(parts: Map<String, String>, told: (String) -> List<String>): List<ConditionalHint> =
-    parts.filterKeys { it.startsWith(WHEN) }.map { (heading, body) ->
-        val phrase = heading.removePrefix(WHEN)
-        val condition = requireNotNull(HintCondition.of(phrase)) { "There is no condition \"$phrase\"." }
-        ConditionalHint(condition, told(body).joinToString(" "))
-    }.filter { it.text.isNotEmpty() }
+private fun conditionalHints(
+    parts: Map<String, String>,
+    shownParagraphs: (String) -> List<String>,
+): List<ConditionalHint> = parts.filterKeys { it.startsWith(WHEN) }.map { (heading, body) ->
+    val phrase = heading.removePrefix(WHEN)
+    val condition = requireNotNull(HintCondition.of(phrase)) { "There is no condition \"$phrase\"." }
+    ConditionalHint(condition, shownParagraphs(body).joinToString(" "))
+}.filter { it.text.isNotEmpty() }
 
 /** The hints in [file] that every lesson falls back on. */
 internal fun commonHints(file: String): List<ConditionalHint> =
     conditionalHints(sections(file, "## ").associate { it.heading to it.body }) { paragraphs(it) }
 
 /** The [paragraphs] for a pupil who sees programs in blocks, or as text. The mark at the start of one says for whom. */
-private fun toldFor(inBlocks: Boolean, paragraphs: List<String>): List<String> {
+private fun paragraphsFor(inBlocks: Boolean, paragraphs: List<String>): List<String> {
     val (own, other) = if (inBlocks) FOR_BLOCKS to FOR_TEXT else FOR_TEXT to FOR_BLOCKS
     return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
 }
 
 /** The [paragraphs] for a pupil whose robot has a [brick]. */
-private fun toldOn(brick: BrickKind, paragraphs: List<String>): List<String> {
+private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<String> {
     val others = (BrickKind.entries - brick).map(::markFor)
     return paragraphs.filterNot { text -> others.any(text::startsWith) }.map { it.removePrefix(markFor(brick)).trim() }
 }

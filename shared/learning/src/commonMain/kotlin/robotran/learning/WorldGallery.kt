@@ -44,13 +44,13 @@ object WorldGallery {
         val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
         return worlds.mapNotNull { found ->
             val world = found.world(language)
-            val told = "${world.title} ${world.task}".lowercase()
+            val searched = "${world.title} ${world.task}".lowercase()
             val robot = "${robotLine(found)} ${robotWords(world.robots.first().description, language)}".lowercase()
             val languages = found.lesson?.solutions.orEmpty()
                 .mapNotNull { ProgramLanguage.ofFile(it.name)?.ownName?.lowercase() }
             when {
-                words.all { it in told } -> found to 0
-                words.all { it in told || it in robot || it in languages } -> found to 1
+                words.all { it in searched } -> found to 0
+                words.all { it in searched || it in robot || it in languages } -> found to 1
                 else -> null
             }
         }.sortedBy { it.second }.map { it.first }

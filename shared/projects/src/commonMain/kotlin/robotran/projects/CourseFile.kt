@@ -12,7 +12,7 @@ import robotran.json.jsonObject
 import robotran.json.readJson
 import robotran.json.writeJson
 import robotran.language.Language
-import robotran.projects.messages.told
+import robotran.projects.messages.reason
 import robotran.world.WorldLimits
 import robotran.world.file.MULTILINE_LISTS
 import robotran.world.file.unknownOf
@@ -75,8 +75,8 @@ private fun courseIn(file: JsonCursor, beside: FilesBeside): Course {
         assignments = file.member(ASSIGNMENTS).items(1..Course.MAXIMUM_ASSIGNMENTS).map { place ->
             val project = assignmentAt(place, beside)
             val assignment = project.assignment
-            if (assignment == null || project.handIn != null) place.refuse(told { mustBeAssignment() })
-            if (!ids.add(assignment.id)) place.refuse(told { assignmentTwice(assignment.id) })
+            if (assignment == null || project.handIn != null) place.refuse(reason { mustBeAssignment() })
+            if (!ids.add(assignment.id)) place.refuse(reason { assignmentTwice(assignment.id) })
             project
         },
         id = file.optional("id")?.text(AssignmentLimits.MAXIMUM_ID_CHARACTERS).orEmpty(),
@@ -84,11 +84,11 @@ private fun courseIn(file: JsonCursor, beside: FilesBeside): Course {
     )
 }
 
-private fun assignmentAt(place: JsonCursor, beside: FilesBeside): Project {
-    if (place.textOrNull() == null) return projectIn(place)
-    val name = place.text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
-    if (name.any { it in FOLDERS }) place.refuse(told { mustBeFileName() })
-    return beside.read(name) ?: place.refuse(told { fileNotBeside(name) })
+private fun assignmentAt(cursor: JsonCursor, beside: FilesBeside): Project {
+    if (cursor.textOrNull() == null) return projectIn(cursor)
+    val name = cursor.text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+    if (name.any { it in FOLDERS }) cursor.refuse(reason { mustBeFileName() })
+    return beside.read(name) ?: cursor.refuse(reason { fileNotBeside(name) })
 }
 
 /** The project files beside a course file. */
@@ -133,8 +133,8 @@ private const val COURSE_VERSION = 1
 private val FORMAT = JsonFormat(
     COURSE_FORMAT,
     COURSE_VERSION,
-    told { notACourse(COURSE_FORMAT) },
-    { version -> told { newerCourse(version, COURSE_VERSION) } },
+    reason { notACourse(COURSE_FORMAT) },
+    { version -> reason { newerCourse(version, COURSE_VERSION) } },
 )
 private const val ASSIGNMENTS = "assignments"
 private const val FOLDERS = "/\\"

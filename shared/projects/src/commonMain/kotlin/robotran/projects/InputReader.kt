@@ -2,7 +2,7 @@ package robotran.projects
 
 import robotran.json.JsonCursor
 import robotran.json.messages.JsonMessages
-import robotran.projects.messages.told
+import robotran.projects.messages.reason
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World
@@ -11,66 +11,66 @@ import robotran.world.geometry.Pose
 
 /** Reads the recorded inputs of a session in [world]. */
 internal class InputReader(private val world: World) {
-    fun read(place: JsonCursor): List<RecordedInput> {
-        val places = place.items(0..ProjectLimits.MAXIMUM_INPUTS)
+    fun read(cursor: JsonCursor): List<RecordedInput> {
+        val places = cursor.items(0..ProjectLimits.MAXIMUM_INPUTS)
         val inputs = places.map {
             RecordedInput(it.member("at").longNumber(0..ProjectLimits.MAXIMUM_MILLISECONDS), inputIn(it))
         }
         inputs.indices.drop(1).firstOrNull { inputs[it].milliseconds < inputs[it - 1].milliseconds }?.let {
-            places[it].member("at").refuse(told { beforeInputAbove() })
+            places[it].member("at").refuse(reason { beforeInputAbove() })
         }
         return inputs
     }
 
-    private fun inputIn(place: JsonCursor): SessionInput {
+    private fun inputIn(cursor: JsonCursor): SessionInput {
         // An input is a record of the past, so it must not have extra fields.
-        val kind = place.member("kind").textOrNull()
+        val kind = cursor.member("kind").textOrNull()
         val fields =
             InputKind.FIELDS[kind]
-                ?: place.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
-        (place.names - fields - InputKind.COMMON).firstOrNull()?.let { field ->
-            place.refuse(told { mustNotHave(field) })
+                ?: cursor.member("kind").refuse { JsonMessages.of(it).mustBeOneOf(InputKind.FIELDS.keys) }
+        (cursor.names - fields - InputKind.COMMON).firstOrNull()?.let { field ->
+            cursor.refuse(reason { mustNotHave(field) })
         }
         return when (kind) {
-            InputKind.PRESS -> SessionInput.Press(place.member("button").choice(BUTTONS), robot(place))
-            InputKind.RELEASE -> SessionInput.Release(place.member("button").choice(BUTTONS), robot(place))
+            InputKind.PRESS -> SessionInput.Press(cursor.member("button").choice(BUTTONS), robot(cursor))
+            InputKind.RELEASE -> SessionInput.Release(cursor.member("button").choice(BUTTONS), robot(cursor))
             InputKind.STOP -> SessionInput.Stop
-            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(place), pose(place))
-            InputKind.PLACE_BLOCK -> SessionInput.PlaceBlock(block(place), pose(place))
-            InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(place), Point(number(place, "x"), number(place, "y")))
-            InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(place), place.member("on").flag())
-            InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(place, "light"))
-            InputKind.TEMPERATURE -> SessionInput.ChangeTemperature(number(place, "celsius"))
-            else -> SessionInput.TouchSensor(robot(place), port(place), place.member("pressed").flag())
+            InputKind.PLACE_ROBOT -> SessionInput.PlaceRobot(robot(cursor), pose(cursor))
+            InputKind.PLACE_BLOCK -> SessionInput.PlaceBlock(block(cursor), pose(cursor))
+            InputKind.MOVE_LAMP -> SessionInput.MoveLamp(lamp(cursor), Point(number(cursor, "x"), number(cursor, "y")))
+            InputKind.SWITCH_LAMP -> SessionInput.SwitchLamp(lamp(cursor), cursor.member("on").flag())
+            InputKind.LIGHT -> SessionInput.ChangeAmbientLight(number(cursor, "light"))
+            InputKind.TEMPERATURE -> SessionInput.ChangeTemperature(number(cursor, "celsius"))
+            else -> SessionInput.TouchSensor(robot(cursor), port(cursor), cursor.member("pressed").flag())
         }
     }
 
-    private fun robot(place: JsonCursor): Int {
-        val name = place.optional("robot") ?: return 0
+    private fun robot(cursor: JsonCursor): Int {
+        val name = cursor.optional("robot") ?: return 0
         val number = world.robots.indexOfFirst { it.name == name.textOrNull() }
-        if (number < 0) name.refuse(told { mustNameRobotOfWorld() })
+        if (number < 0) name.refuse(reason { mustNameRobotOfWorld() })
         return number
     }
 
-    private fun lamp(place: JsonCursor): Int {
-        val lamp = place.member("lamp")
-        if (world.lamps.isEmpty()) lamp.refuse(told { noLamp() })
+    private fun lamp(cursor: JsonCursor): Int {
+        val lamp = cursor.member("lamp")
+        if (world.lamps.isEmpty()) lamp.refuse(reason { noLamp() })
         return lamp.wholeNumber(1..world.lamps.size) - 1
     }
 
-    private fun block(place: JsonCursor): Int {
-        val block = place.member("block")
-        if (world.blocks.isEmpty()) block.refuse(told { noBlock() })
+    private fun block(cursor: JsonCursor): Int {
+        val block = cursor.member("block")
+        if (world.blocks.isEmpty()) block.refuse(reason { noBlock() })
         return block.wholeNumber(1..world.blocks.size) - 1
     }
 
-    private fun pose(place: JsonCursor) = Pose(number(place, "x"), number(place, "y"), number(place, "heading"))
+    private fun pose(cursor: JsonCursor) = Pose(number(cursor, "x"), number(cursor, "y"), number(cursor, "heading"))
 
-    private fun port(place: JsonCursor): Int {
-        val brick = world.robots[robot(place)].description.brick
-        return place.member("port").wholeNumber(1..brick.inputPorts) - 1
+    private fun port(cursor: JsonCursor): Int {
+        val brick = world.robots[robot(cursor)].description.brick
+        return cursor.member("port").wholeNumber(1..brick.inputPorts) - 1
     }
 
-    private fun number(place: JsonCursor, name: String): Double =
-        place.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)
+    private fun number(cursor: JsonCursor, name: String): Double =
+        cursor.member(name).number(-ProjectLimits.MAXIMUM_INPUT_NUMBER..ProjectLimits.MAXIMUM_INPUT_NUMBER)
 }

@@ -7,7 +7,7 @@ import robotran.json.messages.JsonMessages
 import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
 import robotran.programs.SourceFile
-import robotran.projects.messages.told
+import robotran.projects.messages.reason
 import robotran.world.World
 import robotran.world.file.FACINGS
 import robotran.world.file.unknownOf
@@ -39,69 +39,69 @@ private fun robotsIn(file: JsonCursor, world: World): List<ProjectRobot> {
     val places = file.optional("robots")?.items(0..world.robots.size).orEmpty()
     val robots = places.map { robotIn(it, world) }
     robots.indices.firstOrNull { number -> robots.take(number).any { it.name == robots[number].name } }?.let {
-        places[it].refuse(told { robotTwice(robots[it].name) })
+        places[it].refuse(reason { robotTwice(robots[it].name) })
     }
     return robots
 }
 
-private fun robotIn(place: JsonCursor, world: World): ProjectRobot {
-    val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
-    if (world.robots.none { it.name == name }) place.member("name").refuse(told { mustNameRobotOfWorld() })
-    val programs = programsIn(place.optional("programs"))
-    val facing = place.optional("lightSensor")?.choice(FACINGS)
-    val files = place.optional("flash")?.let(::nxtFilesIn).orEmpty()
-    return ProjectRobot(name, programs, firstProgramIn(place, programs.size), facing, unknownOf(place), files)
+private fun robotIn(cursor: JsonCursor, world: World): ProjectRobot {
+    val name = cursor.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+    if (world.robots.none { it.name == name }) cursor.member("name").refuse(reason { mustNameRobotOfWorld() })
+    val programs = programsIn(cursor.optional("programs"))
+    val facing = cursor.optional("lightSensor")?.choice(FACINGS)
+    val files = cursor.optional("flash")?.let(::nxtFilesIn).orEmpty()
+    return ProjectRobot(name, programs, firstProgramIn(cursor, programs.size), facing, unknownOf(cursor), files)
 }
 
-/** The index of the first program of [count] in the field of [place]. */
-internal fun firstProgramIn(place: JsonCursor, count: Int): Int =
-    (place.optional("firstProgram")?.wholeNumber(1..maxOf(1, count)) ?: 1) - 1
+/** The index of the first program of [count] in the field of [cursor]. */
+internal fun firstProgramIn(cursor: JsonCursor, count: Int): Int =
+    (cursor.optional("firstProgram")?.wholeNumber(1..maxOf(1, count)) ?: 1) - 1
 
-internal fun programIn(place: JsonCursor): ProjectProgram {
-    val language = place.member("language").choice(LANGUAGES)
-    val name = place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
+internal fun programIn(cursor: JsonCursor): ProjectProgram {
+    val language = cursor.member("language").choice(LANGUAGES)
+    val name = cursor.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS)
     val files = if (language.mayHaveFiles) {
-        place.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
+        cursor.member("files").items(1..ProjectLimits.MAXIMUM_FILES).map(::fileIn)
     } else {
-        listOf(SourceFile(name, textIn(place.member(TEXT))))
+        listOf(SourceFile(name, textIn(cursor.member(TEXT))))
     }
-    val view = place.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
-    return ProjectProgram(name, language, files, view, unknownOf(place))
+    val view = cursor.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
+    return ProjectProgram(name, language, files, view, unknownOf(cursor))
 }
 
-private fun fileIn(place: JsonCursor): SourceFile {
+private fun fileIn(cursor: JsonCursor): SourceFile {
     // Unknown fields of a program file cannot be preserved.
-    (place.names - FILE_FIELDS).firstOrNull()?.let { field -> place.refuse(told { mustNotHave(field) }) }
-    return SourceFile(place.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(place.member(TEXT)))
+    (cursor.names - FILE_FIELDS).firstOrNull()?.let { field -> cursor.refuse(reason { mustNotHave(field) }) }
+    return SourceFile(cursor.member("name").text(ProjectLimits.MAXIMUM_NAME_CHARACTERS), textIn(cursor.member(TEXT)))
 }
 
 /** Its lines, unchanged and with any line ends. */
-internal fun textIn(place: JsonCursor): String =
-    place.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
+internal fun textIn(cursor: JsonCursor): String =
+    cursor.items(1..ProjectLimits.MAXIMUM_LINES).joinToString("\n") { line ->
         val text = line.textOrNull() ?: line.refuse { JsonMessages.of(it).mustBeText() }
-        if ('\n' in text) line.refuse(told { mustBeOneLine() })
+        if ('\n' in text) line.refuse(reason { mustBeOneLine() })
         text
     }
 
-private fun settingsIn(place: JsonCursor) = ProjectSettings(
-    seed = place.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),
-    realism = place.optional("realism")?.number(0.0..1.0),
-    java = place.optional("java")?.let(::javaSettingsIn) ?: JavaSettings(),
-    unknown = unknownOf(place),
+private fun settingsIn(cursor: JsonCursor) = ProjectSettings(
+    seed = cursor.optional("seed")?.wholeNumber(0..Int.MAX_VALUE),
+    realism = cursor.optional("realism")?.number(0.0..1.0),
+    java = cursor.optional("java")?.let(::javaSettingsIn) ?: JavaSettings(),
+    unknown = unknownOf(cursor),
 )
 
-private fun javaSettingsIn(place: JsonCursor): JavaSettings {
+private fun javaSettingsIn(cursor: JsonCursor): JavaSettings {
     val default = JavaSettings()
     return JavaSettings(
-        place.optional("mode")?.choice(MODES) ?: default.mode,
-        place.optional("speed")?.choice(SPEEDS) ?: default.speed,
+        cursor.optional("mode")?.choice(MODES) ?: default.mode,
+        cursor.optional("speed")?.choice(SPEEDS) ?: default.speed,
     )
 }
 
 private val FORMAT = JsonFormat(
     PROJECT_FORMAT,
     PROJECT_VERSION,
-    told { notAProject(PROJECT_FORMAT) },
-    { version -> told { newerProject(version, PROJECT_VERSION) } },
+    reason { notAProject(PROJECT_FORMAT) },
+    { version -> reason { newerProject(version, PROJECT_VERSION) } },
 )
 private val FILE_FIELDS = setOf("name", TEXT)

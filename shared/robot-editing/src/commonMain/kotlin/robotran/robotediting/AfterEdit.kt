@@ -1,5 +1,6 @@
 package robotran.robotediting
 
+import robotran.language.history.History
 import robotran.world.RobotDescription
 import robotran.world.RobotLimits
 import robotran.world.geometry.Point
@@ -16,7 +17,7 @@ fun RobotEditing.after(edit: RobotEdit): RobotEditing {
         is RobotEdit.DragTo -> calm.draggedTo(edit.at)
         RobotEdit.Drop -> calm.dropped()
         RobotEdit.CancelDrag -> calm.letGo()
-        RobotEdit.FinishChange -> calm.copy(history = history.settled())
+        RobotEdit.FinishChange -> calm.copy(history = history.mergeEnded())
         RobotEdit.Undo -> calm.undone()
         RobotEdit.Redo -> calm.redone()
         is RobotEdit.Nudge,
@@ -34,13 +35,13 @@ fun RobotEditing.after(edit: RobotEdit): RobotEditing {
 /** The result of a change. */
 internal sealed interface Outcome {
     /**
-     * @property part the change that this one belongs to, see [RobotHistory.going].
+     * @property mergeKey the ongoing change that this one belongs to, see [History.mergeKey].
      * @property isRead whether the robot is from a file, whose figures are in their ranges.
      */
     class Made(
         val robot: RobotDescription,
         val chosen: RobotElement?,
-        val part: Any? = null,
+        val mergeKey: Any? = null,
         val isRead: Boolean = false,
     ) : Outcome
 
@@ -50,7 +51,7 @@ internal sealed interface Outcome {
 private fun RobotEditing.changed(edit: RobotEdit): RobotEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
     is Outcome.Refused -> copy(error = outcome.error)
-    is Outcome.Made -> made(moment, outcome)
+    is Outcome.Made -> made(snapshot, outcome)
 }
 
 private fun RobotEditing.outcomeOf(edit: RobotEdit): Outcome? = when (edit) {
@@ -120,14 +121,14 @@ private fun RobotEditing.removed(element: RobotElement): Outcome = when (element
 
 private fun RobotDescription.withOutline(corners: List<Point>) = copy(chassis = chassis.copy(outline = corners))
 
-private fun RobotEditing.made(before: RobotMoment, made: Outcome.Made): RobotEditing {
+private fun RobotEditing.made(before: RobotSnapshot, made: Outcome.Made): RobotEditing {
     val kept = if (made.isRead) made.robot else made.robot.inRange(before.robot)
     val left = made.chosen?.takeIf { kept.has(it) }
     if (kept == before.robot) return copy(chosen = left)
     return copy(
         robot = kept,
         chosen = left,
-        history = history.changed(before, made.part),
+        history = history.recorded(before, made.mergeKey),
         errors = robotErrors(kept),
     )
 }
@@ -142,7 +143,7 @@ private fun RobotEditing.nextChosen(backwards: Boolean): RobotEditing {
     return copy(chosen = next)
 }
 
-private fun RobotEditing.taken(edit: RobotEdit.StartDrag) = copy(gesture = RobotGesture(edit.handle, edit.at, moment))
+private fun RobotEditing.taken(edit: RobotEdit.StartDrag) = copy(gesture = RobotGesture(edit.handle, edit.at, snapshot))
 
 private fun RobotEditing.draggedTo(at: Point): RobotEditing {
     val gesture = gesture ?: return this
@@ -155,7 +156,7 @@ private fun RobotEditing.dropped(): RobotEditing {
     val isChanged = robot != gesture.before.robot
     return copy(
         gesture = null,
-        history = if (isChanged) history.changed(gesture.before, null) else history,
+        history = if (isChanged) history.recorded(gesture.before) else history,
     )
 }
 
@@ -163,17 +164,17 @@ private fun RobotEditing.letGo(): RobotEditing = gesture?.let { back(it.before, 
 
 private fun RobotEditing.undone(): RobotEditing {
     if (gesture != null) return letGo()
-    val before = history.past.lastOrNull() ?: return this
-    return back(before, RobotHistory(history.past.dropLast(1), history.future + moment))
+    val (before, rest) = history.undone { snapshot } ?: return this
+    return back(before, rest)
 }
 
 private fun RobotEditing.redone(): RobotEditing {
     if (gesture != null) return letGo()
-    val next = history.future.lastOrNull() ?: return this
-    return back(next, RobotHistory(history.past + moment, history.future.dropLast(1)))
+    val (next, rest) = history.redone { snapshot } ?: return this
+    return back(next, rest)
 }
 
-private fun RobotEditing.back(to: RobotMoment, history: RobotHistory): RobotEditing = copy(
+private fun RobotEditing.back(to: RobotSnapshot, history: History<RobotSnapshot>): RobotEditing = copy(
     robot = to.robot,
     chosen = to.chosen,
     history = history,

@@ -1,5 +1,6 @@
 package robotran.robotediting
 
+import robotran.language.history.History
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 import robotran.world.robot.RobotError
@@ -17,14 +18,14 @@ import robotran.world.robot.robotErrors
 data class RobotEditing(
     val robot: RobotDescription,
     val chosen: RobotElement? = null,
-    val history: RobotHistory = RobotHistory(),
+    val history: History<RobotSnapshot> = History(),
     val gesture: RobotGesture? = null,
     val error: RobotEditError? = null,
     val errors: List<RobotError> = emptyList(),
 ) {
     val isPossible: Boolean get() = errors.isEmpty()
 
-    internal val moment: RobotMoment get() = RobotMoment(robot, chosen)
+    internal val snapshot: RobotSnapshot get() = RobotSnapshot(robot, chosen)
 
     companion object {
         fun of(robot: RobotDescription) = RobotEditing(robot, errors = robotErrors(robot))
@@ -32,7 +33,7 @@ data class RobotEditing(
 }
 
 /** The user drags [handle] from [from]; [before] is the state at the start. */
-data class RobotGesture(val handle: RobotHandle, val from: Point, val before: RobotMoment)
+data class RobotGesture(val handle: RobotHandle, val from: Point, val before: RobotSnapshot)
 
 /** Why an edit does nothing. */
 enum class RobotEditError {
@@ -52,32 +53,4 @@ enum class RobotEditError {
 }
 
 /** The state that undo restores. */
-data class RobotMoment(val robot: RobotDescription, val chosen: RobotElement?)
-
-/**
- * The undo and redo stacks.
- *
- * @property going the ongoing change, such as typing a name, whose next part is no separate undo step; null if there is
- * none.
- */
-data class RobotHistory(
-    val past: List<RobotMoment> = emptyList(),
-    val future: List<RobotMoment> = emptyList(),
-    val going: Any? = null,
-) {
-    val canUndo: Boolean get() = past.isNotEmpty()
-    val canRedo: Boolean get() = future.isNotEmpty()
-
-    internal fun changed(before: RobotMoment, part: Any?): RobotHistory = if (part != null && part == going) {
-        copy(future = emptyList())
-    } else {
-        RobotHistory((past + before).takeLast(MAX_STEPS), emptyList(), part)
-    }
-
-    internal fun settled(): RobotHistory = if (going == null) this else copy(going = null)
-
-    companion object {
-        /** Max number of undo steps. */
-        const val MAX_STEPS = 200
-    }
-}
+data class RobotSnapshot(val robot: RobotDescription, val chosen: RobotElement?)

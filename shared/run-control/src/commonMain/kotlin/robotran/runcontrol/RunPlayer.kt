@@ -23,14 +23,14 @@ import robotran.simulation.state.SessionState
  * @param recording the inputs from the start of the run, as in a project saved with its inputs.
  */
 class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = emptyList()) {
-    private val whole = recording.toMutableList()
+    private val recordedInputs = recording.toMutableList()
     private var record = RunRecord(setup.world)
 
     /** What to show while the run is recomputed in another language; null otherwise. */
     private var recomputation: Recomputation? = null
     private val pace = FramePace()
     private val smooth = SmoothMotion()
-    private var take = SessionCursor(setup, watched = 0)
+    private var cursor = SessionCursor(setup, watched = 0)
     private val checkpoints = SessionCheckpoints()
     private val waiting = mutableListOf<SessionInput>()
     private var isStepBegun = false
@@ -62,12 +62,12 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     var watched = 0
         set(number) {
             field = number
-            (checkpoints.all + take).forEach { it.session.watched = number }
-            see()
+            (checkpoints.all + cursor).forEach { it.session.watched = number }
+            recordState()
         }
 
     /** The session at [time], read-only; during seeking, a session at another time. */
-    val session: Session get() = take.session
+    val session: Session get() = cursor.session
 
     /** The state at [time]; during seeking, a recorded state shortly before it. */
     val state: SessionState
@@ -78,21 +78,16 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     val drawn: SessionState get() = if (isSmooth) smooth.at(session.state, pace.fraction) else state
 
     /** The position in the run, in milliseconds. */
-    val time: Long get() = recomputation?.time ?: (playback as? PlaybackState.Seeking)?.target ?: take.milliseconds
+    val time: Long get() = recomputation?.time ?: (playback as? PlaybackState.Seeking)?.target ?: cursor.milliseconds
 
     /** The length of the known part of the run, in milliseconds. */
-    val length: Long get() = maxOf(shown.end, take.milliseconds, whole.lastOrNull()?.milliseconds ?: 0)
+    val length: Long get() = maxOf(shown.end, cursor.milliseconds, recordedInputs.lastOrNull()?.milliseconds ?: 0)
 
     /** Progress of seeking, 0..1; 1 if not seeking. */
     val progress: Double
         get() = (playback as? PlaybackState.Seeking)?.let {
-            if (it.target == 0L) {
-                1.0
-            } else {
-                take.milliseconds.toDouble() / it.target
-            }
-        }
-            ?: 1.0
+            if (it.target == 0L) 1.0 else cursor.milliseconds.toDouble() / it.target
+        } ?: 1.0
 
     /** Whether the known run continues after [time]. */
     val isInPast: Boolean get() = time < length
@@ -101,7 +96,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     val outcome: RunOutcome get() = RunOutcome(shown.goals, shown.finished, shown.traceHash)
 
     /** All inputs of the run, including those after [time]. */
-    val inputs: List<RecordedInput> get() = whole.toList()
+    val inputs: List<RecordedInput> get() = recordedInputs.toList()
 
     /** The known run, to be repeated elsewhere. */
     fun recorded(): RecordedRun = RecordedRun(setup, inputs, length)
@@ -110,9 +105,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     fun immediateProgram(robot: Int): BrickProgram? {
         if (!state.robots[robot].brick.isImmediate) return null
         val now = time
-        val input = whole.lastOrNull {
-            it.milliseconds <= now && (it.input as? SessionInput.RunNow)?.robot == robot
-        }
+        val input =
+            recordedInputs.lastOrNull { it.milliseconds <= now && (it.input as? SessionInput.RunNow)?.robot == robot }
         return (input?.input as? SessionInput.RunNow)?.program
     }
 
@@ -125,10 +119,10 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** The ROM calls of the [watched] robot up to [state]. */
     val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
 
-    /** The chart of [lane] for the [watched] robot, over the whole known run. */
+    /** The chart of [lane] for the [watched] robot, over the recordedInputs known run. */
     fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
 
-    /** The ROM call counts of the [watched] robot, over the whole known run. */
+    /** The ROM call counts of the [watched] robot, over the recordedInputs known run. */
     val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
 
     /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */
@@ -201,11 +195,11 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         recomputation = Recomputation(shown, time)
         record = RunRecord(setup.world)
         checkpoints.closeAll()
-        take.close()
-        take = SessionCursor(setup, watched)
+        cursor.close()
+        cursor = SessionCursor(setup, watched)
         // The state before any input.
-        see()
-        arrive()
+        recordState()
+        applyDueInputs()
         playback = PlaybackState.Seeking(length, then)
         seekOn(PlaybackState.Seeking(length, then), 0)
     }
@@ -216,22 +210,22 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
             waiting += input
             return
         }
-        if (isInPast || take.applied < whole.size) startBranch()
+        if (isInPast || cursor.applied < recordedInputs.size) startBranch()
         session.apply(input)
-        whole += session.inputs.last()
-        take.applied = whole.size
-        see()
+        recordedInputs += session.inputs.last()
+        cursor.applied = recordedInputs.size
+        recordState()
         smooth.jump()
     }
 
     /** Releases the physics. The player must not be used afterwards. */
     fun close() {
         checkpoints.close()
-        take.close()
+        cursor.close()
     }
 
     init {
-        arrive()
+        applyDueInputs()
     }
 
     /** The record to show. */
@@ -241,8 +235,8 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         get() = speed.isSlow && (playback is PlaybackState.Playing || playback is PlaybackState.Stepping)
 
     /** The session that has advanced furthest. */
-    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > take.milliseconds }
-        ?: take
+    private val front: SessionCursor get() = checkpoints.furthest?.takeIf { it.milliseconds > cursor.milliseconds }
+        ?: cursor
 
     private fun move(next: PlaybackState) {
         stop = null
@@ -253,17 +247,17 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     private fun play(now: PlaybackState.Playing, milliseconds: Int) =
-        go(milliseconds) { part -> take.run(part, breakpoints + listOfNotNull(now.until), otherBreakpoints) }
+        advance(milliseconds) { part -> cursor.run(part, breakpoints + listOfNotNull(now.until), otherBreakpoints) }
 
     private fun step(now: PlaybackState.Stepping, milliseconds: Int) {
-        go(milliseconds) { part ->
-            take.step(now, isStepBegun, part, breakpoints, otherBreakpoints).also { isStepBegun = true }
+        advance(milliseconds) { part ->
+            cursor.step(now, isStepBegun, part, breakpoints, otherBreakpoints).also { isStepBegun = true }
         }
     }
 
     private fun seekOn(now: PlaybackState.Seeking, milliseconds: Int) {
-        go(minOf(milliseconds.toLong(), now.target - take.milliseconds).toInt()) { part -> take.run(part) }
-        if (take.milliseconds < now.target) return
+        advance(minOf(milliseconds.toLong(), now.target - cursor.milliseconds).toInt()) { part -> cursor.run(part) }
+        if (cursor.milliseconds < now.target) return
         recomputation?.let {
             recomputation = null
             chooseCursor(it.time)
@@ -272,54 +266,54 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         }
         playback = now.then
         pace.pauseClock()
-        val come = waiting.toList()
+        val pending = waiting.toList()
         waiting.clear()
-        come.forEach(::apply)
+        pending.forEach(::apply)
     }
 
     /**
      * Advances by [milliseconds] in parts, each by [run] and without scheduled events inside, until one returns a
      * reason to stop.
      */
-    private fun go(milliseconds: Int, run: (Int) -> StopReason?) {
-        val end = take.milliseconds + milliseconds
-        arrive()
-        while (take.milliseconds < end) {
-            val reason = run((minOf(end, nextEvent()) - take.milliseconds).toInt())
-            see()
-            if (reason != null) return stand(reason)
-            arrive()
+    private fun advance(milliseconds: Int, run: (Int) -> StopReason?) {
+        val end = cursor.milliseconds + milliseconds
+        applyDueInputs()
+        while (cursor.milliseconds < end) {
+            val reason = run((minOf(end, nextEvent()) - cursor.milliseconds).toInt())
+            recordState()
+            if (reason != null) return stopAt(reason)
+            applyDueInputs()
             if (pausesNow) return pause()
         }
     }
 
-    private fun stand(reason: StopReason) {
-        arrive()
+    private fun stopAt(reason: StopReason) {
+        applyDueInputs()
         playback = PlaybackState.Paused
         stop = reason
     }
 
     /** The time of the next observation or scheduled input. */
     private fun nextEvent(): Long {
-        val now = take.milliseconds
-        val look = if (now < record.end) {
+        val now = cursor.milliseconds
+        val observation = if (now < record.end) {
             record.end
         } else {
             now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS
         }
-        val input = whole.getOrNull(take.applied)?.milliseconds ?: Long.MAX_VALUE
+        val input = recordedInputs.getOrNull(cursor.applied)?.milliseconds ?: Long.MAX_VALUE
         val finish = record.finished?.takeIf { it > now } ?: Long.MAX_VALUE
         val step = if (isSmooth) smooth.nextStep(now) else Long.MAX_VALUE
-        return minOf(minOf(look, input), minOf(finish, step)).coerceAtLeast(now + 1)
+        return minOf(minOf(observation, input), minOf(finish, step)).coerceAtLeast(now + 1)
     }
 
     /** Records the current state of the run. */
-    private fun see() {
+    private fun recordState() {
         val wasFinished = record.finished
-        record.record(take.milliseconds) { session.state }
+        record.record(cursor.milliseconds) { session.state }
         if (isSmooth) smooth.record(session.state)
         if (record.finished != wasFinished) {
-            take.applyDueInputs(whole, record.finished)
+            cursor.applyDueInputs(recordedInputs, record.finished)
             record.observeGoals(session.state)
             record.traceHash = session.traceHash
             pausesNow = record.isCutShort && playback !is PlaybackState.Seeking
@@ -327,25 +321,25 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     }
 
     /** Handles the events scheduled for now. */
-    private fun arrive() {
-        if (!session.isPaused) take.applyDueInputs(whole, record.finished)
-        see()
+    private fun applyDueInputs() {
+        if (!session.isPaused) cursor.applyDueInputs(recordedInputs, record.finished)
+        recordState()
     }
 
     /** Continues from the session closest to [target]. */
     private fun chooseCursor(target: Long) {
-        val isBest = take.canReach(target)
+        val isBest = cursor.canReach(target)
         val next =
-            checkpoints.take(target, after = if (isBest) take.milliseconds else -1)
+            checkpoints.take(target, after = if (isBest) cursor.milliseconds else -1)
                 ?: if (isBest) return else SessionCursor(setup, watched)
         // A session that was only seeking is of no use later.
-        if (playback is PlaybackState.Seeking && front !== take) take.close() else checkpoints.park(take)
-        take = next
+        if (playback is PlaybackState.Seeking && front !== cursor) cursor.close() else checkpoints.park(cursor)
+        cursor = next
     }
 
     private fun startBranch() {
-        while (whole.size > take.applied) whole.removeLast()
-        checkpoints.closeAfter(take)
+        while (recordedInputs.size > cursor.applied) recordedInputs.removeLast()
+        checkpoints.closeAfter(cursor)
         record.cutAt(session.state)
         branchCount++
     }

@@ -21,8 +21,8 @@ class MotorProperties :
         fun distance(mode: MotorMode, power: Int, milliseconds: Int, brakingPower: Int): Double {
             val motor = RcxMotor(RobotFigures.PENBOT)
 
-            fun way(told: MotorState): Double {
-                motor.tick(told)
+            fun way(command: MotorState): Double {
+                motor.tick(command)
                 return motor.speed * SimulationLimits.TICK_SECONDS
             }
             val driven = (1..milliseconds).sumOf { way(told(mode, power)) }

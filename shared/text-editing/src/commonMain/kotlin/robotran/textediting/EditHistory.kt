@@ -1,5 +1,6 @@
 package robotran.textediting
 
+import robotran.language.history.History
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 
@@ -10,45 +11,41 @@ enum class EditKind { TYPING, ERASING, OTHER }
  * The undo and redo history of a text. It is immutable: each call returns a new history. Continuous typing is undone
  * word by word, continuous erasing line by line. The oldest steps are dropped beyond the limits below.
  */
-class EditHistory private constructor(private val past: List<Step>, private val future: List<Step>) {
-    constructor() : this(emptyList(), emptyList())
+class EditHistory private constructor(private val steps: History<Step>) {
+    constructor() : this(History())
 
-    val canUndo: Boolean get() = past.isNotEmpty()
-    val canRedo: Boolean get() = future.isNotEmpty()
+    val canUndo: Boolean get() = steps.canUndo
+    val canRedo: Boolean get() = steps.canRedo
 
     /** The history with the edit from [before] to [after] added. */
     fun recorded(before: Draft, after: Draft, kind: EditKind): EditHistory {
         val edit = editBetween(before, after) ?: return this
         val step = Step(edit, before.selection, after.selection, kind)
+        val past = steps.past
         val joined = past.lastOrNull()?.joinedWith(step)
         val longer = if (joined == null) past + step else past.dropLast(1) + joined
-        return EditHistory(withinLimits(longer), emptyList())
+        return EditHistory(History(withinLimits(longer)))
     }
 
     /** Undoes one step from [draft]; null if there is none. */
     fun undone(draft: Draft): Pair<Draft, EditHistory>? {
-        val step = past.lastOrNull() ?: return null
+        val (step, rest) = steps.undone { it } ?: return null
         val text = step.edit.inverse.applyTo(draft.text)
-        return Draft(text, step.before.within(text.length)) to EditHistory(past.dropLast(1), future + step)
+        return Draft(text, step.before.within(text.length)) to EditHistory(rest)
     }
 
     /** Redoes one step from [draft]; null if nothing was undone. */
     fun redone(draft: Draft): Pair<Draft, EditHistory>? {
-        val step = future.lastOrNull() ?: return null
-        val text = step.edit.applyTo(draft.text)
         // A redone step does not merge with the next edit.
-        return Draft(text, step.after.within(text.length)) to
-            EditHistory(past + step.copy(kind = EditKind.OTHER), future.dropLast(1))
+        val (step, rest) = steps.redone { it.copy(kind = EditKind.OTHER) } ?: return null
+        val text = step.edit.applyTo(draft.text)
+        return Draft(text, step.after.within(text.length)) to EditHistory(rest)
     }
 
     /** This history, but the next edit starts a new step. */
     fun closed(): EditHistory {
-        val last = past.lastOrNull() ?: return this
-        return if (last.kind == EditKind.OTHER) {
-            this
-        } else {
-            EditHistory(past.dropLast(1) + last.copy(kind = EditKind.OTHER), future)
-        }
+        val last = steps.past.lastOrNull()?.takeIf { it.kind != EditKind.OTHER } ?: return this
+        return EditHistory(steps.copy(past = steps.past.dropLast(1) + last.copy(kind = EditKind.OTHER)))
     }
 
     private data class Step(

@@ -7,14 +7,14 @@ import robotran.world.geometry.Bounds
 import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 
-/** Adds [piece] near [at], where there is free space, and selects it. */
-internal fun WorldEditing.put(piece: Element, at: Point): Outcome? {
-    val form = piece.form ?: return null
+/** Adds [element] near [at], where there is free space, and selects it. */
+internal fun WorldEditing.put(element: Element, at: Point): Outcome? {
+    val form = element.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
     val middle = form.bounds.middle
     val there = snapping.onGrid(Point(at.x + corner.x - middle.x, at.y + corner.y - middle.y))
     val placed = form.movedBy(there.x - corner.x, there.y - corner.y)
-    return added(listOf(piece.withForm(world.freeFormFor(placed, piece.kind))), Point(0.0, 0.0))
+    return added(listOf(element.withForm(world.freeFormFor(placed, element.kind))), Point(0.0, 0.0))
 }
 
 internal fun WorldEditing.pasted(at: Point?): Outcome? {
@@ -50,7 +50,7 @@ internal fun WorldEditing.added(pieces: List<Element>, aside: Point): Outcome? {
         new += ElementRef(own.kind, now.count(own.kind))
         now = now.plus(own)
     }
-    return Outcome.Made(Moment(now, new, groups))
+    return Outcome.Made(WorldSnapshot(now, new, groups))
 }
 
 /** A copy of a goal must be a different object, see [renumbered]. */

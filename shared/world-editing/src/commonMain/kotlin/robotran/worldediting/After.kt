@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.language.history.History
 import robotran.world.World
 
 /**
@@ -17,16 +18,12 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
         is Edit.SelectTool -> calm.copy(
             tool = edit.tool,
-            selection = if (edit.tool == Tool.SELECT) {
-                selection
-            } else {
-                emptySet()
-            },
+            selection = if (edit.tool == Tool.SELECT) selection else emptySet(),
         )
 
         is Edit.SelectSeveral -> calm.copy(several = edit.several)
         is Edit.Snap -> calm.copy(snapping = edit.snapping)
-        Edit.FinishChange -> calm.copy(history = history.settled())
+        Edit.FinishChange -> calm.copy(history = history.mergeEnded())
         is Edit.Batch -> calm.together(edit.edits)
         Edit.Undo -> calm.undone()
         Edit.Redo -> calm.redone()
@@ -61,8 +58,7 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 
 /** The result of a change. */
 internal sealed interface Outcome {
-    /** @property part the change that this one belongs to, see [History.going]. */
-    class Made(val moment: Moment, val part: Any? = null) : Outcome
+    class Made(val snapshot: WorldSnapshot, val mergeKey: Any? = null) : Outcome
 
     class Not(val error: EditError) : Outcome
 }
@@ -70,11 +66,11 @@ internal sealed interface Outcome {
 private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
     is Outcome.Not -> copy(error = outcome.error)
-    is Outcome.Made -> made(moment, outcome.moment, outcome.part)
+    is Outcome.Made -> made(snapshot, outcome.snapshot, outcome.mergeKey)
 }
 
 /** The state with [after] instead of [before], unless [after] is invalid. */
-internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null): WorldEditing {
+internal fun WorldEditing.made(before: WorldSnapshot, after: WorldSnapshot, mergeKey: Any? = null): WorldEditing {
     if (after == before) return this
     val error = if (after.world == before.world) null else errorOf(after.world)
     if (error != null) return copy(error = error)
@@ -83,7 +79,7 @@ internal fun WorldEditing.made(before: Moment, after: Moment, part: Any? = null)
         world = after.world,
         selection = after.selection,
         groups = after.groups.filter { it.size > 1 },
-        history = if (isSameWorld) history else history.changed(before, part),
+        history = if (isSameWorld) history else history.recorded(before, mergeKey),
         errors = if (after.world == world) errors else validationErrorsOf(after.world),
     )
 }
@@ -93,21 +89,21 @@ private fun WorldEditing.together(edits: List<Edit>): WorldEditing {
     val done = edits.fold(begun) { now, edit -> if (now.error != null) now else now.after(edit) }
     if (done.error != null) return copy(error = done.error)
     val isSameWorld = done.world == begun.world && done.groups == begun.groups
-    return done.copy(history = if (isSameWorld) begun.history else begun.history.changed(begun.moment, null))
+    return done.copy(history = if (isSameWorld) begun.history else begun.history.recorded(begun.snapshot))
 }
 
 private fun WorldEditing.undone(): WorldEditing {
     if (gesture != null) return letGo()
-    val before = history.past.lastOrNull() ?: return this
-    return back(before, History(history.past.dropLast(1), history.future + moment))
+    val (before, rest) = history.undone { snapshot } ?: return this
+    return back(before, rest)
 }
 
 private fun WorldEditing.redone(): WorldEditing {
-    val next = history.future.lastOrNull() ?: return this
-    return letGo().back(next, History(history.past + moment, history.future.dropLast(1)))
+    val (next, rest) = history.redone { snapshot } ?: return this
+    return letGo().back(next, rest)
 }
 
-internal fun WorldEditing.back(to: Moment, history: History): WorldEditing = copy(
+internal fun WorldEditing.back(to: WorldSnapshot, history: History<WorldSnapshot>): WorldEditing = copy(
     world = to.world,
     selection = to.selection,
     groups = to.groups,

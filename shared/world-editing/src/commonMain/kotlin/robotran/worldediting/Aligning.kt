@@ -26,7 +26,7 @@ internal fun WorldEditing.aligned(side: AlignSide): Outcome? {
             now = now.with(thing.number, piece)
         }
     }
-    return Outcome.Made(moment.copy(world = now))
+    return Outcome.Made(snapshot.copy(world = now))
 }
 
 private fun shift(side: AlignSide, box: Bounds, line: Bounds): Pair<Double, Double> = when (side) {

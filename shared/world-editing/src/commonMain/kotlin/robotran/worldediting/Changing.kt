@@ -16,7 +16,7 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     Edit.Delete -> deleted()
     is Edit.Paste -> pasted(edit.at)
     Edit.Group -> grouped()
-    Edit.Ungroup -> Outcome.Made(moment.copy(groups = groups.filter { group -> group.none { it in selection } }))
+    Edit.Ungroup -> Outcome.Made(snapshot.copy(groups = groups.filter { group -> group.none { it in selection } }))
     is Edit.Align -> aligned(edit.side)
     is Edit.Restack -> restacked(edit.order)
     is Edit.Put -> put(edit.piece, edit.at)
@@ -35,8 +35,8 @@ internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
     is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
     is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
     is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
-    is Edit.ChangeSheet -> Outcome.Made(moment.copy(world = world.with(edit.figures)), part = "sheet")
-    is Edit.NewWorld -> Outcome.Made(Moment(newWorld(edit.title), emptySet(), emptyList()))
+    is Edit.ChangeSheet -> Outcome.Made(snapshot.copy(world = world.with(edit.figures)), mergeKey = "sheet")
+    is Edit.NewWorld -> Outcome.Made(WorldSnapshot(newWorld(edit.title), emptySet(), emptyList()))
     else -> null
 }
 
@@ -65,7 +65,7 @@ private fun WorldEditing.each(change: (Form) -> Form): Outcome? {
         errorOf(changed)?.let { return Outcome.Not(it) }
         now = now.with(thing.number, changed)
     }
-    return Outcome.Made(moment.copy(world = now))
+    return Outcome.Made(snapshot.copy(world = now))
 }
 
 private fun WorldEditing.middleOfSelection(): Point? =
@@ -77,20 +77,20 @@ private fun WorldEditing.deleted(): Outcome? {
     if (robots == world.robots.size) return Outcome.Not(EditError.LastRobot)
     val left = world.without(selection)
     val kept = groups.map { group -> renumbered((group - selection).map(::numberLeft).toSet(), world, left) }
-    return Outcome.Made(Moment(left, emptySet(), kept))
+    return Outcome.Made(WorldSnapshot(left, emptySet(), kept))
 }
 
 /** The new reference of an element when the selected ones are deleted; goals are handled elsewhere. */
-private fun WorldEditing.numberLeft(thing: ElementRef): ElementRef = if (thing.kind == ElementKind.GOAL) {
-    thing
+private fun WorldEditing.numberLeft(ref: ElementRef): ElementRef = if (ref.kind == ElementKind.GOAL) {
+    ref
 } else {
-    thing.copy(number = thing.number - selection.count { it.kind == thing.kind && it.number < thing.number })
+    ref.copy(number = ref.number - selection.count { it.kind == ref.kind && it.number < ref.number })
 }
 
 private fun WorldEditing.grouped(): Outcome? {
     val placed = selection.filter { world.piece(it)?.form != null }.toSet()
     if (placed.size < 2) return null
-    return Outcome.Made(moment.copy(groups = groups.map { it - placed }.filter { it.size > 1 } + listOf(placed)))
+    return Outcome.Made(snapshot.copy(groups = groups.map { it - placed }.filter { it.size > 1 } + listOf(placed)))
 }
 
 private fun WorldEditing.restacked(order: StackOrder): Outcome? {
@@ -101,7 +101,7 @@ private fun WorldEditing.restacked(order: StackOrder): Outcome? {
 
     fun moved(things: Set<ElementRef>) =
         things.map { if (it.kind == ElementKind.MARK) it.copy(number = places.indexOf(it.number)) else it }.toSet()
-    return Outcome.Made(Moment(world.copy(marks = marks), moved(selection), groups.map(::moved)))
+    return Outcome.Made(WorldSnapshot(world.copy(marks = marks), moved(selection), groups.map(::moved)))
 }
 
 /** The old indices, from the bottom up. */

@@ -5,28 +5,28 @@ import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-/** Replaces [thing] by [wanted], if that is valid; goals follow a changed name. */
-internal fun WorldEditing.changed(thing: ElementRef, wanted: Element): Outcome? {
-    val before = world.piece(thing) ?: return null
+/** Replaces [ref] by [wanted], if that is valid; goals follow a changed name. */
+internal fun WorldEditing.changed(ref: ElementRef, wanted: Element): Outcome? {
+    val before = world.piece(ref) ?: return null
     if (before.kind != wanted.kind) return null
     val piece = wanted.tidied()
     errorOf(piece)?.let { return Outcome.Not(it) }
     val name = piece.name
-    if (name != null && world.names().any { (other, taken) -> taken == name && other != thing }) {
+    if (name != null && world.names().any { (other, taken) -> taken == name && other != ref }) {
         return Outcome.Not(EditError.NameTaken(name))
     }
-    val changed = world.with(thing.number, piece)
+    val changed = world.with(ref.number, piece)
     val oldName = before.name
     val renamed = if (oldName != null && name != null && name != oldName) {
         changed.withGoalsRenamed(oldName, name)
     } else {
         changed
     }
-    return Outcome.Made(moment.copy(world = renamed), part = thing)
+    return Outcome.Made(snapshot.copy(world = renamed), mergeKey = ref)
 }
 
-internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> List<Point>): Outcome? {
-    val piece = world.piece(thing) ?: return null
+internal fun WorldEditing.corners(ref: ElementRef, change: (List<Point>) -> List<Point>): Outcome? {
+    val piece = world.piece(ref) ?: return null
     val form = piece.form?.takeIf { it.corners.isNotEmpty() } ?: return null
     val corners = change(form.corners)
     val isBent = form is Form.Area || (form is Form.Way && form.isBent)
@@ -35,7 +35,7 @@ internal fun WorldEditing.corners(thing: ElementRef, change: (List<Point>) -> Li
     }
     val changed = piece.withForm(form.withCorners(corners))
     errorOf(changed)?.let { return Outcome.Not(it) }
-    return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
+    return Outcome.Made(snapshot.copy(world = world.with(ref.number, changed)))
 }
 
 internal fun WorldEditing.cornerAdded(edit: Edit.AddCorner): Outcome? {
@@ -45,8 +45,8 @@ internal fun WorldEditing.cornerAdded(edit: Edit.AddCorner): Outcome? {
     return corners(edit.thing) { it.take(edit.after + 1) + middleOf(from, to) + it.drop(edit.after + 1) }
 }
 
-internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
-    val piece = world.piece(thing) ?: return null
+internal fun WorldEditing.cornersMade(ref: ElementRef): Outcome? {
+    val piece = world.piece(ref) ?: return null
     val corners = when (val shape = (piece.form as? Form.Area)?.shape) {
         is Shape.Rectangle -> Frame(shape.centre, shape.width, shape.height, shape.angle).let { frame ->
             listOf(frame.at(-1, -1), frame.at(1, -1), frame.at(1, 1), frame.at(-1, 1))
@@ -60,7 +60,7 @@ internal fun WorldEditing.cornersMade(thing: ElementRef): Outcome? {
     }
     val changed = piece.withForm(Form.Area(Shape.Polygon(corners)))
     errorOf(changed)?.let { return Outcome.Not(it) }
-    return Outcome.Made(moment.copy(world = world.with(thing.number, changed)))
+    return Outcome.Made(snapshot.copy(world = world.with(ref.number, changed)))
 }
 
 /** The element with its numbers rounded as in a file. */

@@ -5,7 +5,7 @@ import robotran.world.geometry.Shape
 
 internal fun WorldEditing.grabbed(edit: Edit.StartDrag): WorldEditing {
     val begun = dropped()
-    return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.moment))
+    return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.snapshot))
 }
 
 /** Moves the dragged elements with the pointer; where they cannot go, they keep their last position. */
@@ -29,7 +29,7 @@ internal fun WorldEditing.dropped(): WorldEditing {
     val held = gesture ?: return this
     val free = copy(gesture = null, guides = emptyList())
     if (world == held.before.world) return free
-    return free.copy(history = history.changed(held.before, null), errors = validationErrorsOf(world))
+    return free.copy(history = history.recorded(held.before), errors = validationErrorsOf(world))
 }
 
 internal fun WorldEditing.letGo(): WorldEditing {

@@ -26,7 +26,7 @@ internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
     val changed = world.copy(goals = goals)
     val number = allGoals(goals).indexOfFirst { it.goal === goal }
     return Outcome.Made(
-        Moment(
+        WorldSnapshot(
             changed,
             setOf(ElementRef(ElementKind.GOAL, number)),
             groups.map {
@@ -41,7 +41,7 @@ internal fun WorldEditing.goals(goals: List<Goal>?): Outcome? {
     if (goals == null) return null
     val changed = world.copy(goals = goals)
     return Outcome.Made(
-        Moment(
+        WorldSnapshot(
             changed,
             renumbered(selection, world, changed),
             groups.map {

@@ -11,11 +11,11 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 import robotran.world.robot.robotErrors
 
-/** Why [piece] is invalid in any world; null if it is valid. */
-internal fun errorOf(piece: Element): EditError? {
-    val name = piece.name
+/** Why [element] is invalid in any world; null if it is valid. */
+internal fun errorOf(element: Element): EditError? {
+    val name = element.name
     if (name != null && !isValidText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.InvalidText
-    return piece.form?.let(::errorOf) ?: valueError(piece)
+    return element.form?.let(::errorOf) ?: valueError(element)
 }
 
 /** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
@@ -110,18 +110,18 @@ private fun errorOf(place: Point): EditError? {
 private fun sizeError(side: Double): EditError? =
     EditError.InvalidSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
 
-private fun valueError(piece: Element): EditError? = when (piece) {
-    is Element.OfRobot -> errorOf(piece.robot)
-    is Element.OfWall -> EditError.OutOfRange.takeIf { piece.wall.thickness !in THICKNESSES }
+private fun valueError(element: Element): EditError? = when (element) {
+    is Element.OfRobot -> errorOf(element.robot)
+    is Element.OfWall -> EditError.OutOfRange.takeIf { element.wall.thickness !in THICKNESSES }
 
     is Element.OfBlock -> EditError.OutOfRange.takeIf {
-        piece.block.mass !in MASSES ||
-            piece.block.friction !in FRICTIONS
+        element.block.mass !in MASSES ||
+            element.block.friction !in FRICTIONS
     }
 
-    is Element.OfMark -> errorOf(piece.mark)
-    is Element.OfLamp -> errorOf(piece.lamp)
-    is Element.OfGoal -> errorOf(piece.goal)
+    is Element.OfMark -> errorOf(element.mark)
+    is Element.OfLamp -> errorOf(element.lamp)
+    is Element.OfGoal -> errorOf(element.goal)
     is Element.OfBarrier, is Element.OfStroke -> null
 }
 

@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.language.history.History
 import robotran.world.World
 import robotran.world.geometry.Point
 
@@ -23,7 +24,7 @@ data class WorldEditing(
     val several: Boolean = false,
     val snapping: Snapping = Snapping(),
     val clipboard: List<Element> = emptyList(),
-    val history: History = History(),
+    val history: History<WorldSnapshot> = History(),
     val gesture: Gesture? = null,
     val guides: List<Guide> = emptyList(),
     val error: EditError? = null,
@@ -32,7 +33,7 @@ data class WorldEditing(
     /** The only selected element; null if there is none or more than one. */
     val only: ElementRef? get() = selection.singleOrNull()
 
-    internal val moment: Moment get() = Moment(world, selection, groups)
+    internal val snapshot: WorldSnapshot get() = WorldSnapshot(world, selection, groups)
 
     companion object {
         fun of(world: World) = WorldEditing(world, errors = validationErrorsOf(world))
@@ -52,4 +53,4 @@ enum class Tool {
 }
 
 /** The user drags [grip] from [from]; [before] is the state at the start. */
-data class Gesture(val grip: DragHandle, val from: Point, val before: Moment)
+data class Gesture(val grip: DragHandle, val from: Point, val before: WorldSnapshot)

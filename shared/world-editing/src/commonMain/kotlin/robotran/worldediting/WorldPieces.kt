@@ -23,32 +23,32 @@ fun World.things(): List<ElementRef> = ElementKind.entries.flatMap { kind ->
     List(count(kind)) { ElementRef(kind, it) }
 }
 
-/** The element for [thing]; null if it is missing. */
-fun World.piece(thing: ElementRef): Element? = when (thing.kind) {
-    ElementKind.MARK -> marks.getOrNull(thing.number)?.let(Element::OfMark)
-    ElementKind.STROKE -> strokes.getOrNull(thing.number)?.let(Element::OfStroke)
-    ElementKind.GOAL -> allGoals(goals).getOrNull(thing.number)?.let { Element.OfGoal(it.goal) }
-    ElementKind.WALL -> walls.getOrNull(thing.number)?.let(Element::OfWall)
-    ElementKind.BARRIER -> barriers.getOrNull(thing.number)?.let(Element::OfBarrier)
-    ElementKind.BLOCK -> blocks.getOrNull(thing.number)?.let(Element::OfBlock)
-    ElementKind.ROBOT -> robots.getOrNull(thing.number)?.let(Element::OfRobot)
-    ElementKind.LAMP -> lamps.getOrNull(thing.number)?.let(Element::OfLamp)
+/** The element for [ref]; null if it is missing. */
+fun World.piece(ref: ElementRef): Element? = when (ref.kind) {
+    ElementKind.MARK -> marks.getOrNull(ref.number)?.let(Element::OfMark)
+    ElementKind.STROKE -> strokes.getOrNull(ref.number)?.let(Element::OfStroke)
+    ElementKind.GOAL -> allGoals(goals).getOrNull(ref.number)?.let { Element.OfGoal(it.goal) }
+    ElementKind.WALL -> walls.getOrNull(ref.number)?.let(Element::OfWall)
+    ElementKind.BARRIER -> barriers.getOrNull(ref.number)?.let(Element::OfBarrier)
+    ElementKind.BLOCK -> blocks.getOrNull(ref.number)?.let(Element::OfBlock)
+    ElementKind.ROBOT -> robots.getOrNull(ref.number)?.let(Element::OfRobot)
+    ElementKind.LAMP -> lamps.getOrNull(ref.number)?.let(Element::OfLamp)
 }
 
-/** Replaces the element of its kind at index [number] by [piece]; the parts of a group of goals stay unchanged. */
-internal fun World.with(number: Int, piece: Element): World = when (piece) {
-    is Element.OfRobot -> copy(robots = robots.with(number, piece.robot))
-    is Element.OfWall -> copy(walls = walls.with(number, piece.wall))
-    is Element.OfBarrier -> copy(barriers = barriers.with(number, piece.barrier))
-    is Element.OfBlock -> copy(blocks = blocks.with(number, piece.block))
-    is Element.OfMark -> copy(marks = marks.with(number, piece.mark))
-    is Element.OfLamp -> copy(lamps = lamps.with(number, piece.lamp))
-    is Element.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, piece.points)))
+/** Replaces the element of its kind at index [number] by [element]; the parts of a group of goals stay unchanged. */
+internal fun World.with(number: Int, element: Element): World = when (element) {
+    is Element.OfRobot -> copy(robots = robots.with(number, element.robot))
+    is Element.OfWall -> copy(walls = walls.with(number, element.wall))
+    is Element.OfBarrier -> copy(barriers = barriers.with(number, element.barrier))
+    is Element.OfBlock -> copy(blocks = blocks.with(number, element.block))
+    is Element.OfMark -> copy(marks = marks.with(number, element.mark))
+    is Element.OfLamp -> copy(lamps = lamps.with(number, element.lamp))
+    is Element.OfStroke -> copy(template = template?.copy(strokes = strokes.with(number, element.points)))
 
     is Element.OfGoal -> copy(
         goals = goals.changed { place, goal ->
             if (place == number) {
-                piece.goal.withParts(goal.parts)
+                element.goal.withParts(goal.parts)
             } else {
                 goal
             }
@@ -56,20 +56,20 @@ internal fun World.with(number: Int, piece: Element): World = when (piece) {
     )
 }
 
-/** Adds [piece] on top of the others of its kind. */
-internal fun World.plus(piece: Element): World = when (piece) {
-    is Element.OfRobot -> copy(robots = robots + piece.robot)
-    is Element.OfWall -> copy(walls = walls + piece.wall)
-    is Element.OfBarrier -> copy(barriers = barriers + piece.barrier)
-    is Element.OfBlock -> copy(blocks = blocks + piece.block)
-    is Element.OfMark -> copy(marks = marks + piece.mark)
-    is Element.OfLamp -> copy(lamps = lamps + piece.lamp)
+/** Adds [element] on top of the others of its kind. */
+internal fun World.plus(element: Element): World = when (element) {
+    is Element.OfRobot -> copy(robots = robots + element.robot)
+    is Element.OfWall -> copy(walls = walls + element.wall)
+    is Element.OfBarrier -> copy(barriers = barriers + element.barrier)
+    is Element.OfBlock -> copy(blocks = blocks + element.block)
+    is Element.OfMark -> copy(marks = marks + element.mark)
+    is Element.OfLamp -> copy(lamps = lamps + element.lamp)
 
     is Element.OfStroke -> copy(
-        template = (template ?: Template(emptyList())).let { it.copy(strokes = it.strokes + listOf(piece.points)) },
+        template = (template ?: Template(emptyList())).let { it.copy(strokes = it.strokes + listOf(element.points)) },
     )
 
-    is Element.OfGoal -> copy(goals = goals + piece.goal)
+    is Element.OfGoal -> copy(goals = goals + element.goal)
 }
 
 /** Removes [things]; nested goals are removed with their group, and a template without lines becomes null. */

@@ -2,6 +2,7 @@ package robotran.worldediting
 
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.language.Language
+import robotran.language.history.History
 import robotran.world.UnknownFields
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult

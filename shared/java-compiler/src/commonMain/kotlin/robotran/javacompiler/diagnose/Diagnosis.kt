@@ -49,8 +49,8 @@ internal class Diagnosis(
 
     /** The diagnostics in the order of the sources. They contain at least one error if the compilation failed. */
     fun diagnostics(): List<Diagnostic> {
-        val causes = sources.flatMap { source -> told(source, causes(source, byPath[source.path].orEmpty())) }
-        val found = if (hasErrors(causes)) causes else sources.flatMap { told(it, byPath[it.path].orEmpty()) }
+        val causes = sources.flatMap { source -> diagnosticsOf(source, causes(source, byPath[source.path].orEmpty())) }
+        val found = if (hasErrors(causes)) causes else sources.flatMap { diagnosticsOf(it, byPath[it.path].orEmpty()) }
         val succeeded = compilation.completed && compilation.problems.none { it.isError }
         return if (succeeded || hasErrors(found)) found else found + compilerFailed()
     }
@@ -73,7 +73,7 @@ internal class Diagnosis(
         byPath[source.path].orEmpty().filter { it.number in NameAdvisor.NUMBERS }.map { source.words(it.start, it.end) }
     }.toSet()
 
-    private fun told(source: SourceText, problems: List<EcjProblem>): List<Diagnostic> {
+    private fun diagnosticsOf(source: SourceText, problems: List<EcjProblem>): List<Diagnostic> {
         val all = problems.map { diagnostic(it, source) }
         val order = compareBy<Diagnostic> { it.range?.line }.thenBy { it.severity }.thenBy { it.range?.column }
         return all.sortedWith(order).distinctBy { it.range?.line }

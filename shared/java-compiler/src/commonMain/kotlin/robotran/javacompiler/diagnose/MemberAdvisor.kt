@@ -65,10 +65,10 @@ internal class MemberAdvisor(
         if (owner?.first()?.isUpperCase() == true && others.isNotEmpty()) {
             return ProblemExplanation(message, messages.useOneOf(others.joinToString { "$owner.$it" }))
         }
-        val told = member(problem, source, name, owner, message)
+        val explanation = member(problem, source, name, owner, message)
         val parts = gaps.constants.filterValues { it == owner }.keys.joinToString { "$owner.$it" }
-        val isExplained = told.hint != null || parts.isEmpty()
-        return if (isExplained) told else ProblemExplanation(message, messages.useOneOf(parts))
+        val isExplained = explanation.hint != null || parts.isEmpty()
+        return if (isExplained) explanation else ProblemExplanation(message, messages.useOneOf(parts))
     }
 
     private fun method(problem: EcjProblem, source: SourceText, name: String): ProblemExplanation {
@@ -77,11 +77,12 @@ internal class MemberAdvisor(
         val instead = if (isUnqualified) gaps.insteadOfCall(name) else null
         if (instead != null) return ProblemExplanation(messages.unknownMethodHere(name, shortened(owner)), instead)
         if (isUnqualified) command(problem, source, name)?.let { return it }
-        val told = member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
-        val isOwn = told.hint == null && owner !in library.simpleNames && isUnqualified
-        if (!isOwn) return told
+        val explanation =
+            member(problem, source, name, owner, messages.unknownMethod(shortened(name), shortened(owner)))
+        val isOwn = explanation.hint == null && owner !in library.simpleNames && isUnqualified
+        if (!isOwn) return explanation
         val parameters = parametersOf(problem.arguments.getOrElse(2) { "" })
-        return ProblemExplanation(told.message, messages.writeMethod(shortened(name), parameters))
+        return ProblemExplanation(explanation.message, messages.writeMethod(shortened(name), parameters))
     }
 
     /** Parameters of the types of a call, as they are declared. */

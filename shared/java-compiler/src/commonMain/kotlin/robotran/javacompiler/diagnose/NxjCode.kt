@@ -91,12 +91,12 @@ internal val namesWithNxjCode: Set<String> get() = CODE.keys
  */
 fun missingInNxj(owner: String, member: String, messages: JavaMessages): String {
     val name = member.substringBefore('(').substringBefore(':')
-    val told = when {
+    val explanation = when {
         name == "<init>" -> messages.wrongConstructor(owner, parametersOf(member))
         '(' in member -> messages.unknownMethod(name, owner)
         else -> messages.unknownField(name, owner)
     }
-    return listOfNotNull(told, NxjGaps(messages).instead(name, owner)).joinToString(" ")
+    return listOfNotNull(explanation, NxjGaps(messages).instead(name, owner)).joinToString(" ")
 }
 
 /** The simple names of the parameters in the descriptor of a [constructor], such as `int, String`. */

@@ -6,4 +6,4 @@ import robotran.language.listed
 /** Such as `"down" or "forward"` with [word] `or`. */
 fun alternatives(words: Collection<String>, word: String): String = listed(words.map { "\"$it\"" }, word)
 
-internal fun told(reason: JsonMessages.() -> String): (Language) -> String = { JsonMessages.of(it).reason() }
+internal fun reason(sentence: JsonMessages.() -> String): (Language) -> String = { JsonMessages.of(it).sentence() }

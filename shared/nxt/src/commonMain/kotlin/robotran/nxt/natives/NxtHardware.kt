@@ -121,7 +121,7 @@ internal class NxtHardware(
 
     /** A motor whose regulator is heard in the log when it does something else than before, or with other power. */
     private inner class LoggedMotor(private val port: Int) : RegulatedMotor {
-        private var told: MotorState? = null
+        private var command: MotorState? = null
 
         override val tachoCount: Int get() = motors.tachoCount(port)
 
@@ -130,17 +130,17 @@ internal class NxtHardware(
             motors.control(port, power, brakes)
             val now = motors.commanded(port)
             if (now === before || !isNews(now)) return
-            told = now
+            command = now
             if (regulatorsAreHeard) record(NxtCall.controlMotor(port, power, brakes), 0, CallOrigin.LIBRARY)
         }
 
         /** Tells the next command in any case. */
         fun forget() {
-            told = null
+            command = null
         }
 
         private fun isNews(now: MotorState): Boolean {
-            val last = told ?: return true
+            val last = command ?: return true
             val change = now.power - last.power
             return now.mode != last.mode || change >= NEWS || change <= -NEWS
         }

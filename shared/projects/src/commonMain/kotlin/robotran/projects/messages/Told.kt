@@ -2,4 +2,6 @@ package robotran.projects.messages
 
 import robotran.language.Language
 
-internal fun told(reason: ProjectMessages.() -> String): (Language) -> String = { ProjectMessages.of(it).reason() }
+internal fun reason(sentence: ProjectMessages.() -> String): (Language) -> String = {
+    ProjectMessages.of(it).sentence()
+}

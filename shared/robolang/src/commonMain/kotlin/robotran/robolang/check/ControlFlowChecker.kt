@@ -41,10 +41,10 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     /** Whether the end of [statements] is reachable. */
     private fun goesOn(statements: List<Statement>): Boolean {
         var stopper: Statement? = null
-        var told = false
+        var isReported = false
         for (statement in statements) {
-            if (stopper != null && !told) {
-                told = true
+            if (stopper != null && !isReported) {
+                isReported = true
                 val word = context.textOf(stopper.range).takeWhile { it.isLetter() }
                 context.warn(DiagnosticCode.NEVER_REACHED, statement.range, messages.neverReached(word))
             }

@@ -38,36 +38,36 @@ internal class Explanation(
     )
 
     private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
-        told(Cause.START_POSITION, it, MIN_LENGTH) { messages.startPlace(text(it)) }
+        cause(Cause.START_POSITION, it, MIN_LENGTH) { messages.startPlace(text(it)) }
     }
 
     private fun startHeading() = (machine.start.heading - place.start.heading).let {
-        told(Cause.START_HEADING, it, MIN_ANGLE) { messages.startHeading(text(it), left = it > 0) }
+        cause(Cause.START_HEADING, it, MIN_ANGLE) { messages.startHeading(text(it), left = it > 0) }
     }
 
     private fun strength(leftMotor: Boolean): DeviationCause? {
         val way = if (leftMotor) left.strength else right.strength
         val strength = (if (leftMotor) machine.leftNoise else machine.rightNoise).strength
-        return told(if (leftMotor) Cause.LEFT_STRENGTH else Cause.RIGHT_STRENGTH, way, MIN_LENGTH) {
+        return cause(if (leftMotor) Cause.LEFT_STRENGTH else Cause.RIGHT_STRENGTH, way, MIN_LENGTH) {
             messages.strength(leftMotor, strength < 1, text((strength - 1) * PER_CENT), text(way))
         }
     }
 
     private fun flutter() = (left.flutter - right.flutter).let {
-        told(Cause.FLUTTER, it, MIN_LENGTH) {
+        cause(Cause.FLUTTER, it, MIN_LENGTH) {
             messages.flutter(text(it), text(it / machine.figures.wheelTrack / RADIANS_PER_DEGREE), left = it < 0)
         }
     }
 
-    private fun slip() = (left.slip + right.slip).let { told(Cause.SLIP, it, MIN_LENGTH) { messages.slip(text(it)) } }
+    private fun slip() = (left.slip + right.slip).let { cause(Cause.SLIP, it, MIN_LENGTH) { messages.slip(text(it)) } }
 
-    private fun spin() = (left.spin + right.spin).let { told(Cause.SPIN, it, MIN_SPIN) { messages.spin(text(it)) } }
+    private fun spin() = (left.spin + right.spin).let { cause(Cause.SPIN, it, MIN_SPIN) { messages.spin(text(it)) } }
 
     private fun battery() = ((abs(left.battery) + abs(right.battery)) / 2).let {
-        told(Cause.BATTERY, it, MIN_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
+        cause(Cause.BATTERY, it, MIN_LENGTH) { messages.battery(text(machine.battery.volts), text(it)) }
     }
 
-    private fun lightBias() = told(Cause.LIGHT_BIAS, sensors.lightBias, MIN_RAW) {
+    private fun lightBias() = cause(Cause.LIGHT_BIAS, sensors.lightBias, MIN_RAW) {
         messages.lightBias(
             text(sensors.lightBias),
             dark = sensors.lightBias > 0,
@@ -75,30 +75,30 @@ internal class Explanation(
     }
 
     private fun lightNoise() = sensors.lightNoise.let {
-        told(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }
+        cause(Cause.LIGHT_NOISE, it, MIN_RAW) { messages.lightNoise(text(it)) }
     }
 
     private fun bounce() = machine.bumpers.sumOf { it.bounceCount }.let {
-        told(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
+        cause(Cause.BOUNCE, it.toDouble(), 1.0) { messages.bounce(it) }
     }
 
     private fun motorPlay() = (machine.leftWheel.playedAway + machine.rightWheel.playedAway).let {
-        told(Cause.MOTOR_PLAY, it, MIN_LENGTH) { messages.motorPlay(text(it)) }
+        cause(Cause.MOTOR_PLAY, it, MIN_LENGTH) { messages.motorPlay(text(it)) }
     }
 
     private fun sonarBias() = sensors.sonarBias.let {
-        told(Cause.SONAR_BIAS, it, MIN_DISTANCE) { messages.sonarBias(text(it), far = it > 0) }
+        cause(Cause.SONAR_BIAS, it, MIN_DISTANCE) { messages.sonarBias(text(it), far = it > 0) }
     }
 
     private fun sonarNoise() = sensors.sonarNoise.let {
-        told(Cause.SONAR_NOISE, it, MIN_DISTANCE) { messages.sonarNoise(text(it)) }
+        cause(Cause.SONAR_NOISE, it, MIN_DISTANCE) { messages.sonarNoise(text(it)) }
     }
 
     private fun colourNoise() = sensors.colourNoise.let {
-        told(Cause.COLOUR_NOISE, it, MIN_RAW) { messages.colourNoise(text(it)) }
+        cause(Cause.COLOUR_NOISE, it, MIN_RAW) { messages.colourNoise(text(it)) }
     }
 
-    private fun told(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
+    private fun cause(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
         if (abs(amount) < min) null else DeviationCause(place.name, cause, amount, sentence())
 
     /** The absolute value of [number] with one decimal. */

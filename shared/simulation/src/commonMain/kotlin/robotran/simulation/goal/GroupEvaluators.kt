@@ -53,18 +53,19 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
     private fun holdsNow() = progress.status != GoalStatus.FAILED && hold(progress.parts)
 
     private fun tellAgain() {
-        val told = parts.map { it.progress }
-        val status = statusOf(told.map { it.status })
-        val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(told.map { it.progress }), MAX_OF_UNMET)
-        val shortfall = if (status == GoalStatus.FAILED) shortfallOf(told) else null
+        val results = parts.map { it.progress }
+        val status = statusOf(results.map { it.status })
+        val share = if (status == GoalStatus.MET) 1.0 else minOf(shareOf(results.map { it.progress }), MAX_OF_UNMET)
+        val shortfall = if (status == GoalStatus.FAILED) shortfallOf(results) else null
         val shown = floor(share * HUNDRED + ROUNDING) / HUNDRED
-        progress = GoalProgress(sentence, status, shown, told, status != GoalStatus.FAILED && hold(told), shortfall)
+        progress =
+            GoalProgress(sentence, status, shown, results, status != GoalStatus.FAILED && hold(results), shortfall)
     }
 
-    private fun shortfallOf(told: List<GoalProgress>): GoalShortfall {
+    private fun shortfallOf(results: List<GoalProgress>): GoalShortfall {
         if (isInactive) return GoalShortfall.NotBegun
-        val part = decisivePart(told)
-        val shortfall = told.getOrNull(part)?.shortfall ?: return GoalShortfall.ImpossibleGoal
+        val part = decisivePart(results)
+        val shortfall = results.getOrNull(part)?.shortfall ?: return GoalShortfall.ImpossibleGoal
         return GoalShortfall.PartNotMet(part, shortfall, isChoice)
     }
 

@@ -19,7 +19,7 @@ internal abstract class MotorModel {
      * @param supply strength times voltage, relative to a nominal motor with fresh batteries.
      * @param load the force against the tyre's forward movement, in kg cm/s2; negative if it pushes the tyre.
      */
-    abstract fun tick(told: MotorState, supply: Double = 1.0, load: Double = 0.0)
+    abstract fun tick(command: MotorState, supply: Double = 1.0, load: Double = 0.0)
 
     /** Lets the floor turn the tyre at [ground] cm/s while the motor neither drives nor brakes. */
     fun follow(ground: Double) {
@@ -42,10 +42,10 @@ internal class RcxMotor(private val f: RobotFigures) : MotorModel() {
     /** The slots at which the speed reaches half of the limit of the curve through the two known speeds. */
     private val halfSlots = SLOTS * (f.topSpeed - f.calibratedSpeed) / (2.0 * f.calibratedSpeed - f.topSpeed)
 
-    override fun tick(told: MotorState, supply: Double, load: Double) {
-        speed = when (told.mode) {
-            MotorMode.FORWARD -> approach(loadedSpeed(told.power, supply, load))
-            MotorMode.BACKWARD -> approach(-loadedSpeed(told.power, supply, -load))
+    override fun tick(command: MotorState, supply: Double, load: Double) {
+        speed = when (command.mode) {
+            MotorMode.FORWARD -> approach(loadedSpeed(command.power, supply, load))
+            MotorMode.BACKWARD -> approach(-loadedSpeed(command.power, supply, -load))
             MotorMode.BRAKE -> approach(0.0)
             MotorMode.FLOAT -> coast()
         }

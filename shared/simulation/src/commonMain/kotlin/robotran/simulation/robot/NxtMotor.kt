@@ -29,14 +29,14 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
     var current = 0.0
         private set
 
-    override fun tick(told: MotorState, supply: Double, load: Double) {
+    override fun tick(command: MotorState, supply: Double, load: Double) {
         current = 0.0
-        when (told.mode) {
-            MotorMode.FORWARD -> drive(told, supply, load)
+        when (command.mode) {
+            MotorMode.FORWARD -> drive(command, supply, load)
 
             MotorMode.BACKWARD -> {
                 speed = -speed
-                drive(told, supply, -load)
+                drive(command, supply, -load)
                 speed = -speed
             }
 
@@ -46,13 +46,13 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
     }
 
     /** Drives forwards, against [load]. */
-    private fun drive(told: MotorState, supply: Double, load: Double) {
-        val duty = if (told.power < NxtMotorFigures.LOWEST_POWER) 0.0 else told.power / FULL_POWER
+    private fun drive(command: MotorState, supply: Double, load: Double) {
+        val duty = if (command.power < NxtMotorFigures.LOWEST_POWER) 0.0 else command.power / FULL_POWER
         val free = topSpeed * supply * duty
-        val wanted = loaded(free, stallForce * supply * (if (told.brakesInPauses) duty else duty * duty), load)
+        val wanted = loaded(free, stallForce * supply * (if (command.brakesInPauses) duty else duty * duty), load)
         if (free > 0) current = duty * (1 + STALLED_CURRENT * (1 - speed / free).coerceIn(0.0, 1.0))
         when {
-            !told.brakesInPauses && speed > wanted -> {
+            !command.brakesInPauses && speed > wanted -> {
                 coast()
                 speed = maxOf(speed, wanted)
             }

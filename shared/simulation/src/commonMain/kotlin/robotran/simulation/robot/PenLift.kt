@@ -16,8 +16,8 @@ internal class PenLift {
     /** Whether the tip touches the paper. */
     val isDown: Boolean get() = depth >= Penbot.PEN_CONTACT
 
-    fun tick(told: MotorState) {
-        motor.tick(told)
+    fun tick(command: MotorState) {
+        motor.tick(command)
         depth = (depth + motor.speed * SimulationLimits.TICK_SECONDS / TRAVEL).coerceIn(0.0, 1.0)
     }
 

@@ -141,8 +141,13 @@ internal class SimulatedRobot(
 
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS
 
-    private fun driven(told: MotorState): Double =
-        if (told.mode == MotorMode.FORWARD || told.mode == MotorMode.BACKWARD) (told.power + 1) / SLOTS else 0.0
+    private fun driven(command: MotorState): Double = if (command.mode == MotorMode.FORWARD ||
+        command.mode == MotorMode.BACKWARD
+    ) {
+        (command.power + 1) / SLOTS
+    } else {
+        0.0
+    }
 
     private fun touch(tick: Long) {
         var wasFree = true
@@ -195,15 +200,15 @@ private class MotorCommand(private val isReversed: Boolean) {
     private var known: MotorState? = null
     private var turned: MotorState? = null
 
-    fun of(told: MotorState): MotorState {
-        if (!isReversed) return told
-        if (told != known) {
-            known = told
-            turned = told.copy(
-                mode = when (told.mode) {
+    fun of(command: MotorState): MotorState {
+        if (!isReversed) return command
+        if (command != known) {
+            known = command
+            turned = command.copy(
+                mode = when (command.mode) {
                     MotorMode.FORWARD -> MotorMode.BACKWARD
                     MotorMode.BACKWARD -> MotorMode.FORWARD
-                    else -> told.mode
+                    else -> command.mode
                 },
             )
         }

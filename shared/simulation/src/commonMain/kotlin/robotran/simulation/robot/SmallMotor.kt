@@ -19,9 +19,9 @@ internal class SmallMotor(private val noise: WheelNoise, private val first: Doub
 
     val current: Double get() = motor.current
 
-    fun tick(told: MotorState, battery: Double, tick: Long) {
+    fun tick(command: MotorState, battery: Double, tick: Long) {
         noise.tick(tick)
-        motor.tick(told, noise.strength * noise.flutter * battery)
+        motor.tick(command, noise.strength * noise.flutter * battery)
         val wanted = degrees + motor.speed * SimulationLimits.TICK_SECONDS
         degrees = wanted.coerceIn(first, last)
         if (degrees != wanted) motor.follow(0.0)

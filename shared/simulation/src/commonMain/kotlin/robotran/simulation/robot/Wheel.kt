@@ -42,10 +42,10 @@ internal class Wheel(
      *
      * @param isRegulated whether something makes up for a strong or weak motor.
      */
-    fun tick(told: MotorState, battery: Double, tick: Long, isRegulated: Boolean = false) {
+    fun tick(command: MotorState, battery: Double, tick: Long, isRegulated: Boolean = false) {
         noise.tick(tick)
-        floats = told.mode == MotorMode.FLOAT
-        motor.tick(told, noise.strength * noise.flutter * battery, load)
+        floats = command.mode == MotorMode.FLOAT
+        motor.tick(command, noise.strength * noise.flutter * battery, load)
         val way = motor.speed * SimulationLimits.TICK_SECONDS
         motorTravel += way
         travel += if (play == null) way else play.passOn(way)

@@ -125,8 +125,8 @@ internal fun Goals(goals: List<GoalProgress>) {
 
 /** @param isNews whether screen readers tell it when it changes. */
 @Composable
-internal fun Line(words: String, tag: String, isStrong: Boolean = false, isNews: Boolean = false) = MarkedText(
-    words,
+internal fun Line(label: String, tag: String, isStrong: Boolean = false, isNews: Boolean = false) = MarkedText(
+    label,
     Modifier.testTag(tag).semantics { if (isNews) liveRegion = LiveRegionMode.Polite },
     weight = if (isStrong) FontWeight.SemiBold else FontWeight.Normal,
 )

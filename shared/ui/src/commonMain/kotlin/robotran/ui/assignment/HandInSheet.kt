@@ -96,8 +96,8 @@ private fun HandInCard(
 }
 
 @Composable
-private fun Title(words: String) = Text(
-    words,
+private fun Title(label: String) = Text(
+    label,
     Modifier.semantics { heading() },
     fontSize = TextSizes.HEADING,
     fontWeight = FontWeight.Medium,

@@ -92,7 +92,7 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
 }
 
 @Composable
-private fun Choice(words: String, isChosen: Boolean, tag: String, onClick: () -> Unit) {
+private fun Choice(label: String, isChosen: Boolean, tag: String, onClick: () -> Unit) {
     Row(
         Modifier
             .fillMaxWidth()
@@ -105,7 +105,7 @@ private fun Choice(words: String, isChosen: Boolean, tag: String, onClick: () ->
         Alignment.CenterVertically,
     ) {
         RadioMark(isChosen)
-        Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+        Text(label, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
     }
 }
 
@@ -136,8 +136,8 @@ internal fun MistakesView(step: HandInStep.HasMistakes) {
 }
 
 @Composable
-internal fun Quiet(words: String, tag: String) = Text(
-    words,
+internal fun Quiet(label: String, tag: String) = Text(
+    label,
     Modifier.testTag(tag),
     color = LocalRobotranColours.current.quiet,
     fontSize = TextSizes.SMALL,

@@ -81,31 +81,31 @@ internal fun DialogFrame(
 
 /** The primary button of a dialog. */
 @Composable
-internal fun MainButton(words: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
+internal fun MainButton(label: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
     Button(
         onClick,
         Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         enabled = enabled,
         colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
-    ) { Text(words, fontSize = TextSizes.BODY) }
+    ) { Text(label, fontSize = TextSizes.BODY) }
 }
 
 /** A secondary button of a dialog. */
 @Composable
-internal fun OtherButton(words: String, tag: String, onClick: () -> Unit) {
+internal fun OtherButton(label: String, tag: String, onClick: () -> Unit) {
     TextButton(
         onClick,
         Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    ) { Text(words, fontSize = TextSizes.BODY) }
+    ) { Text(label, fontSize = TextSizes.BODY) }
 }
 
 /** An explanatory sentence. */
 @Composable
-internal fun Explanation(words: String, modifier: Modifier = Modifier, bad: Boolean = false) {
+internal fun Explanation(label: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current
     Text(
-        words,
+        label,
         modifier,
         color = if (bad) colours.error else colours.onPane,
         fontSize = TextSizes.BODY,

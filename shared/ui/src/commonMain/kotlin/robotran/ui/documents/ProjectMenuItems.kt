@@ -69,10 +69,10 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
 }
 
 @Composable
-private fun ProjectMenuItem(words: Label, tag: String, sign: String = "", onClick: () -> Unit) {
+private fun ProjectMenuItem(label: Label, tag: String, sign: String = "", onClick: () -> Unit) {
     DropdownMenuItem(
         text = {
-            Text(sign + words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+            Text(sign + label(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
         },
         onClick = onClick,
         modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),

@@ -67,8 +67,8 @@ internal fun ProjectsDialog(
 
 /** What did not work: screen readers announce it. */
 @Composable
-private fun ListNotice(words: String, isError: Boolean) = Explanation(
-    words,
+private fun ListNotice(label: String, isError: Boolean) = Explanation(
+    label,
     Modifier.testTag("works-notice").semantics {
         liveRegion = if (isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
     },

@@ -89,8 +89,8 @@ private fun TextDialog(
         if (help != null) Explanation(help)
         OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
         if (error != null) {
-            val told = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-            Explanation(error, told, bad = true)
+            val announced = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
+            Explanation(error, announced, bad = true)
         }
     }
 }

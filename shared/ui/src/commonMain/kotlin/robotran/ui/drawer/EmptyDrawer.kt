@@ -9,5 +9,5 @@ import robotran.ui.texts.Label
 
 /** Explains how to get content for this tab. */
 @Composable
-internal fun EmptyDrawer(words: Label, picture: EmptyPicture, modifier: Modifier = Modifier) =
-    EmptyState(picture, words(spoken), "drawer-empty", modifier)
+internal fun EmptyDrawer(label: Label, picture: EmptyPicture, modifier: Modifier = Modifier) =
+    EmptyState(picture, label(spoken), "drawer-empty", modifier)

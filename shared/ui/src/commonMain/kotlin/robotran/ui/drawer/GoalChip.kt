@@ -95,10 +95,10 @@ internal fun GoalChip(
             if (isShort) listOf(longest) else listOf(longest, allMet),
             alignment = Alignment.CenterStart,
         ) {
-            val told = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
+            val semantics = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
             Text(
                 it,
-                told,
+                semantics,
                 color = colours.onPane,
                 fontSize = TextSizes.BODY,
                 lineHeight = LineHeights.SMALL,

@@ -20,13 +20,13 @@ import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 
 /**
- * What a place shows while it has no content: a picture, and [words] that say how to get some. The picture is above the
+ * What a place shows while it has no content: a picture, and [label] that say how to get some. The picture is above the
  * words, beside them where the place is low, and missing where both would not fit.
  *
  * @param tag the test tag of the words.
  */
 @Composable
-internal fun EmptyState(picture: EmptyPicture, words: String, tag: String, modifier: Modifier = Modifier) {
+internal fun EmptyState(picture: EmptyPicture, label: String, tag: String, modifier: Modifier = Modifier) {
     BoxWithConstraints(modifier.padding(Space.LARGE), Alignment.Center) {
         val scale = LocalDensity.current.fontScale
         val hasPicture = maxWidth >= BESIDE_WIDTH * scale && maxHeight >= PICTURE_HEIGHT
@@ -38,7 +38,7 @@ internal fun EmptyState(picture: EmptyPicture, words: String, tag: String, modif
                 Alignment.CenterHorizontally,
             ) {
                 EmptyPictureView(picture, larger = larger)
-                EmptyWords(words, tag, TextAlign.Center)
+                EmptyWords(label, tag, TextAlign.Center)
             }
         } else {
             Row(
@@ -47,15 +47,15 @@ internal fun EmptyState(picture: EmptyPicture, words: String, tag: String, modif
                 Alignment.CenterVertically,
             ) {
                 if (hasPicture) EmptyPictureView(picture)
-                EmptyWords(words, tag, TextAlign.Start, Modifier.weight(1f, fill = false))
+                EmptyWords(label, tag, TextAlign.Start, Modifier.weight(1f, fill = false))
             }
         }
     }
 }
 
 @Composable
-private fun EmptyWords(words: String, tag: String, align: TextAlign, modifier: Modifier = Modifier) = Text(
-    words,
+private fun EmptyWords(label: String, tag: String, align: TextAlign, modifier: Modifier = Modifier) = Text(
+    label,
     modifier.testTag(tag),
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.BODY,

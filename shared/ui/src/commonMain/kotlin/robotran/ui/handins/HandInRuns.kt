@@ -111,13 +111,13 @@ private fun GoalLine(goal: GoalReport) {
     Reason(goal.met, words, Modifier.clearAndSetSemantics { contentDescription = spoken })
 }
 
-/** @param isMet whether a tick or a cross stands before [words]. */
+/** @param isMet whether a tick or a cross stands before [label]. */
 @Composable
-private fun Reason(isMet: Boolean, words: String, modifier: Modifier = Modifier) =
+private fun Reason(isMet: Boolean, label: String, modifier: Modifier = Modifier) =
     Row(modifier, horizontalArrangement = Arrangement.spacedBy(Space.SMALL), verticalAlignment = Alignment.Top) {
         val colours = LocalRobotranColours.current
         SmallIcon(if (isMet) DONE_ICON else Icon.CLOSE, if (isMet) colours.good else colours.error)
-        Words(words, Modifier.weight(1f))
+        Words(label, Modifier.weight(1f))
     }
 
 private const val FEW = 4

@@ -194,8 +194,8 @@ private fun RunsCell(row: HandInRow, plan: GradingPlan) =
     }
 
 @Composable
-internal fun RemarkLine(words: String) = Text(
-    words,
+internal fun RemarkLine(label: String) = Text(
+    label,
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.SMALL,
     lineHeight = LineHeights.TIGHT,
@@ -204,8 +204,8 @@ internal fun RemarkLine(words: String) = Text(
 )
 
 @Composable
-private fun Figure(words: String) = Text(
-    words,
+private fun Figure(label: String) = Text(
+    label,
     Modifier.width(scaled(FIGURE_WIDTH)),
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.COMPACT,
@@ -214,8 +214,8 @@ private fun Figure(words: String) = Text(
 )
 
 @Composable
-private fun Title(words: Label, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
-    words(spoken),
+private fun Title(label: Label, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
+    label(spoken),
     modifier,
     color = LocalRobotranColours.current.quiet,
     fontSize = TextSizes.SMALL,

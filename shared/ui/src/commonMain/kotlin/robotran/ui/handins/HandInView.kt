@@ -137,8 +137,8 @@ private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent)
 
 /** A title of a part of the page. */
 @Composable
-internal fun PartTitle(words: Label) = Text(
-    words(spoken),
+internal fun PartTitle(label: Label) = Text(
+    label(spoken),
     Modifier.semantics { heading() },
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.LEAD,
@@ -146,8 +146,8 @@ internal fun PartTitle(words: Label) = Text(
 )
 
 @Composable
-internal fun Words(words: String, modifier: Modifier = Modifier) = Text(
-    words,
+internal fun Words(label: String, modifier: Modifier = Modifier) = Text(
+    label,
     modifier,
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.BODY,

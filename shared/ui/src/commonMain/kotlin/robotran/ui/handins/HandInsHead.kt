@@ -86,8 +86,8 @@ internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit
     }
 
 @Composable
-private fun Remark(words: String) = Text(
-    words,
+private fun Remark(label: String) = Text(
+    label,
     Modifier
         .fillMaxWidth()
         .background(LocalRobotranColours.current.invite, Shapes.MEDIUM)

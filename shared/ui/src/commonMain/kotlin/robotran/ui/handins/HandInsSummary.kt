@@ -121,8 +121,8 @@ private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
     }
 
 @Composable
-private fun Line(words: String, modifier: Modifier = Modifier) = Text(
-    words,
+private fun Line(label: String, modifier: Modifier = Modifier) = Text(
+    label,
     modifier.testTag("hand-ins-status").semantics { liveRegion = LiveRegionMode.Polite },
     color = LocalRobotranColours.current.onPane,
     fontSize = TextSizes.BODY,

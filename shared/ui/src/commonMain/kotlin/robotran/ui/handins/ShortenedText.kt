@@ -19,13 +19,13 @@ import androidx.compose.ui.unit.Constraints
  * readers hear all of it.
  */
 @Composable
-internal fun ShortenedText(words: String, style: TextStyle, maxLines: Int, modifier: Modifier = Modifier) =
-    BoxWithConstraints(modifier.clearAndSetSemantics { text = AnnotatedString(words) }) {
+internal fun ShortenedText(label: String, style: TextStyle, maxLines: Int, modifier: Modifier = Modifier) =
+    BoxWithConstraints(modifier.clearAndSetSemantics { text = AnnotatedString(label) }) {
         val whole = LocalTextStyle.current.merge(style)
         val measurer = rememberTextMeasurer()
         val width = constraints.maxWidth
-        val shown = remember(words, whole, maxLines, width, measurer) {
-            shortenedInMiddle(words) { part ->
+        val shown = remember(label, whole, maxLines, width, measurer) {
+            shortenedInMiddle(label) { part ->
                 val room = Constraints(maxWidth = width)
                 !measurer.measure(part, whole, TextOverflow.Clip, maxLines = maxLines, constraints = room)
                     .hasVisualOverflow
@@ -34,21 +34,21 @@ internal fun ShortenedText(words: String, style: TextStyle, maxLines: Int, modif
         Text(shown, style = whole, maxLines = maxLines, overflow = TextOverflow.Ellipsis)
     }
 
-/** [words] with as few letters left out of the middle as it takes until it [fits]. More is left of the end. */
-internal fun shortenedInMiddle(words: String, fits: (String) -> Boolean): String {
-    if (fits(words)) return words
+/** [label] with as few letters left out of the middle as it takes until it [fits]. More is left of the end. */
+internal fun shortenedInMiddle(label: String, fits: (String) -> Boolean): String {
+    if (fits(label)) return label
     var min = 0
-    var max = words.length - 1
+    var max = label.length - 1
     while (min < max) {
         val middle = (min + max + 1) / 2
-        if (fits(withLetters(words, middle))) min = middle else max = middle - 1
+        if (fits(withLetters(label, middle))) min = middle else max = middle - 1
     }
-    return withLetters(words, min)
+    return withLetters(label, min)
 }
 
-private fun withLetters(words: String, count: Int): String {
-    val head = words.take(count * HEAD_PERCENT / 100).dropLastWhile { it.isHighSurrogate() }
-    val tail = words.takeLast(count - count * HEAD_PERCENT / 100).dropWhile { it.isLowSurrogate() }
+private fun withLetters(label: String, count: Int): String {
+    val head = label.take(count * HEAD_PERCENT / 100).dropLastWhile { it.isHighSurrogate() }
+    val tail = label.takeLast(count - count * HEAD_PERCENT / 100).dropWhile { it.isLowSurrogate() }
     return "${head.trimEnd()}…${tail.trimStart()}"
 }
 

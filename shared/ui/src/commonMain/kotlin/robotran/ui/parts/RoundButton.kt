@@ -30,11 +30,11 @@ internal typealias StrokeIcon = List<Pair<Offset, Offset>>
 internal val Cross: StrokeIcon = listOf(Offset(0f, 0f) to Offset(1f, 1f), Offset(0f, 1f) to Offset(1f, 0f))
 internal val Plus: StrokeIcon = listOf(Offset(0.5f, 0f) to Offset(0.5f, 1f), Offset(0f, 0.5f) to Offset(1f, 0.5f))
 
-/** A button of the given [size] with a [sign]; [words] is its accessibility text. */
+/** A button of the given [size] with a [sign]; [label] is its accessibility text. */
 @Composable
 internal fun RoundButton(
     sign: StrokeIcon,
-    words: String,
+    label: String,
     tag: String,
     size: Dp = 14.dp,
     enabled: Boolean = true,
@@ -48,7 +48,7 @@ internal fun RoundButton(
             .clip(CircleShape)
             .focusRing()
             .clickable(enabled, role = Role.Button, onClick = onClick)
-            .semantics { contentDescription = words },
+            .semantics { contentDescription = label },
         Alignment.Center,
     ) {
         SignPicture(sign, colour, size)

@@ -18,7 +18,7 @@ fun posterSvg(poster: Poster): String {
         "width" to "${figure(page.width)}mm",
         "height" to "${figure(page.height)}mm",
     ) {
-        svg.words("title", poster.title)
+        svg.textElement("title", poster.title)
         svg.element("rect", "width" to page.width, "height" to page.height, "fill" to "#ffffff")
         with(page.sheet) { SheetSvg(poster.world, poster.session).writeInto(svg, left, top, width, height) }
         svg.element(

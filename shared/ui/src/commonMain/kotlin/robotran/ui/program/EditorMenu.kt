@@ -97,8 +97,8 @@ internal fun EditorMenu(
 }
 
 @Composable
-private fun WordsItem(words: Label, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
+private fun WordsItem(label: Label, tag: String, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(label(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )

@@ -166,10 +166,10 @@ private fun countText(count: Int, place: Int): String = if (count == 0) {
 }
 
 @Composable
-private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
+private fun FindButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
         Text(
-            words,
+            label,
             color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
             fontSize = TextSizes.COMPACT,
         )
@@ -179,7 +179,7 @@ private fun FindButton(words: String, tag: String, enabled: Boolean, onClick: ()
 @Composable
 private fun LineField(
     text: String,
-    words: String,
+    label: String,
     tag: String,
     onChange: (String) -> Unit,
     actions: FindActions,
@@ -194,7 +194,7 @@ private fun LineField(
             .testTag(tag)
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(vertical = 4.dp)
-            .semantics { contentDescription = words }
+            .semantics { contentDescription = label }
             .onPreviewKeyEvent { event ->
                 val isDown = event.type == KeyEventType.KeyDown
                 when (event.key) {
@@ -220,7 +220,7 @@ private fun LineField(
                 ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
                 Alignment.CenterStart,
             ) {
-                if (text.isEmpty()) Text(words, color = colours.quiet, fontSize = TextSizes.COMPACT, maxLines = 1)
+                if (text.isEmpty()) Text(label, color = colours.quiet, fontSize = TextSizes.COMPACT, maxLines = 1)
                 inner()
             }
         },

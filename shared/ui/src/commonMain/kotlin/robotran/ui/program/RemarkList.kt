@@ -46,9 +46,9 @@ internal fun RemarkList(
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
-    val told = remarks.take(max)
-    var isClosed by remember(told) { mutableStateOf(false) }
-    if (told.isEmpty() || isClosed) return
+    val shown = remarks.take(max)
+    var isClosed by remember(shown) { mutableStateOf(false) }
+    if (shown.isEmpty() || isClosed) return
     Surface(
         modifier.fillMaxWidth().padding(8.dp),
         Shapes.MEDIUM,
@@ -63,7 +63,7 @@ internal fun RemarkList(
                     .semantics { liveRegion = LiveRegionMode.Polite }
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
-                for (remark in told) {
+                for (remark in shown) {
                     Row(verticalAlignment = Alignment.CenterVertically) {
                         Text(
                             textOf(remark),

@@ -77,10 +77,10 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
 }
 
 @Composable
-private fun DialogButton(words: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
+private fun DialogButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(words, color = if (enabled) colours.focus else colours.quiet, fontSize = TextSizes.BODY)
+        Text(label, color = if (enabled) colours.focus else colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 

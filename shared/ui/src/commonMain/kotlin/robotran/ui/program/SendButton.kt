@@ -12,20 +12,20 @@ import robotran.ui.theme.LocalRobotranColours
 /**
  * Sends the shown program to a real robot, or, for a brick to which Robotran cannot send, saves a kit for it.
  *
- * @param words the name of the button.
+ * @param label the name of the button.
  * @param hasRoom whether there is room for its words.
  */
 @Composable
-internal fun SendButton(words: Label, hasRoom: Boolean, onClick: () -> Unit) =
-    SendButton(words(spoken), hasRoom, onClick)
+internal fun SendButton(label: Label, hasRoom: Boolean, onClick: () -> Unit) =
+    SendButton(label(spoken), hasRoom, onClick)
 
 @Composable
-private fun SendButton(words: String, hasRoom: Boolean, onClick: () -> Unit) {
+private fun SendButton(label: String, hasRoom: Boolean, onClick: () -> Unit) {
     if (hasRoom) {
         val colour = LocalRobotranColours.current.onPane
-        PaneChip(words, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick = onClick)
+        PaneChip(label, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick = onClick)
     } else {
-        RoundButton(StrokeIcons.SEND, words, "send-robot", SIGN, onClick = onClick)
+        RoundButton(StrokeIcons.SEND, label, "send-robot", SIGN, onClick = onClick)
     }
 }
 

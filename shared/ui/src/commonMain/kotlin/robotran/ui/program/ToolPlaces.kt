@@ -45,9 +45,9 @@ internal fun toolPlaces(width: Dp, hasViews: Boolean, translationWords: Label?, 
 }
 
 @Composable
-private fun chipWidth(words: Label): Dp {
+private fun chipWidth(label: Label): Dp {
     val style = LocalTextStyle.current.copy(fontSize = TextSizes.SMALL)
-    val text = rememberTextMeasurer().measure(words(spoken), style, maxLines = 1).size.width
+    val text = rememberTextMeasurer().measure(label(spoken), style, maxLines = 1).size.width
     return with(LocalDensity.current) { text.toDp() } + CHIP
 }
 

@@ -61,12 +61,12 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
     )
 }
 
-/** [words] with the name of the robot that they are about, if there are several. */
-private fun withRobot(run: RunPaneState, status: WorkshopStatus, words: String): String {
+/** [label] with the name of the robot that they are about, if there are several. */
+private fun withRobot(run: RunPaneState, status: WorkshopStatus, label: String): String {
     val isOfRobot = status is WorkshopStatus.Running || status is WorkshopStatus.Paused ||
         status is WorkshopStatus.Ended || status is WorkshopStatus.Failed || status == WorkshopStatus.Off
-    val robot = run.world.robots.takeIf { it.size > 1 && isOfRobot }?.getOrNull(run.watched) ?: return words
-    return "${robot.name}: $words"
+    val robot = run.world.robots.takeIf { it.size > 1 && isOfRobot }?.getOrNull(run.watched) ?: return label
+    return "${robot.name}: $label"
 }
 
 private fun isWrong(status: WorkshopStatus): Boolean =

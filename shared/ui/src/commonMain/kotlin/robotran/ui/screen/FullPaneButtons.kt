@@ -44,7 +44,7 @@ internal fun FullPaneButtons(full: Pane?, onEvent: (WorkshopEvent) -> Unit) {
 }
 
 @Composable
-private fun FullPaneButton(icon: Icon, words: String, tag: String, on: Boolean, onFull: (Boolean) -> Unit) {
+private fun FullPaneButton(icon: Icon, label: String, tag: String, on: Boolean, onFull: (Boolean) -> Unit) {
     val colours = LocalRobotranColours.current
     val shape = RoundedCornerShape(CORNER)
     Box(
@@ -56,7 +56,7 @@ private fun FullPaneButton(icon: Icon, words: String, tag: String, on: Boolean, 
             .clip(shape)
             .background(if (on) colours.onPane else colours.pane)
             .toggleable(on, role = Role.Switch, onValueChange = onFull)
-            .semantics { contentDescription = words },
+            .semantics { contentDescription = label },
         Alignment.Center,
     ) {
         val colour = if (on) colours.pane else colours.onPane

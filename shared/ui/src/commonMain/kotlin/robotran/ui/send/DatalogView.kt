@@ -31,6 +31,6 @@ internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag(
 }
 
 @Composable
-private fun Line(words: String) = Text(words, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+private fun Line(label: String) = Text(label, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
 
 private const val SHOWN = 50

@@ -38,14 +38,14 @@ internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> U
 }
 
 @Composable
-private fun TowerButton(words: String, tag: String, onClick: () -> Unit) {
+private fun TowerButton(label: String, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     OutlinedButton(
         onClick,
         Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
         colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
         border = BorderStroke(1.dp, colours.line),
-    ) { Text(words, fontSize = TextSizes.BODY, textAlign = TextAlign.Center) }
+    ) { Text(label, fontSize = TextSizes.BODY, textAlign = TextAlign.Center) }
 }
 
 @Composable

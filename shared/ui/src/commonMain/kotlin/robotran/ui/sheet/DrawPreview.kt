@@ -147,9 +147,9 @@ private fun DrawScope.strokeWidth(casing: Boolean, pen: PreviewPen): Float =
     (if (casing) CASING else LINE).toPx() * pen.scale
 
 /** The number beyond [end], inside the picture. */
-private fun DrawScope.drawPlate(words: String, end: Offset, along: Offset, pen: PreviewPen) {
+private fun DrawScope.drawPlate(label: String, end: Offset, along: Offset, pen: PreviewPen) {
     val text = pen.labels.measure(
-        words,
+        label,
         TextStyle(SheetColours.LABEL, fontSize = (LABEL_SIZE * pen.labelScale).sp, fontWeight = FontWeight.Bold),
     )
     val pad = 8.dp.toPx() * pen.scale

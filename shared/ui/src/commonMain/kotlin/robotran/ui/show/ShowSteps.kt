@@ -135,11 +135,11 @@ internal fun FailedView(error: ShowError) = Told(
 
 /** One sentence in the middle. */
 @Composable
-private fun Told(words: String, tag: String, isError: Boolean = false) {
+private fun Told(label: String, tag: String, isError: Boolean = false) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxSize(), Arrangement.Center) {
         Text(
-            words,
+            label,
             Modifier.fillMaxWidth().testTag(tag).semantics { liveRegion = LiveRegionMode.Polite },
             color = if (isError) colours.error else colours.onPane,
             fontSize = TextSizes.LEAD,

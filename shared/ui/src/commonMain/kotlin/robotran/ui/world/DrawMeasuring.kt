@@ -131,9 +131,9 @@ private fun colour(casing: Boolean): Color = if (casing) RobotranColours.CASING 
 private fun DrawScope.width(casing: Boolean): Float = (if (casing) CASING else LINE).toPx()
 
 /** Words beyond [place] in the direction [along], inside the picture. */
-private fun DrawScope.plate(words: String, place: Offset, along: Offset, text: TextMeasurer) {
+private fun DrawScope.plate(label: String, place: Offset, along: Offset, text: TextMeasurer) {
     val style = TextStyle(SheetColours.LABEL, fontSize = LABEL_SIZE.sp, fontWeight = FontWeight.Bold)
-    val laid = text.measure(words, style, maxLines = 1)
+    val laid = text.measure(label, style, maxLines = 1)
     val pad = 8.dp.toPx()
     val plate = Size(laid.size.width + 2 * pad, laid.size.height + pad)
     val away = max(plate.width * abs(along.x), plate.height * abs(along.y)) / 2 + PLATE_GAP.toPx()

@@ -25,13 +25,13 @@ import robotran.ui.theme.focusRing
 /**
  * A round button at the edge of the sheet.
  *
- * @param words the accessibility text of its [icon].
+ * @param label the accessibility text of its [icon].
  * @param on whether it is switched on; null if it is not a switch.
  */
 @Composable
 internal fun SheetButton(
     icon: Icon,
-    words: String,
+    label: String,
     tag: String,
     on: Boolean? = null,
     enabled: Boolean = true,
@@ -52,7 +52,7 @@ internal fun SheetButton(
             .background(if (on == true) colours.onPane else colours.pane)
             .border(1.dp, colours.line, CircleShape)
             .then(press)
-            .semantics { contentDescription = words },
+            .semantics { contentDescription = label },
         Alignment.Center,
     ) {
         val colour = when {

@@ -83,8 +83,8 @@ private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit)
 )
 
 @Composable
-private fun SwitchItem(words: String, tag: String, on: Boolean, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(words, fontSize = TextSizes.BODY) },
+private fun SwitchItem(label: String, tag: String, on: Boolean, onClick: () -> Unit) = DropdownMenuItem(
+    text = { Text(label, fontSize = TextSizes.BODY) },
     onClick = onClick,
     modifier = Modifier.testTag(tag).semantics {
         role = Role.Checkbox

@@ -31,8 +31,8 @@ import robotran.worldediting.piece
 
 /** The selection: its actions and properties. */
 @Composable
-internal fun ChosenPanel(making: EditorScope) {
-    val editing = making.editing
+internal fun ChosenPanel(editor: EditorScope) {
+    val editing = editor.editing
     if (editing.selection.isEmpty()) {
         Remark(WorldEditorTexts.chooseFirst(spoken))
         return
@@ -45,13 +45,13 @@ internal fun ChosenPanel(making: EditorScope) {
         fontSize = TextSizes.LEAD,
         fontWeight = FontWeight.SemiBold,
     )
-    Actions(making)
+    Actions(editor)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     val piece = only?.let { editing.world.piece(it) }
-    if (only != null && piece != null) ElementFields(making, only, piece)
+    if (only != null && piece != null) ElementFields(editor, only, piece)
     if (editing.hasPlace) {
         RowHeading(if (only != null) WorldEditorTexts.alignPaper(spoken) else WorldEditorTexts.align(spoken))
-        AlignRow(making)
+        AlignRow(editor)
     }
 }
 
@@ -63,41 +63,41 @@ private fun chosenTitle(editing: WorldEditing): String {
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Actions(making: EditorScope) {
-    val editing = making.editing
+private fun Actions(editor: EditorScope) {
+    val editing = editor.editing
     val turn = turnStep(editing)
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { making.make(Edit.Delete) }
-        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { making.make(Edit.Duplicate) }
+        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { editor.make(Edit.Delete) }
+        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { editor.make(Edit.Duplicate) }
         if (editing.canRotate) {
-            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { making.make(Edit.TurnBy(turn)) }
+            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { editor.make(Edit.TurnBy(turn)) }
             Action(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right") {
-                making.make(Edit.TurnBy(-turn))
+                editor.make(Edit.TurnBy(-turn))
             }
         }
         if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
-            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { making.make(Edit.ScaleBy(GROWTH)) }
-            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { making.make(Edit.ScaleBy(1 / GROWTH)) }
+            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { editor.make(Edit.ScaleBy(GROWTH)) }
+            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { editor.make(Edit.ScaleBy(1 / GROWTH)) }
         }
         if (editing.selection.any { it.kind == ElementKind.MARK }) {
             Action(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front") {
-                making.make(Edit.Restack(StackOrder.TO_FRONT))
+                editor.make(Edit.Restack(StackOrder.TO_FRONT))
             }
             Action(EditIcons.UP, WorldEditorTexts::forward, "forward") {
-                making.make(Edit.Restack(StackOrder.FORWARD))
+                editor.make(Edit.Restack(StackOrder.FORWARD))
             }
             Action(EditIcons.DOWN, WorldEditorTexts::backward, "backward") {
-                making.make(Edit.Restack(StackOrder.BACK))
+                editor.make(Edit.Restack(StackOrder.BACK))
             }
             Action(EditIcons.BACK, WorldEditorTexts::toBack, "to-back") {
-                making.make(Edit.Restack(StackOrder.TO_BACK))
+                editor.make(Edit.Restack(StackOrder.TO_BACK))
             }
         }
         if (editing.selection.size > 1) {
-            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { making.make(Edit.Group) }
+            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { editor.make(Edit.Group) }
         }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {
-            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { making.make(Edit.Ungroup) }
+            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { editor.make(Edit.Ungroup) }
         }
     }
 }
@@ -108,11 +108,11 @@ private fun Action(icon: Icon, word: Label, tag: String, onClick: () -> Unit) =
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun AlignRow(making: EditorScope) {
+private fun AlignRow(editor: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
-            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { making.make(Edit.Align(side)) })
+            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { editor.make(Edit.Align(side)) })
         }
     }
 }

@@ -52,9 +52,9 @@ import robotran.worldediting.written
  * @param canTry whether robots can drive in this world; false in a variation of an assignment.
  */
 @Composable
-internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
+internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
     val colours = LocalRobotranColours.current
-    val editing = making.editing
+    val editing = editor.editing
     Row(
         Modifier.fillMaxWidth().background(colours.pane).padding(4.dp),
         verticalAlignment = Alignment.CenterVertically,
@@ -70,7 +70,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
                 editing.history.canUndo,
                 withWords,
             ) {
-                making.make(Edit.Undo)
+                editor.make(Edit.Undo)
             }
             Step(
                 EditIcons.REDO,
@@ -79,7 +79,7 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
                 editing.history.canRedo,
                 withWords,
             ) {
-                making.make(Edit.Redo)
+                editor.make(Edit.Redo)
             }
             Toggle(
                 EditIcons.SEVERAL,
@@ -88,9 +88,9 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
                 editing.several,
                 withWords,
             ) {
-                making.make(Edit.SelectSeveral(!editing.several))
+                editor.make(Edit.SelectSeveral(!editing.several))
             }
-            EditMenu(making, view, withWords)
+            EditMenu(editor, view, withWords)
         }
         if (canTry) {
             IconTouch(
@@ -98,13 +98,13 @@ internal fun EditBar(making: EditorScope, view: EditView, withWords: Boolean, ca
                 WorldEditorTexts.tryHelp(spoken),
                 "edit-try",
                 {
-                    making.perform(WorldEditEvent.TriedOut)
+                    editor.perform(WorldEditEvent.TriedOut)
                 },
                 label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
             )
         }
         Button(
-            { making.perform(WorldEditEvent.EditorClosed) },
+            { editor.perform(WorldEditEvent.EditorClosed) },
             Modifier.padding(
                 start = 4.dp,
             ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
@@ -150,13 +150,13 @@ private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWord
 
 /** Rare actions. */
 @Composable
-private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
+private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
     var open by remember { mutableStateOf(false) }
     val choose = { action: () -> Unit ->
         open = false
         action()
     }
-    val snapping = making.editing.snapping
+    val snapping = editor.editing.snapping
     Box {
         IconTouch(
             Icon.MORE,
@@ -167,11 +167,11 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
         )
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
-                choose { making.make(Edit.SelectAll) }
+                choose { editor.make(Edit.SelectAll) }
             }
-            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { making.make(Edit.Copy) } }
+            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { editor.make(Edit.Copy) } }
             MenuItem(WorldEditorTexts.paste(spoken), "menu-paste") {
-                choose { making.make(Edit.Paste(view.middle(making.world.paper))) }
+                choose { editor.make(Edit.Paste(view.middle(editor.world.paper))) }
             }
             MenuItem(WorldEditorTexts.wholeSheet(spoken), "menu-fit") {
                 choose {
@@ -179,10 +179,10 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
                 }
             }
             MenuItem(WorldEditorTexts.zoomIn(spoken), "menu-zoom-in") {
-                choose { view.zoomBy(ZOOM, view.pane.center, making.world.paper) }
+                choose { view.zoomBy(ZOOM, view.pane.center, editor.world.paper) }
             }
             MenuItem(WorldEditorTexts.zoomOut(spoken), "menu-zoom-out") {
-                choose { view.zoomBy(1 / ZOOM, view.pane.center, making.world.paper) }
+                choose { view.zoomBy(1 / ZOOM, view.pane.center, editor.world.paper) }
             }
             MenuDivider()
             for (grid in GRIDS) {
@@ -192,12 +192,12 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
                     WorldEditorTexts.gridOff(spoken)
                 }
                 MenuItem(checked(words, snapping.grid == grid), "menu-grid-${written(grid)}") {
-                    choose { making.make(Edit.Snap(snapping.copy(grid = grid))) }
+                    choose { editor.make(Edit.Snap(snapping.copy(grid = grid))) }
                 }
             }
             MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), "menu-angle") {
                 choose {
-                    making.make(
+                    editor.make(
                         Edit.Snap(
                             snapping.copy(
                                 angle = if (snapping.angle > 0) {
@@ -211,17 +211,17 @@ private fun EditMenu(making: EditorScope, view: EditView, withWords: Boolean) {
                 }
             }
             MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), "menu-others") {
-                choose { making.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
+                choose { editor.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
             }
             MenuDivider()
             MenuItem(WorldEditorTexts.discard(spoken), "menu-discard") {
-                choose { making.perform(WorldEditEvent.EditsDiscarded) }
+                choose { editor.perform(WorldEditEvent.EditsDiscarded) }
             }
         }
     }
 }
 
-private fun checked(words: String, on: Boolean) = if (on) "✓ $words" else "   $words"
+private fun checked(label: String, on: Boolean) = if (on) "✓ $label" else "   $label"
 
 private val GRIDS = listOf(1.0, 0.5, 0.0)
 private const val ZOOM = 1.5

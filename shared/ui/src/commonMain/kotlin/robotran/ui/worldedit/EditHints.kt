@@ -37,7 +37,7 @@ import robotran.worldediting.Edit
  * replaced.
  */
 @Composable
-internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Modifier = Modifier) {
+internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     val editing = state.editing
     val sentences = listOfNotNull(
@@ -68,12 +68,12 @@ internal fun EditHints(state: WorldEditState, making: EditorScope, modifier: Mod
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "show-trouble", {
-                    making.make(Edit.Select(thing))
+                    editor.make(Edit.Select(thing))
                 })
             }
         }
         IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close", {
-            making.perform(WorldEditEvent.HintsClosed)
+            editor.perform(WorldEditEvent.HintsClosed)
         })
     }
 }

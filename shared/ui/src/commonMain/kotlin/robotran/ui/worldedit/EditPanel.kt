@@ -87,22 +87,22 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
 
 @Composable
 internal fun EditPanel(
-    making: EditorScope,
+    editor: EditorScope,
     tab: EditTab,
     onTab: (EditTab) -> Unit,
     newTitle: String,
     modifier: Modifier = Modifier,
 ) {
-    val editing = making.editing
+    val editing = editor.editing
     val errors = editing.errors.filter { tab == EditTab.CHOSEN && it.thing in editing.selection }
         .map { validationErrorText(editing.world, it) }
-    key(tab, if (tab == EditTab.CHOSEN) making.editing.selection else null) {
+    key(tab, if (tab == EditTab.CHOSEN) editor.editing.selection else null) {
         FieldPanel("edit-panel", errors, "chosen-trouble", modifier) {
             when (tab) {
-                EditTab.CHOSEN -> ChosenPanel(making)
-                EditTab.THINGS -> ElementsPanel(making) { onTab(EditTab.CHOSEN) }
-                EditTab.GOALS -> GoalsPanel(making) { onTab(EditTab.CHOSEN) }
-                EditTab.WORLD -> WorldPanel(making, newTitle)
+                EditTab.CHOSEN -> ChosenPanel(editor)
+                EditTab.THINGS -> ElementsPanel(editor) { onTab(EditTab.CHOSEN) }
+                EditTab.GOALS -> GoalsPanel(editor) { onTab(EditTab.CHOSEN) }
+                EditTab.WORLD -> WorldPanel(editor, newTitle)
             }
         }
     }

@@ -37,7 +37,7 @@ import robotran.worldediting.ElementKind
 /** The sheet of the world editor, with touch and keyboard input. Screen readers announce the selection. */
 @Composable
 internal fun EditSheet(
-    making: EditorScope,
+    editor: EditorScope,
     view: EditView,
     session: SessionState,
     focus: FocusRequester,
@@ -45,15 +45,15 @@ internal fun EditSheet(
 ) {
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
-    val world = making.world
+    val world = editor.world
     val zoom = remember(world) { SheetZoom(world) }
     val resting = remember(world, session.brick) { initialStateOf(world, session) }
     val labels = rememberTextMeasurer()
-    val latest = rememberUpdatedState(making)
+    val latest = rememberUpdatedState(editor)
     val name = WorldEditorTexts.sheet(spoken)
-    val chosen = selectionText(making.editing)
-    val shown = if (making.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
-    val isRobotChosen = making.editing.selection.any { it.kind == ElementKind.ROBOT }
+    val chosen = selectionText(editor.editing)
+    val shown = if (editor.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
+    val isRobotChosen = editor.editing.selection.any { it.kind == ElementKind.ROBOT }
     Canvas(
         modifier
             .fillMaxSize()
@@ -84,7 +84,7 @@ internal fun EditSheet(
         )
         // Whoever puts a robot somewhere wants to know what it sees there.
         if (isRobotChosen) drawSights(world, resting, transform)
-        drawEditing(making.editing, transform, view, colours)
+        drawEditing(editor.editing, transform, view, colours)
     }
     LaunchedEffect(focus) { focus.requestFocus() }
 }

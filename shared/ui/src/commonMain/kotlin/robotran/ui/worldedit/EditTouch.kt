@@ -43,33 +43,33 @@ internal suspend fun PointerInputScope.zoomByWheel(view: EditView, making: () ->
 /** One finger from press to release. */
 private class SheetFinger(
     private val view: EditView,
-    private val making: EditorScope,
+    private val editor: EditorScope,
     private val density: Float,
     private val latest: () -> EditorScope,
 ) {
-    private val transform = view.transform(making.world.paper)
+    private val transform = view.transform(editor.world.paper)
     private val reach = transform.toCentimetres(FINGER * density)
 
     suspend fun AwaitPointerEventScope.follow(down: Offset, adding: Boolean) {
-        val handles = positionedHandles(making.editing, transform, density)
+        val handles = positionedHandles(editor.editing, transform, density)
         val handle = handleAt(handles, down, HANDLE * density)
-        val there = making.world.elementsAt(centimetres(down), reach)
+        val there = editor.world.elementsAt(centimetres(down), reach)
         when {
-            making.editing.tool != Tool.SELECT -> draw(down)
-            handle != null -> drag(down, adding) { making.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
+            editor.editing.tool != Tool.SELECT -> draw(down)
+            handle != null -> drag(down, adding) { editor.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
 
             there.any {
-                it in making.editing.selection
-            } -> drag(down, adding) { making.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
-            there.isNotEmpty() && !adding && !making.editing.several -> drag(down, adding = false) { takeNew(down) }
-            adding || making.editing.several -> box(down, adding)
+                it in editor.editing.selection
+            } -> drag(down, adding) { editor.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
+            there.isNotEmpty() && !adding && !editor.editing.several -> drag(down, adding = false) { takeNew(down) }
+            adding || editor.editing.several -> box(down, adding)
             else -> push(down)
         }
     }
 
     private fun takeNew(down: Offset) {
-        making.make(Edit.Select(making.world.elementsAt(centimetres(down), reach).first()))
-        making.make(Edit.StartDrag(DragHandle.Body, centimetres(down)))
+        editor.make(Edit.Select(editor.world.elementsAt(centimetres(down), reach).first()))
+        editor.make(Edit.StartDrag(DragHandle.Body, centimetres(down)))
     }
 
     private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {
@@ -82,7 +82,7 @@ private class SheetFinger(
         when {
             end == End.SECOND_FINGER && held -> latest().make(Edit.CancelDrag)
             held -> latest().make(Edit.Drop)
-            end == End.UP -> making.make(Edit.TapAt(centimetres(down), reach, adding))
+            end == End.UP -> editor.make(Edit.TapAt(centimetres(down), reach, adding))
         }
     }
 
@@ -91,10 +91,10 @@ private class SheetFinger(
         var moved = false
         val end = moves(down) { place ->
             moved = true
-            view.pushBy(place - last, making.world.paper)
+            view.pushBy(place - last, editor.world.paper)
             last = place
         }
-        if (!moved && end == End.UP) making.make(Edit.TapAt(centimetres(down), reach))
+        if (!moved && end == End.UP) editor.make(Edit.TapAt(centimetres(down), reach))
     }
 
     private suspend fun AwaitPointerEventScope.box(down: Offset, adding: Boolean) {
@@ -105,10 +105,10 @@ private class SheetFinger(
         val box = view.box
         view.box = null
         if (end != End.UP) return
-        if (box == null) return making.make(Edit.TapAt(centimetres(down), reach, adding))
+        if (box == null) return editor.make(Edit.TapAt(centimetres(down), reach, adding))
         val low = centimetres(box.bottomLeft)
         val high = centimetres(box.topRight)
-        making.make(Edit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
+        editor.make(Edit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
     }
 
     private suspend fun AwaitPointerEventScope.draw(down: Offset) {
@@ -116,7 +116,7 @@ private class SheetFinger(
         val end = moves(down) { place -> view.line += place }
         val line = view.line
         view.line = emptyList()
-        if (end == End.UP) making.make(Edit.Draw(line.map(::centimetres)))
+        if (end == End.UP) editor.make(Edit.Draw(line.map(::centimetres)))
     }
 
     private enum class End { UP, SECOND_FINGER }
@@ -146,7 +146,7 @@ private class SheetFinger(
         while (true) {
             val event = awaitPointerEvent()
             if (event.changes.none { it.pressed }) return
-            val paper = making.world.paper
+            val paper = editor.world.paper
             if (event.changes.count { it.pressed } > 1) {
                 view.pushBy(event.calculatePan(), paper)
                 view.zoomBy(event.calculateZoom().toDouble(), event.calculateCentroid(), paper)

@@ -18,12 +18,12 @@ internal class EditorScope(val editing: WorldEditing, private val onEvent: (Work
     fun make(edit: Edit) = onEvent(WorldEditEvent.Edited(edit))
 
     /** Sends a part of a longer change, such as a character of a name; [settle] ends it. */
-    fun change(thing: ElementRef, piece: Element) = make(Edit.Change(thing, piece))
+    fun change(ref: ElementRef, element: Element) = make(Edit.Change(ref, element))
 
     /** Sends a change as a step of its own. */
-    fun changeAtOnce(thing: ElementRef, piece: Element) {
+    fun changeAtOnce(ref: ElementRef, element: Element) {
         settle()
-        change(thing, piece)
+        change(ref, element)
         settle()
     }
 

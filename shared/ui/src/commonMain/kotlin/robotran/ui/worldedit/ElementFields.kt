@@ -17,61 +17,61 @@ import robotran.worldediting.named
 
 /** All properties of one element. */
 @Composable
-internal fun ElementFields(making: EditorScope, thing: ElementRef, piece: Element) {
-    when (piece) {
-        is Element.OfRobot -> RobotFields(making, thing, piece)
+internal fun ElementFields(editor: EditorScope, ref: ElementRef, element: Element) {
+    when (element) {
+        is Element.OfRobot -> RobotFields(editor, ref, element)
 
         is Element.OfWall -> {
-            FormFields(making, thing, piece)
-            ThicknessField(making, piece.wall.thickness) {
-                making.change(thing, Element.OfWall(piece.wall.copy(thickness = it)))
+            FormFields(editor, ref, element)
+            ThicknessField(editor, element.wall.thickness) {
+                editor.change(ref, Element.OfWall(element.wall.copy(thickness = it)))
             }
         }
 
         is Element.OfBarrier -> {
-            NameField(making, thing, piece)
-            FormFields(making, thing, piece)
+            NameField(editor, ref, element)
+            FormFields(editor, ref, element)
         }
 
         is Element.OfBlock -> {
-            NameField(making, thing, piece)
-            BlockFields(making, piece.block) { making.change(thing, Element.OfBlock(it)) }
-            FormFields(making, thing, piece)
+            NameField(editor, ref, element)
+            BlockFields(editor, element.block) { editor.change(ref, Element.OfBlock(it)) }
+            FormFields(editor, ref, element)
         }
 
-        is Element.OfMark -> MarkFields(making, thing, piece)
-        is Element.OfLamp -> LampFields(making, thing, piece)
-        is Element.OfStroke -> FormFields(making, thing, piece)
-        is Element.OfGoal -> GoalFields(making, thing, piece)
+        is Element.OfMark -> MarkFields(editor, ref, element)
+        is Element.OfLamp -> LampFields(editor, ref, element)
+        is Element.OfStroke -> FormFields(editor, ref, element)
+        is Element.OfGoal -> GoalFields(editor, ref, element)
     }
 }
 
 /** A name is needed only if a goal refers to the element. */
 @Composable
-internal fun NameField(making: EditorScope, thing: ElementRef, piece: Element) {
-    val taken = (making.editing.error as? EditError.NameTaken)?.let { editErrorText(it) }
+internal fun NameField(editor: EditorScope, ref: ElementRef, element: Element) {
+    val taken = (editor.editing.error as? EditError.NameTaken)?.let { editErrorText(it) }
     TextRow(
         WorldEditorTexts.name(spoken),
-        piece.name.orEmpty(),
+        element.name.orEmpty(),
         WorldLimits.MAXIMUM_NAME_CHARACTERS,
         "field-name",
-        { making.change(thing, piece.named(it.takeIf(String::isNotBlank))) },
-        making::settle,
-        mayBeBlank = piece !is Element.OfRobot,
+        { editor.change(ref, element.named(it.takeIf(String::isNotBlank))) },
+        editor::settle,
+        mayBeBlank = element !is Element.OfRobot,
         hint = WorldEditorTexts.noName(spoken),
         error = taken,
     )
 }
 
 @Composable
-private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> Unit) {
+private fun BlockFields(editor: EditorScope, block: Block, onChange: (Block) -> Unit) {
     NumberRow(
         WorldEditorTexts.mass(spoken),
         block.mass,
         WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS,
         "field-mass",
         { onChange(block.copy(mass = it)) },
-        making::settle,
+        editor::settle,
         step = 0.05,
         unit = "kg",
         slider = 0.05f..2f,
@@ -82,7 +82,7 @@ private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> 
         0.0..WorldLimits.MAXIMUM_FRICTION,
         "field-friction",
         { onChange(block.copy(friction = it)) },
-        making::settle,
+        editor::settle,
         step = 0.05,
         slider = 0f..1.5f,
     )
@@ -90,52 +90,52 @@ private fun BlockFields(making: EditorScope, block: Block, onChange: (Block) -> 
 }
 
 @Composable
-private fun MarkFields(making: EditorScope, thing: ElementRef, piece: Element.OfMark) {
+private fun MarkFields(editor: EditorScope, ref: ElementRef, piece: Element.OfMark) {
     val mark = piece.mark
-    NameField(making, thing, piece)
+    NameField(editor, ref, piece)
     when (val figure = mark.figure) {
         is MarkFigure.GreyMap -> Remark(WorldEditorTexts.greyMapHelp(spoken))
 
         is MarkFigure.Area -> {
-            ShadeFields(making, mark.shade) { making.change(thing, Element.OfMark(mark.copy(shade = it))) }
+            ShadeFields(editor, mark.shade) { editor.change(ref, Element.OfMark(mark.copy(shade = it))) }
         }
 
         is MarkFigure.Line -> {
-            ShadeFields(making, mark.shade) { making.change(thing, Element.OfMark(mark.copy(shade = it))) }
-            ThicknessField(making, figure.width) {
-                making.change(thing, Element.OfMark(mark.copy(figure = figure.copy(width = it))))
+            ShadeFields(editor, mark.shade) { editor.change(ref, Element.OfMark(mark.copy(shade = it))) }
+            ThicknessField(editor, figure.width) {
+                editor.change(ref, Element.OfMark(mark.copy(figure = figure.copy(width = it))))
             }
             SwitchRow(WorldEditorTexts.closed(spoken), figure.closed, "field-closed") {
-                making.changeAtOnce(thing, Element.OfMark(mark.copy(figure = figure.copy(closed = it))))
+                editor.changeAtOnce(ref, Element.OfMark(mark.copy(figure = figure.copy(closed = it))))
             }
         }
     }
-    FormFields(making, thing, piece)
+    FormFields(editor, ref, piece)
 }
 
 @Composable
-private fun ThicknessField(making: EditorScope, value: Double, onChange: (Double) -> Unit) = NumberRow(
+private fun ThicknessField(editor: EditorScope, value: Double, onChange: (Double) -> Unit) = NumberRow(
     WorldEditorTexts.thickness(spoken),
     value,
     WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS,
     "field-thickness",
     onChange,
-    making::settle,
+    editor::settle,
     step = 0.5,
     unit = "cm",
     slider = 0.5f..10f,
 )
 
 @Composable
-private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.OfLamp) {
+private fun LampFields(editor: EditorScope, ref: ElementRef, piece: Element.OfLamp) {
     val lamp = piece.lamp
-    val change = { changed: Lamp -> making.change(thing, Element.OfLamp(changed)) }
-    NameField(making, thing, piece)
+    val change = { changed: Lamp -> editor.change(ref, Element.OfLamp(changed)) }
+    NameField(editor, ref, piece)
     SwitchRow(WorldEditorTexts.lampOn(spoken), lamp.on, "field-on") {
-        making.changeAtOnce(thing, Element.OfLamp(lamp.copy(on = it)))
+        editor.changeAtOnce(ref, Element.OfLamp(lamp.copy(on = it)))
     }
     SwitchRow(WorldEditorTexts.lampInfrared(spoken), lamp.infrared, "field-infrared") {
-        making.changeAtOnce(thing, Element.OfLamp(lamp.copy(infrared = it)))
+        editor.changeAtOnce(ref, Element.OfLamp(lamp.copy(infrared = it)))
     }
     NumberRow(
         WorldEditorTexts.brightness(spoken),
@@ -143,7 +143,7 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-brightness",
         { change(lamp.copy(brightness = it)) },
-        making::settle,
+        editor::settle,
         step = 0.5,
         slider = 0f..10f,
     )
@@ -153,19 +153,19 @@ private fun LampFields(making: EditorScope, thing: ElementRef, piece: Element.Of
         WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND,
         "field-cone",
         { change(lamp.copy(cone = it)) },
-        making::settle,
+        editor::settle,
         step = 15.0,
         unit = "°",
         slider = 15f..360f,
     )
     if (lamp.cone < Lamp.ALL_ROUND) {
-        AngleField(making, WorldEditorTexts.direction(spoken), lamp.direction) {
+        AngleField(editor, WorldEditorTexts.direction(spoken), lamp.direction) {
             change(lamp.copy(direction = it))
         }
     } else {
         Remark(WorldEditorTexts.coneHelp(spoken))
     }
-    FormFields(making, thing, piece)
+    FormFields(editor, ref, piece)
 }
 
 /** Sends an edit as a step of its own. */

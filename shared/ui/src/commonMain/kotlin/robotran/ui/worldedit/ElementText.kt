@@ -17,11 +17,11 @@ import robotran.worldediting.piece
 import robotran.worldediting.written
 import kotlin.math.round
 
-/** The display name of [thing], such as `wall 3, 40 cm`. */
+/** The display name of [ref], such as `wall 3, 40 cm`. */
 @Composable
-internal fun elementText(world: World, thing: ElementRef): String {
-    val piece = world.piece(thing) ?: return ""
-    val number = thing.number + 1
+internal fun elementText(world: World, ref: ElementRef): String {
+    val piece = world.piece(ref) ?: return ""
+    val number = ref.number + 1
     return when (piece) {
         is Element.OfRobot -> WorldEditorTexts.robotNamed(spoken, piece.robot.name)
 
@@ -50,11 +50,11 @@ internal fun selectionText(editing: WorldEditing): String {
 }
 
 /** The kind of an element in one or two words. */
-internal fun kindOf(piece: Element): Label = when (piece) {
+internal fun kindOf(element: Element): Label = when (element) {
     is Element.OfRobot -> WorldEditorTexts::itemRobot
     is Element.OfWall -> WorldEditorTexts::itemWall
 
-    is Element.OfBarrier -> when (piece.barrier.shape) {
+    is Element.OfBarrier -> when (element.barrier.shape) {
         is Shape.Rectangle -> WorldEditorTexts::itemBox
         is Shape.Circle -> WorldEditorTexts::itemColumn
         is Shape.Polygon -> WorldEditorTexts::itemCorneredBarrier
@@ -62,7 +62,7 @@ internal fun kindOf(piece: Element): Label = when (piece) {
 
     is Element.OfBlock -> WorldEditorTexts::itemBlock
 
-    is Element.OfMark -> when (val figure = piece.mark.figure) {
+    is Element.OfMark -> when (val figure = element.mark.figure) {
         is MarkFigure.Line -> WorldEditorTexts::itemLine
         is MarkFigure.GreyMap -> WorldEditorTexts::greyMap
 
@@ -73,7 +73,7 @@ internal fun kindOf(piece: Element): Label = when (piece) {
 
     is Element.OfLamp -> WorldEditorTexts::itemLamp
     is Element.OfStroke -> WorldEditorTexts::itemTemplateLine
-    is Element.OfGoal -> goalTitle(piece.goal.condition)
+    is Element.OfGoal -> goalTitle(element.goal.condition)
 }
 
 internal fun colourWord(colour: RobotColour): Label = when (colour) {

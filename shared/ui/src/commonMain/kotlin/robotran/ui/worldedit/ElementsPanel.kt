@@ -34,38 +34,38 @@ import robotran.worldediting.listed
 
 /** A list of all elements on the sheet, for selection without seeing or pointing. */
 @Composable
-internal fun ElementsPanel(making: EditorScope, onChosen: () -> Unit) {
+internal fun ElementsPanel(editor: EditorScope, onChosen: () -> Unit) {
     Remark(WorldEditorTexts.thingsHelp(spoken))
-    for (thing in making.world.listed().filter {
+    for (thing in editor.world.listed().filter {
         it.kind != ElementKind.GOAL
     }) {
-        ElementRow(making, thing, 0.dp, onChosen)
+        ElementRow(editor, thing, 0.dp, onChosen)
     }
 }
 
 /** An element in a list, with a sign if it has an error. */
 @Composable
-internal fun ElementRow(making: EditorScope, thing: ElementRef, indent: Dp, onChosen: () -> Unit) {
+internal fun ElementRow(editor: EditorScope, ref: ElementRef, indent: Dp, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current
-    val isChosen = thing in making.editing.selection
+    val isChosen = ref in editor.editing.selection
     Row(
         Modifier
             .fillMaxWidth()
-            .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
+            .testTag("thing-${ref.kind.name.lowercase()}-${ref.number}")
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clip(Shapes.MEDIUM)
             .background(if (isChosen) colours.runningLine else Color.Transparent)
             .selectable(isChosen, role = Role.Button) {
-                making.make(Edit.Select(thing, making.editing.several))
-                if (!making.editing.several) onChosen()
+                editor.make(Edit.Select(ref, editor.editing.several))
+                if (!editor.editing.several) onChosen()
             }
             .padding(start = 12.dp + indent, end = 12.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(elementText(making.world, thing), Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.BODY)
-        if (making.editing.errors.any { it.thing == thing }) {
+        Text(elementText(editor.world, ref), Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.BODY)
+        if (editor.editing.errors.any { it.thing == ref }) {
             Box(Modifier.size(22.dp)) {
                 Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }
             }

@@ -28,73 +28,73 @@ import robotran.worldediting.withForm
 
 /** The place and the size of an element as numbers. */
 @Composable
-internal fun FormFields(making: EditorScope, thing: ElementRef, piece: Element) {
-    val change = { form: Form -> making.change(thing, piece.withForm(form)) }
-    when (val form = piece.form) {
-        is Form.Area -> ShapeFields(making, thing, form.shape) { change(Form.Area(it)) }
-        is Form.Way -> CornerFields(making, thing, form.corners, canGrow = form.isBent)
+internal fun FormFields(editor: EditorScope, ref: ElementRef, element: Element) {
+    val change = { form: Form -> editor.change(ref, element.withForm(form)) }
+    when (val form = element.form) {
+        is Form.Area -> ShapeFields(editor, ref, form.shape) { change(Form.Area(it)) }
+        is Form.Way -> CornerFields(editor, ref, form.corners, canGrow = form.isBent)
 
         is Form.Start -> {
-            PlaceFields(making, Point(form.pose.x, form.pose.y)) {
+            PlaceFields(editor, Point(form.pose.x, form.pose.y)) {
                 change(form.copy(pose = Pose(it.x, it.y, form.pose.heading)))
             }
-            AngleField(making, WorldEditorTexts.heading(spoken), form.pose.heading) {
+            AngleField(editor, WorldEditorTexts.heading(spoken), form.pose.heading) {
                 change(form.copy(pose = form.pose.copy(heading = it)))
             }
         }
 
-        is Form.Light -> PlaceFields(making, form.place) { change(form.copy(place = it)) }
-        is Form.Picture -> PlaceFields(making, form.corner) { change(form.copy(corner = it)) }
+        is Form.Light -> PlaceFields(editor, form.place) { change(form.copy(place = it)) }
+        is Form.Picture -> PlaceFields(editor, form.corner) { change(form.copy(corner = it)) }
         null -> {}
     }
 }
 
 @Composable
-private fun ShapeFields(making: EditorScope, thing: ElementRef, shape: Shape, onChange: (Shape) -> Unit) {
+private fun ShapeFields(editor: EditorScope, ref: ElementRef, shape: Shape, onChange: (Shape) -> Unit) {
     when (shape) {
         is Shape.Rectangle -> {
-            PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, WorldEditorTexts.width(spoken), shape.width, "width") {
+            PlaceFields(editor, shape.centre) { onChange(shape.copy(centre = it)) }
+            SizeField(editor, WorldEditorTexts.width(spoken), shape.width, "width") {
                 onChange(shape.copy(width = it))
             }
-            SizeField(making, WorldEditorTexts.height(spoken), shape.height, "height") {
+            SizeField(editor, WorldEditorTexts.height(spoken), shape.height, "height") {
                 onChange(shape.copy(height = it))
             }
-            AngleField(making, WorldEditorTexts.angle(spoken), shape.angle) {
+            AngleField(editor, WorldEditorTexts.angle(spoken), shape.angle) {
                 onChange(shape.copy(angle = it))
             }
-            MakeCorners(making, thing)
+            MakeCorners(editor, ref)
         }
 
         is Shape.Circle -> {
-            PlaceFields(making, shape.centre) { onChange(shape.copy(centre = it)) }
-            SizeField(making, WorldEditorTexts.radius(spoken), shape.radius, "radius") {
+            PlaceFields(editor, shape.centre) { onChange(shape.copy(centre = it)) }
+            SizeField(editor, WorldEditorTexts.radius(spoken), shape.radius, "radius") {
                 onChange(shape.copy(radius = it))
             }
-            MakeCorners(making, thing)
+            MakeCorners(editor, ref)
         }
 
-        is Shape.Polygon -> CornerFields(making, thing, shape.corners, canGrow = true)
+        is Shape.Polygon -> CornerFields(editor, ref, shape.corners, canGrow = true)
     }
 }
 
 @Composable
-private fun MakeCorners(making: EditorScope, thing: ElementRef) = WordButton(
+private fun MakeCorners(editor: EditorScope, ref: ElementRef) = WordButton(
     WorldEditorTexts.makeCorners(spoken),
     "make-corners",
-    { making.make(Edit.MakeCorners(thing)) },
+    { editor.make(Edit.MakeCorners(ref)) },
     Modifier.padding(top = 8.dp),
 )
 
 @Composable
-internal fun PlaceFields(making: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
-    CoordinateField(making, WorldEditorTexts.x(spoken), place.x, "${tag}x") { onChange(place.copy(x = it)) }
-    CoordinateField(making, WorldEditorTexts.y(spoken), place.y, "${tag}y") { onChange(place.copy(y = it)) }
+internal fun PlaceFields(editor: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
+    CoordinateField(editor, WorldEditorTexts.x(spoken), place.x, "${tag}x") { onChange(place.copy(x = it)) }
+    CoordinateField(editor, WorldEditorTexts.y(spoken), place.y, "${tag}y") { onChange(place.copy(y = it)) }
 }
 
 @Composable
 private fun CoordinateField(
-    making: EditorScope,
+    editor: EditorScope,
     title: String,
     value: Double,
     tag: String,
@@ -105,54 +105,54 @@ private fun CoordinateField(
     WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE,
     "field-$tag",
     onChange,
-    making::settle,
+    editor::settle,
     unit = "cm",
 )
 
 @Composable
-private fun SizeField(making: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) =
+private fun SizeField(editor: EditorScope, title: String, value: Double, tag: String, onChange: (Double) -> Unit) =
     NumberRow(
         title,
         value,
         WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE,
         "field-$tag",
         onChange,
-        making::settle,
+        editor::settle,
         unit = "cm",
     )
 
 @Composable
-internal fun AngleField(making: EditorScope, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
+internal fun AngleField(editor: EditorScope, title: String, value: Double, onChange: (Double) -> Unit) = NumberRow(
     title,
     value,
     -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE,
     "field-angle",
     onChange,
-    making::settle,
-    step = turnStep(making.editing),
+    editor::settle,
+    step = turnStep(editor.editing),
     unit = "°",
     slider = -180f..180f,
 )
 
 /** The corners one by one, since a list of all would be long. */
 @Composable
-private fun CornerFields(making: EditorScope, thing: ElementRef, corners: List<Point>, canGrow: Boolean) {
-    var chosen by remember(thing) { mutableIntStateOf(0) }
+private fun CornerFields(editor: EditorScope, ref: ElementRef, corners: List<Point>, canGrow: Boolean) {
+    var chosen by remember(ref) { mutableIntStateOf(0) }
     val number = chosen.coerceIn(corners.indices)
     Column(Modifier.fillMaxWidth()) {
         val words = corners.indices.map { it to WorldEditorTexts.corner(spoken, it + 1) }
         MenuRow(WorldEditorTexts.corners(spoken, corners.size), words, words[number].second, "corner") {
             chosen = it
         }
-        PlaceFields(making, corners[number], "corner-") { making.make(Edit.MoveCorner(thing, number, it)) }
+        PlaceFields(editor, corners[number], "corner-") { editor.make(Edit.MoveCorner(ref, number, it)) }
         if (!canGrow) return@Column
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
             WordButton(WorldEditorTexts.addCorner(spoken), "add-corner", {
                 val after = if (number < corners.lastIndex) number else (number - 1).coerceAtLeast(0)
-                making.make(Edit.AddCorner(thing, after))
+                editor.make(Edit.AddCorner(ref, after))
             }, Modifier.weight(1f))
             WordButton(WorldEditorTexts.removeCorner(spoken), "remove-corner", {
-                making.make(Edit.RemoveCorner(thing, number))
+                editor.make(Edit.RemoveCorner(ref, number))
             }, Modifier.weight(1f))
         }
     }

@@ -17,21 +17,21 @@ import robotran.worldediting.fieldsOf
 
 /** All properties of a goal. */
 @Composable
-internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.OfGoal) {
+internal fun GoalFields(editor: EditorScope, ref: ElementRef, piece: Element.OfGoal) {
     val goal = piece.goal
     val condition = goal.condition
-    val sender = GoalSender(making, thing, goal)
+    val sender = GoalSender(editor, ref, goal)
     TextRow(
         WorldEditorTexts.says(spoken),
         goal.says.orEmpty(),
         WorldLimits.MAXIMUM_SENTENCE_CHARACTERS,
         "field-says",
         { sender.change(goal.copy(says = it.takeIf(String::isNotBlank))) },
-        making::settle,
+        editor::settle,
         mayBeBlank = true,
         hint = WorldEditorTexts.saysHint(spoken),
     )
-    val fields = fieldsOf(condition, making.world.timeLimit)
+    val fields = fieldsOf(condition, editor.world.timeLimit)
     if (fields.isNotEmpty()) {
         Column(Modifier.fillMaxWidth()) {
             for (field in fields) GoalFieldRow(sender, field)
@@ -39,7 +39,7 @@ internal fun GoalFields(making: EditorScope, thing: ElementRef, piece: Element.O
     }
     if (goal.isGroup) Remark(WorldEditorTexts.groupHelp(spoken))
     if (condition is HasActor) WhoField(sender, condition)
-    if (condition is HasRegion) FormFields(making, thing, piece)
+    if (condition is HasRegion) FormFields(editor, ref, piece)
 }
 
 /** Sends changes of [goal]. */

@@ -28,38 +28,38 @@ import robotran.worldediting.uniqueName
 
 /** The goals of this world in order, with buttons to add and move them. */
 @Composable
-internal fun GoalsPanel(making: EditorScope, onChosen: () -> Unit) {
-    val goals = allGoals(making.world.goals)
+internal fun GoalsPanel(editor: EditorScope, onChosen: () -> Unit) {
+    val goals = allGoals(editor.world.goals)
     if (goals.isEmpty()) Remark(WorldEditorTexts.noGoals(spoken))
     goals.forEachIndexed { number, entry ->
-        ElementRow(making, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
+        ElementRow(editor, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
     }
-    val chosen = making.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
-    if (chosen != null) ChosenGoal(making, chosen, goals[chosen].goal, onChosen)
-    AddGoal(making, chosen?.takeIf { goals[it].goal.isGroup })
+    val chosen = editor.editing.only?.takeIf { it.kind == ElementKind.GOAL }?.number
+    if (chosen != null) ChosenGoal(editor, chosen, goals[chosen].goal, onChosen)
+    AddGoal(editor, chosen?.takeIf { goals[it].goal.isGroup })
 }
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
+private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         GoalAction(EditIcons.PENCIL, WorldEditorTexts::goalChange, "goal-change", onChosen)
-        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { making.make(Edit.Delete) }
+        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { editor.make(Edit.Delete) }
         GoalAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up") {
-            making.make(Edit.MoveGoal(number, GoalMove.UP))
+            editor.make(Edit.MoveGoal(number, GoalMove.UP))
         }
         GoalAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down") {
-            making.make(Edit.MoveGoal(number, GoalMove.DOWN))
+            editor.make(Edit.MoveGoal(number, GoalMove.DOWN))
         }
         GoalAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in") {
-            making.make(Edit.MoveGoal(number, GoalMove.IN))
+            editor.make(Edit.MoveGoal(number, GoalMove.IN))
         }
         GoalAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out") {
-            making.make(Edit.MoveGoal(number, GoalMove.OUT))
+            editor.make(Edit.MoveGoal(number, GoalMove.OUT))
         }
         if (goal.isGroup) {
             GoalAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap") {
-                making.make(Edit.UnwrapGoal(number))
+                editor.make(Edit.UnwrapGoal(number))
             }
         }
     }
@@ -70,7 +70,7 @@ private fun ChosenGoal(making: EditorScope, number: Int, goal: Goal, onChosen: (
         WorldEditorTexts.choose(spoken),
         "goal-wrap",
     ) {
-        making.make(Edit.WrapGoal(number, it))
+        editor.make(Edit.WrapGoal(number, it))
     }
 }
 
@@ -80,15 +80,15 @@ private fun GoalAction(icon: Icon, word: Label, tag: String, onClick: () -> Unit
 
 /** @param into the group of the new goal; null for none. */
 @Composable
-private fun AddGoal(making: EditorScope, into: Int?) {
-    val choices = newGoals(making.world).map { it to goalTitle(it.condition)(spoken) }
+private fun AddGoal(editor: EditorScope, into: Int?) {
+    val choices = newGoals(editor.world).map { it to goalTitle(it.condition)(spoken) }
     val line = WorldEditorTexts.itemLine(spoken)
     val title = if (into == null) {
         WorldEditorTexts.addGoal(spoken)
     } else {
         WorldEditorTexts.addGoalToGroup(spoken)
     }
-    MenuRow("", choices, title, "add-goal") { goal -> making.make(addition(making.world, goal, into, line)) }
+    MenuRow("", choices, title, "add-goal") { goal -> editor.make(addition(editor.world, goal, into, line)) }
 }
 
 /** A goal for a line refers to it by name; an unnamed line gets one. */

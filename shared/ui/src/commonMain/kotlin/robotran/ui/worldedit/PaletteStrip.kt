@@ -49,15 +49,15 @@ import kotlin.math.abs
  */
 @Composable
 internal fun PaletteStrip(
-    making: EditorScope,
+    editor: EditorScope,
     view: EditView,
     columns: Int?,
     onPut: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
     val items: List<@Composable () -> Unit> =
-        PaletteItem.entries.map { item -> @Composable { PaletteButton(making, view, item, columns != null, onPut) } } +
-            HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(making, tool, word(spoken)) } }
+        PaletteItem.entries.map { item -> @Composable { PaletteButton(editor, view, item, columns != null, onPut) } } +
+            HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(editor, tool, word(spoken)) } }
     if (columns == null) {
         Row(
             modifier.testTag("palette").horizontalScroll(rememberScrollState()).padding(4.dp),
@@ -81,25 +81,25 @@ internal fun PaletteStrip(
 
 /** A pencil that draws on the sheet until it is deselected. */
 @Composable
-private fun HandTool(making: EditorScope, tool: Tool, word: String) {
-    val isTaken = making.editing.tool == tool
+private fun HandTool(editor: EditorScope, tool: Tool, word: String) {
+    val isTaken = editor.editing.tool == tool
     IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
-        making.make(Edit.SelectTool(if (isTaken) Tool.SELECT else tool))
+        editor.make(Edit.SelectTool(if (isTaken) Tool.SELECT else tool))
     }, Modifier.width(itemWidth()), chosen = isTaken)
 }
 
 @Composable
-private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
+private fun PaletteButton(editor: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
     val word = itemWord(item)(spoken)
     val ink = LocalRobotranColours.current.onPane
-    val robotName = colourWord(making.world.nextRobotColour)(spoken)
+    val robotName = colourWord(editor.world.nextRobotColour)(spoken)
     var corner by remember { mutableStateOf(Offset.Zero) }
     val put = rememberUpdatedState { place: Point ->
-        val piece = item.piece(making.world)
-        making.make(
+        val piece = item.piece(editor.world)
+        editor.make(
             Edit.Put(
                 if (item == PaletteItem.ROBOT) {
-                    piece.named(making.world.uniqueName(robotName))
+                    piece.named(editor.world.uniqueName(robotName))
                 } else {
                     piece
                 },
@@ -108,12 +108,12 @@ private fun PaletteButton(making: EditorScope, view: EditView, item: PaletteItem
         )
         onPut()
     }
-    val world = rememberUpdatedState(making.world)
+    val world = rememberUpdatedState(editor.world)
     val colour = rememberUpdatedState(ink)
     SignWord(
         word,
         "palette-${item.name.lowercase()}",
-        { put.value(view.middle(making.world.paper)) },
+        { put.value(view.middle(editor.world.paper)) },
         Modifier
             .width(itemWidth())
             .onGloballyPositioned { corner = it.positionInRoot() }

@@ -34,22 +34,22 @@ import robotran.worldediting.ElementRef
 
 /** All properties of a robot. */
 @Composable
-internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.OfRobot) {
+internal fun RobotFields(editor: EditorScope, ref: ElementRef, piece: Element.OfRobot) {
     val robot = piece.robot
-    val atOnce = { changed: RobotPlacement -> making.changeAtOnce(thing, Element.OfRobot(changed)) }
-    if (thing.number == 0) Remark(WorldEditorTexts.ownRobot(spoken))
+    val atOnce = { changed: RobotPlacement -> editor.changeAtOnce(ref, Element.OfRobot(changed)) }
+    if (ref.number == 0) Remark(WorldEditorTexts.ownRobot(spoken))
     WordButton(
         RobotTexts.build(spoken),
         "build-robot",
-        { making.build(thing.number) },
+        { editor.build(ref.number) },
         Modifier.fillMaxWidth().padding(top = 8.dp),
     )
-    NameField(making, thing, piece)
+    NameField(editor, ref, piece)
     val swatches = RobotColour.entries.map { Swatch(it, RobotColours.brick(it), colourWord(it)(spoken)) }
     Swatches(WorldEditorTexts.colour(spoken), swatches, robot.colour, "robot-colour") {
         atOnce(robot.copy(colour = it))
     }
-    FormFields(making, thing, piece)
+    FormFields(editor, ref, piece)
     val kinds = ReadyRobots.all.map { (name, ready) -> ready to readyRobotName(name) }
     ChipRow(NxtTexts.worldeditRobotKind(spoken), kinds, readyOf(robot.description), "robot-kind") { ready ->
         // Its ports are kept if the pupil touches what it already is.
@@ -70,12 +70,12 @@ internal fun RobotFields(making: EditorScope, thing: ElementRef, piece: Element.
         robot.beacon,
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-beacon",
-        { making.change(thing, Element.OfRobot(robot.copy(beacon = it))) },
-        making::settle,
+        { editor.change(ref, Element.OfRobot(robot.copy(beacon = it))) },
+        editor::settle,
         step = 0.5,
         slider = 0f..5f,
     )
-    ProgramFields(making, thing, robot)
+    ProgramFields(editor, ref, robot)
 }
 
 /** The direction of light sensors, and what is on the ports. */
@@ -136,19 +136,19 @@ private fun PortFields(robot: RobotPlacement, onChange: (List<List<PortSensor>>)
 }
 
 @Composable
-private fun ProgramFields(making: EditorScope, thing: ElementRef, robot: RobotPlacement) {
+private fun ProgramFields(editor: EditorScope, ref: ElementRef, robot: RobotPlacement) {
     SwitchRow(WorldEditorTexts.ownProgram(spoken), robot.program != null, "field-has-program") { wanted ->
-        making.changeAtOnce(thing, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
+        editor.changeAtOnce(ref, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
     }
     val program = robot.program ?: return
-    val error = (making.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
+    val error = (editor.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
     TextRow(
         WorldEditorTexts.program(spoken),
         program,
         WorldLimits.MAXIMUM_PROGRAM_LINES * WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS,
         "field-program",
-        { making.change(thing, Element.OfRobot(robot.copy(program = it))) },
-        making::settle,
+        { editor.change(ref, Element.OfRobot(robot.copy(program = it))) },
+        editor::settle,
         tall = true,
         error = error,
     )

@@ -38,11 +38,11 @@ import kotlin.math.roundToInt
 
 /** The colour of a mark: a swatch, any grey, or any colour as numbers, and its brightness for the robot's sensor. */
 @Composable
-internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) -> Unit) {
+internal fun ShadeFields(editor: EditorScope, shade: Shade, onChange: (Shade) -> Unit) {
     val onceChanged = { changed: Shade ->
-        making.settle()
+        editor.settle()
         onChange(changed)
-        making.settle()
+        editor.settle()
     }
     Column(Modifier.fillMaxWidth()) {
         Swatches(
@@ -60,20 +60,20 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
                     0.0..1.0,
                     "field-grey",
                     { onChange(Shade.Grey(it)) },
-                    making::settle,
+                    editor::settle,
                     step = 0.05,
                     slider = 0f..1f,
                 )
             }
 
             is Shade.Colour -> {
-                PartField(making, WorldEditorTexts.redPart(spoken), shade.red, "red") {
+                PartField(editor, WorldEditorTexts.redPart(spoken), shade.red, "red") {
                     onChange(shade.copy(red = it))
                 }
-                PartField(making, WorldEditorTexts.greenPart(spoken), shade.green, "green") {
+                PartField(editor, WorldEditorTexts.greenPart(spoken), shade.green, "green") {
                     onChange(shade.copy(green = it))
                 }
-                PartField(making, WorldEditorTexts.bluePart(spoken), shade.blue, "blue") {
+                PartField(editor, WorldEditorTexts.bluePart(spoken), shade.blue, "blue") {
                     onChange(shade.copy(blue = it))
                 }
             }
@@ -83,13 +83,13 @@ internal fun ShadeFields(making: EditorScope, shade: Shade, onChange: (Shade) ->
 }
 
 @Composable
-private fun PartField(making: EditorScope, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
+private fun PartField(editor: EditorScope, title: String, value: Int, tag: String, onChange: (Int) -> Unit) = NumberRow(
     title,
     value.toDouble(),
     0.0..MAX_PART,
     "field-$tag",
     { onChange(it.toInt()) },
-    making::settle,
+    editor::settle,
     step = 5.0,
     isWhole = true,
     slider = 0f..MAX_PART.toFloat(),

@@ -13,16 +13,16 @@ import androidx.compose.ui.unit.Constraints
 internal data class SignLettering(val text: String, val scale: Float = 1f)
 
 /**
- * How [words] are written in [MAX_SIGN_LINES] lines of [width] pixels so that none is broken in its middle: a long word on
+ * How [label] are written in [MAX_SIGN_LINES] lines of [width] pixels so that none is broken in its middle: a long word on
  * "sensor" gets a hyphen before it, and what is still too wide or too long is written smaller.
  */
-internal fun TextMeasurer.signLettering(words: String, style: TextStyle, width: Int): SignLettering {
+internal fun TextMeasurer.signLettering(label: String, style: TextStyle, width: Int): SignLettering {
     fun styleOf(scale: Float) = style.copy(fontSize = style.fontSize * scale)
 
     fun widthOf(part: String, scale: Float = 1f): Int =
         measure(part.trim(), styleOf(scale), softWrap = false, maxLines = 1).size.width
 
-    val text = words.parts().joinToString("") { if (widthOf(it) <= width) it else it.withHyphen() }
+    val text = label.parts().joinToString("") { if (widthOf(it) <= width) it else it.withHyphen() }
     val widest = text.parts().maxBy { widthOf(it) }
 
     fun fits(scale: Float) = widthOf(widest, scale) <= width &&

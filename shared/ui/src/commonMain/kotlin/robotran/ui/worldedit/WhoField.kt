@@ -38,13 +38,13 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
 }
 
 /**
- * Goals refer to elements by name. If [thing] has no name, names it by its word in [words], and applies [next] in the
+ * Goals refer to elements by name. If [ref] has no name, names it by its word in [words], and applies [next] in the
  * same step.
  */
-internal fun EditorScope.nameAnd(thing: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
-    val piece = world.piece(thing) ?: return
+internal fun EditorScope.nameAnd(ref: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
+    val piece = world.piece(ref) ?: return
     val known = piece.name
     if (known != null) return makeAtOnce(next(known))
-    val name = world.uniqueName(words.first { it.first == thing }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
-    makeAtOnce(Edit.Batch(listOf(Edit.Change(thing, piece.named(name)), next(name))))
+    val name = world.uniqueName(words.first { it.first == ref }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
+    makeAtOnce(Edit.Batch(listOf(Edit.Change(ref, piece.named(name)), next(name))))
 }

@@ -112,7 +112,7 @@ internal fun WorldEditPane(
 /** Tablet in landscape and laptop: palette, sheet, panel. */
 @Composable
 private fun Beside(
-    making: EditorScope,
+    editor: EditorScope,
     view: EditView,
     newTitle: String,
     onPut: () -> Unit,
@@ -122,15 +122,15 @@ private fun Beside(
 ) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf(EditTab.CHOSEN) }
-    FollowSelection(making, tab) { tab = it }
+    FollowSelection(editor, tab) { tab = it }
     Row(Modifier.fillMaxSize()) {
-        PaletteStrip(making, view, columns, onPut, Modifier.fillMaxHeight().background(colours.pane))
+        PaletteStrip(editor, view, columns, onPut, Modifier.fillMaxHeight().background(colours.pane))
         VerticalDivider(color = colours.line)
         sheet(Modifier.weight(1f))
         VerticalDivider(color = colours.line)
         Column(Modifier.width(panel)) {
             EditTabs(tab) { tab = it }
-            EditPanel(making, tab, { tab = it }, newTitle)
+            EditPanel(editor, tab, { tab = it }, newTitle)
         }
     }
 }
@@ -138,7 +138,7 @@ private fun Beside(
 /** Tablet in portrait: the palette beside the sheet, the panel below both. */
 @Composable
 private fun Under(
-    making: EditorScope,
+    editor: EditorScope,
     view: EditView,
     newTitle: String,
     onPut: () -> Unit,
@@ -147,23 +147,23 @@ private fun Under(
 ) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf(EditTab.CHOSEN) }
-    FollowSelection(making, tab) { tab = it }
+    FollowSelection(editor, tab) { tab = it }
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.weight(1f)) {
-            PaletteStrip(making, view, columns = 1, onPut, Modifier.fillMaxHeight().background(colours.pane))
+            PaletteStrip(editor, view, columns = 1, onPut, Modifier.fillMaxHeight().background(colours.pane))
             VerticalDivider(color = colours.line)
             sheet(Modifier.weight(1f))
         }
         HorizontalDivider(color = colours.line)
         EditTabs(tab) { tab = it }
-        EditPanel(making, tab, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE_UPRIGHT))
+        EditPanel(editor, tab, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
 }
 
 /** Phone: the sheet, below it the palette and the tabs; a touch on a tab opens its content. */
 @Composable
 private fun Below(
-    making: EditorScope,
+    editor: EditorScope,
     view: EditView,
     newTitle: String,
     onPut: () -> Unit,
@@ -172,24 +172,24 @@ private fun Below(
 ) {
     val colours = LocalRobotranColours.current
     var tab by remember { mutableStateOf<EditTab?>(null) }
-    FollowSelection(making, tab) { if (tab != null) tab = it }
+    FollowSelection(editor, tab) { if (tab != null) tab = it }
     Column(Modifier.fillMaxSize()) {
         sheet(Modifier.weight(1f))
         HorizontalDivider(color = colours.line)
-        PaletteStrip(making, view, columns = null, onPut, Modifier.fillMaxWidth().background(colours.pane))
+        PaletteStrip(editor, view, columns = null, onPut, Modifier.fillMaxWidth().background(colours.pane))
         HorizontalDivider(color = colours.line)
         EditTabs(tab) { tab = if (tab == it) null else it }
-        tab?.let { open -> EditPanel(making, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
+        tab?.let { open -> EditPanel(editor, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
     }
 }
 
 /** Shows the selection in the panel; a goal selected in the list of goals stays there. */
 @Composable
-private fun FollowSelection(making: EditorScope, tab: EditTab?, onTab: (EditTab) -> Unit) {
-    val selection: Set<ElementRef> = making.editing.selection
+private fun FollowSelection(editor: EditorScope, tab: EditTab?, onTab: (EditTab) -> Unit) {
+    val selection: Set<ElementRef> = editor.editing.selection
     LaunchedEffect(selection) {
         val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
-        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && making.editing.several)) {
+        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && editor.editing.several)) {
             onTab(EditTab.CHOSEN)
         }
     }

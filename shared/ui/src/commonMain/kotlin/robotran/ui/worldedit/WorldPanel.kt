@@ -10,16 +10,16 @@ import robotran.worldediting.figures
 
 /** All properties of the world as a whole. */
 @Composable
-internal fun WorldPanel(making: EditorScope, newTitle: String) {
-    val figures = making.world.figures
-    val change = { changed: SheetProperties -> making.make(Edit.ChangeSheet(changed)) }
+internal fun WorldPanel(editor: EditorScope, newTitle: String) {
+    val figures = editor.world.figures
+    val change = { changed: SheetProperties -> editor.make(Edit.ChangeSheet(changed)) }
     TextRow(
         WorldEditorTexts.title(spoken),
         figures.title,
         WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         "field-title",
         { change(figures.copy(title = it)) },
-        making::settle,
+        editor::settle,
     )
     TextRow(
         WorldEditorTexts.task(spoken),
@@ -27,7 +27,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         WorldLimits.MAXIMUM_TASK_CHARACTERS,
         "field-task",
         { change(figures.copy(task = it)) },
-        making::settle,
+        editor::settle,
         mayBeBlank = true,
         isProse = true,
         hint = WorldEditorTexts.taskHint(spoken),
@@ -40,7 +40,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         sides,
         "field-paper-width",
         { change(figures.copy(width = it)) },
-        making::settle,
+        editor::settle,
         step = 10.0,
         unit = "cm",
     )
@@ -50,7 +50,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         sides,
         "field-paper-height",
         { change(figures.copy(height = it)) },
-        making::settle,
+        editor::settle,
         step = 10.0,
         unit = "cm",
     )
@@ -61,7 +61,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-light",
         { change(figures.copy(ambientLight = it)) },
-        making::settle,
+        editor::settle,
         step = 0.1,
         slider = 0f..2f,
     )
@@ -71,7 +71,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE,
         "field-temperature",
         { change(figures.copy(temperature = it)) },
-        making::settle,
+        editor::settle,
         unit = "°C",
         slider = -20f..50f,
     )
@@ -84,7 +84,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         {
             change(figures.copy(timeLimit = it.toInt()))
         },
-        making::settle,
+        editor::settle,
         step = 10.0,
         unit = "s",
         isWhole = true,
@@ -96,7 +96,7 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         0.0..PERCENT,
         "field-realism",
         { change(figures.copy(realism = it / PERCENT)) },
-        making::settle,
+        editor::settle,
         step = 10.0,
         unit = "%",
         slider = 0f..100f,
@@ -108,13 +108,13 @@ internal fun WorldPanel(making: EditorScope, newTitle: String) {
         0.0..Int.MAX_VALUE.toDouble(),
         "field-seed",
         { change(figures.copy(seed = it.toInt())) },
-        making::settle,
+        editor::settle,
         isWhole = true,
     )
     Remark(WorldEditorTexts.seedHelp(spoken))
     RowHeading(WorldEditorTexts.startOver(spoken))
     WordButton(WorldEditorTexts.newWorld(spoken), "new-world", {
-        making.makeAtOnce(Edit.NewWorld(newTitle))
+        editor.makeAtOnce(Edit.NewWorld(newTitle))
     })
     Remark(WorldEditorTexts.newWorldHelp(spoken))
 }

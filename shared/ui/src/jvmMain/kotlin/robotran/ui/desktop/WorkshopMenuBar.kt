@@ -214,11 +214,11 @@ private fun MenuScope.RunItems(
 
 @Composable
 private fun MenuScope.Choice(
-    words: Label,
+    label: Label,
     shortcut: KeyShortcut? = null,
     enabled: Boolean = true,
     onClick: () -> Unit,
-) = Item(words(spoken), enabled = enabled, shortcut = shortcut, onClick = onClick)
+) = Item(label(spoken), enabled = enabled, shortcut = shortcut, onClick = onClick)
 
 /** With the platform's modifier key for shortcuts. */
 private fun control(key: Key, shift: Boolean = false) =

@@ -151,7 +151,7 @@ class HandInsPageTest {
         onNodeWithTag("hand-ins-links").performTextInput("nothing\nat all")
         settle()
         tap("hand-ins-paste-done")
-        it.awaiting { handIns?.isReading == false && handIns?.dialog == null && handIns?.told != null }
+        it.awaiting { handIns?.isReading == false && handIns?.dialog == null && handIns?.message != null }
     }
 
     @Test

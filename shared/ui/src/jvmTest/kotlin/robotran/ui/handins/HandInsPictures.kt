@@ -33,24 +33,24 @@ class HandInsPictures {
                 "by-name" to graded.copy(
                     rows = graded.rows.sortedBy { it.name },
                     order = HandInOrder.NAME,
-                    told = null,
+                    message = null,
                 ),
                 "grading" to graded.copy(
                     rows = graded.rows.mapIndexed { index, row -> if (index < 12) row else row.copy(graded = null) },
                     progress = GradingProgress(12, 25, 0.47f, 21),
-                    told = null,
+                    message = null,
                 ),
                 "one-partly" to opened(graded, "Dina"),
                 "one-alike" to opened(graded, "Ada Lovelace", ""),
                 "one-solved" to opened(graded, "Hugo"),
-                "removed" to graded.copy(told = HandInsMessage.Removed("Ada Lovelace")),
+                "removed" to graded.copy(message = HandInsMessage.Removed("Ada Lovelace")),
                 "compare" to opened(graded, "Ada Lovelace").copy(dialog = HandInsDialog.Comparing),
                 "one-mistakes" to opened(graded, "Vera"),
                 "empty" to
                     graded.copy(
                         rows = emptyList(),
                         kind = HandInsKind.WITHOUT_CHECKS,
-                        told = HandInsMessage.NothingFound(),
+                        message = HandInsMessage.NothingFound(),
                     ),
             )
             for (screen in Screen.entries) {
@@ -90,7 +90,7 @@ class HandInsPictures {
 
     private fun opened(state: HandInsState, name: String, beside: String? = null): HandInsState {
         val id = state.rows.first { it.name == name }.id
-        return state.copy(opened = OpenedHandIn(id, beside), told = null)
+        return state.copy(opened = OpenedHandIn(id, beside), message = null)
     }
 
     private fun picture(state: HandInsState, screen: Screen, settings: Settings): Image = onEventThread {

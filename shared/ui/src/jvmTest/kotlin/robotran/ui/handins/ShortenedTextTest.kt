@@ -4,7 +4,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class ShortenedTextTest {
-    private fun shortened(words: String, room: Int) = shortenedInMiddle(words) { it.length <= room }
+    private fun shortened(label: String, room: Int) = shortenedInMiddle(label) { it.length <= room }
 
     @Test
     fun `what fits is left as it is`() = assertEquals("Änne.robotran", shortened("Änne.robotran", 13))

@@ -53,7 +53,7 @@ internal class AssignmentAuthor(
 
     /** Whether the world that robots drive in has another title or task. */
     private var isTaskChanged = false
-    private val history = MakingHistory(platform.clock)
+    private val history = AssignmentHistory(platform.clock)
     private val sharing = AssignmentSharing(platform, current, preferences)
     private var checking: Job? = null
     private var deciding: Job? = null

@@ -12,6 +12,7 @@ import robotran.documents.OpenFilesResult
 import robotran.documents.defaultProjectName
 import robotran.documents.openFiles
 import robotran.documents.validProjectName
+import robotran.language.history.History
 import robotran.projects.AssignmentLimits
 import robotran.projects.Course
 import robotran.projects.Project
@@ -43,7 +44,7 @@ internal class CourseAuthor(
 ) {
     private val sharing = CourseSharing(platform, preferences)
     private var page: CoursePage.Making? = null
-    private val history = mutableListOf<Course>()
+    private var history = History<Course>()
 
     /** The key under which the course is kept; null while it is not. */
     private var key: String? = null
@@ -55,7 +56,7 @@ internal class CourseAuthor(
     suspend fun open(known: String?) {
         val course = known?.let { shelf.course(it) }
         key = known.takeIf { course != null }
-        history.clear()
+        history = History()
         isOlder = false
         page = CoursePage.Making(
             course ?: Course("", id = newId()),
@@ -131,18 +132,18 @@ internal class CourseAuthor(
     private fun change(course: Course) {
         val before = page?.course ?: return
         if (course == before) return
-        history += before
-        if (history.size > MAXIMUM_HISTORY) history.removeAt(0)
+        history = history.recorded(before)
         write(course)
         update { it.copy(canUndo = true) }
         launch { keep() }
     }
 
     private fun undo() {
-        val before = history.removeLastOrNull() ?: return
+        val (before, rest) = history.undone { it } ?: return
+        history = rest
         // Title and text have their own undo in their fields.
         page?.let { write(it.course.copy(assignments = before.assignments)) }
-        update { it.copy(canUndo = history.isNotEmpty()) }
+        update { it.copy(canUndo = history.canUndo) }
         launch { keep() }
     }
 
@@ -239,6 +240,5 @@ internal class CourseAuthor(
         val KINDS = listOf(FileKind.PROJECT, FileKind.COURSE, FileKind.ZIP)
         const val RADIX = 36
         const val STAMP_DIGITS = 8
-        const val MAXIMUM_HISTORY = 20
     }
 }

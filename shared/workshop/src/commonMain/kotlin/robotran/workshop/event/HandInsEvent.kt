@@ -74,6 +74,6 @@ sealed interface HandInsEvent : WorkshopEvent {
 
     data object DialogClosed : HandInsEvent
 
-    /** Takes away what [robotran.workshop.state.HandInsState.told] says. */
+    /** Takes away what [robotran.workshop.state.HandInsState.message] says. */
     data object MessageDismissed : HandInsEvent
 }

@@ -17,16 +17,16 @@ internal class GradingNews(
     private val onProgress: (GradingState, millisecondsLeft: Long?) -> Unit,
 ) {
     private val began = clock.now
-    private var toldAt = began
-    private val told = mutableSetOf<Int>()
+    private var reportedAt = began
+    private val reported = mutableSetOf<Int>()
 
     fun tell(state: GradingState) {
         state.rows.forEachIndexed { index, row ->
-            if (row is GradingRow.Graded && told.add(index)) onGraded(ids[index], row.result)
+            if (row is GradingRow.Graded && reported.add(index)) onGraded(ids[index], row.result)
         }
         val now = clock.now
-        if (now - toldAt < PROGRESS_MILLISECONDS && told.size < ids.size) return
-        toldAt = now
+        if (now - reportedAt < PROGRESS_MILLISECONDS && reported.size < ids.size) return
+        reportedAt = now
         val elapsed = now - began
         onProgress(state, if (elapsed < SURE_MILLISECONDS) null else state.millisecondsLeft(elapsed))
     }

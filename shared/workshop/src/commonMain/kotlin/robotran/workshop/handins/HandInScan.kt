@@ -36,7 +36,7 @@ internal class HandInScan(
         job = scope.launch {
             val result = scanner.scan(kind, words) { text -> isLink(text).also { if (it) onLink(text) } }
             val message = messageFor(result, kind)
-            show { copy(isScanning = false, told = message ?: told) }
+            show { copy(isScanning = false, message = message ?: this.message) }
         }
     }
 

@@ -97,7 +97,7 @@ class HandInsStateHolder internal constructor(
             HandInsEvent.RemovalRequested -> show { copy(dialog = HandInsDialog.Removing(rows.size)) }
             HandInsEvent.RemovalConfirmed -> remove(open)
             HandInsEvent.DialogClosed -> show { copy(dialog = null) }
-            HandInsEvent.MessageDismissed -> show { copy(told = null) }
+            HandInsEvent.MessageDismissed -> show { copy(message = null) }
         }
     }
 
@@ -135,7 +135,7 @@ class HandInsStateHolder internal constructor(
         reading?.cancel()
         grading.stop()
         scanning.end()
-        resting = state?.copy(progress = null, isReading = false, dialog = null, told = null) ?: resting
+        resting = state?.copy(progress = null, isReading = false, dialog = null, message = null) ?: resting
         state = null
         comments.flush()
     }
@@ -192,7 +192,7 @@ class HandInsStateHolder internal constructor(
     }
 
     private fun choose(id: String?) =
-        show { copy(opened = id?.let { OpenedHandIn(it) }, last = id ?: last, told = null) }
+        show { copy(opened = id?.let { OpenedHandIn(it) }, last = id ?: last, message = null) }
 
     private fun bringLinks(text: String) {
         if (open == null) return
@@ -202,7 +202,7 @@ class HandInsStateHolder internal constructor(
             val open = open ?: return@launch
             val files = PastedLinks.filesFor(links, first = open.lastLink + 1)
             open.lastLink += files.size
-            if (files.isEmpty()) show { copy(told = HandInsMessage.NothingFound()) }
+            if (files.isEmpty()) show { copy(message = HandInsMessage.NothingFound()) }
             bring(files)
         }
     }
@@ -212,12 +212,12 @@ class HandInsStateHolder internal constructor(
         reading?.join()
         val open = open
         if (open == null || files.isEmpty() || state == null) return@withLock
-        show { copy(isReading = true, told = null) }
+        show { copy(isReading = true, message = null) }
         val collected = files.map { CollectedFile(it.path, it.bytes) }
         val hasRoom = open.kept.size + collected.size <= KeptHandIns.MAXIMUM_FILES &&
             open.kept.bytes + collected.sumOf { it.bytes.size.toLong() } <= KeptHandIns.MAXIMUM_BYTES
         val message = if (hasRoom) take(open, collected) else TOO_MUCH
-        show { copy(isReading = false, told = message) }
+        show { copy(isReading = false, message = message) }
         update(open)
         open.kept.writeOpen(true)
     }
@@ -290,17 +290,17 @@ class HandInsStateHolder internal constructor(
             copy(
                 rows = rows.filter { it.id != id },
                 opened = opened?.takeIf { it.id != id },
-                told = HandInsMessage.Removed(row.name),
+                message = HandInsMessage.Removed(row.name),
             )
         }
         afterRemoval(open)
     }
 
     private fun undoRemoval(open: OpenAssignment) {
-        val row = removed?.takeIf { state?.told is HandInsMessage.Removed } ?: return
+        val row = removed?.takeIf { state?.message is HandInsMessage.Removed } ?: return
         removed = null
         open.remove(row.id, isRemoved = false)
-        show { copy(rows = rows + row, last = row.id, told = null).sorted(open.language) }
+        show { copy(rows = rows + row, last = row.id, message = null).sorted(open.language) }
         afterRemoval(open)
     }
 
@@ -322,7 +322,7 @@ class HandInsStateHolder internal constructor(
         reading = scope.launch { open.kept.clear() }
     }
 
-    private fun tell(message: HandInsMessage) = show { copy(told = message) }
+    private fun tell(message: HandInsMessage) = show { copy(message = message) }
 
     private fun show(change: HandInsState.() -> HandInsState) {
         state = state?.change()

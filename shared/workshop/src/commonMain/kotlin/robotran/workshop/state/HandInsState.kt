@@ -17,7 +17,7 @@ import robotran.projects.ProjectProgram
  * @property progress null while nothing is graded.
  * @property isStopped whether the teacher has stopped grading before all was graded.
  * @property opened null while the table is shown.
- * @property told what came of the last action; null for nothing to say.
+ * @property message what came of the last action; null for nothing to say.
  * @property last the ID of the hand-in that was open or replayed last; null for none. The table returns to its place.
  * @property scanners how QR codes can be read here; empty if they cannot.
  * @property isScanning whether the view of a scanner is open.
@@ -37,7 +37,7 @@ data class HandInsState(
     val opened: OpenedHandIn? = null,
     val last: String? = null,
     val dialog: HandInsDialog? = null,
-    val told: HandInsMessage? = null,
+    val message: HandInsMessage? = null,
 ) {
     /** The assignment of [row]; the first one for what is for none. */
     fun taskOf(row: HandInRow): HandInTask = tasks.getOrNull(row.task) ?: tasks.first()

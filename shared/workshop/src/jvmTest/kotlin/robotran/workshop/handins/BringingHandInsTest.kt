@@ -33,7 +33,7 @@ internal class BringingHandInsTest : HandInsTesting() {
         workshop.bring(listOf(OpenedFile("class.zip", zip)))
         assertEquals(listOf("Ada", "Ben"), workshop.names)
         workshop.bring(AnyClass.few.take(3))
-        assertEquals(HandInsMessage.Brought(1, 2), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(1, 2), workshop.page.message)
         workshop.handle(HandInsEvent.PastingRequested)
         assertEquals(HandInsDialog.PastingLinks, workshop.page.dialog)
         val links = listOf("Gabi", "Hans").map { link(AnyClass.handIn(it, AnyClass.solved)) }
@@ -102,14 +102,14 @@ internal class BringingHandInsTest : HandInsTesting() {
     @Test
     fun `more than there is room for is left out, and that is told`() = looking { workshop ->
         workshop.bring(List(1_001) { AnyClass.text("$it.robo", "forward $it") })
-        assertIs<HandInsMessage.TooMany>(workshop.page.told)
+        assertIs<HandInsMessage.TooMany>(workshop.page.message)
         assertEquals(emptyList(), workshop.page.rows)
     }
 
     @Test
     fun `nothing in what was brought is told`() = looking { workshop ->
         workshop.bring(listOf(OpenedFile("empty.zip", zipOf(emptyList()))))
-        assertEquals(HandInsMessage.NothingFound(), workshop.page.told)
+        assertEquals(HandInsMessage.NothingFound(), workshop.page.message)
         assertEquals(emptyList(), workshop.page.rows)
     }
 
@@ -120,7 +120,7 @@ internal class BringingHandInsTest : HandInsTesting() {
         workshop.bring(listOf(first))
         workshop.bring(listOf(second))
         workshop.bring(listOf(OpenedFile("one again.robotran", first.bytes)))
-        assertEquals(HandInsMessage.Brought(0, 1), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(0, 1), workshop.page.message)
         val rows = workshop.page.rows.sortedBy { it.id }
         assertEquals(listOf("Ida" to true, "Ida" to true), rows.map { it.name to it.hasNamesake })
         assertEquals(listOf("one.robotran", "two.robotran"), rows.map { it.submission.origin })
@@ -138,14 +138,14 @@ internal class BringingHandInsTest : HandInsTesting() {
         val teachers = AnyClass.file(AnyClass.teachers, "The assignment")
         workshop.bring(listOf(teachers))
         val note = "The assignment.robotran is the assignment itself, not a hand-in."
-        assertEquals(HandInsMessage.NothingFound(listOf(note)), workshop.page.told)
+        assertEquals(HandInsMessage.NothingFound(listOf(note)), workshop.page.message)
         workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved), teachers))
-        assertEquals(HandInsMessage.Brought(1, 0, listOf(note)), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(1, 0, listOf(note)), workshop.page.message)
         assertEquals(listOf("Ada"), workshop.page.rows.map { it.name })
         workshop.handle(HandInsEvent.LinksPasted(link(AnyClass.teachers)))
         advanceUntilIdle()
         val ofLink = "Pasted link 1 is the assignment itself, not a hand-in."
-        assertEquals(HandInsMessage.NothingFound(listOf(ofLink)), workshop.page.told)
+        assertEquals(HandInsMessage.NothingFound(listOf(ofLink)), workshop.page.message)
     }
 
     @Test
@@ -157,7 +157,7 @@ internal class BringingHandInsTest : HandInsTesting() {
             advanceUntilIdle()
             workshop.handle(HandInsEvent.LinksPasted("nothing at all"))
             advanceUntilIdle()
-            assertEquals(HandInsMessage.NothingFound(), workshop.page.told)
+            assertEquals(HandInsMessage.NothingFound(), workshop.page.message)
         }
         looking { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(Settings(language = Language.GERMAN)))

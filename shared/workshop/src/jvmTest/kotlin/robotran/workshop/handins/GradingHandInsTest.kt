@@ -50,7 +50,7 @@ internal class GradingHandInsTest : HandInsTesting() {
         )
         assertEquals(expected, workshop.page.rows.associate { it.name to it.verdict })
         assertNull(workshop.page.progress)
-        assertEquals(HandInsMessage.Brought(5, 0, unusable = 1), workshop.page.told)
+        assertEquals(HandInsMessage.Brought(5, 0, unusable = 1), workshop.page.message)
         val ada = workshop.row("Ada")
         assertEquals(listOf(2, 2), listOf(ada.lines, (ada.submission as Submission.Usable).handIn?.tries))
     }

@@ -100,7 +100,7 @@ internal class HandInsStateHolderTest : HandInsTesting() {
         }
         val page = workshop.save(HandInsEvent.PageRequested, "/home/class.html").decodeToString()
         assertContains(page, "A little further.")
-        assertEquals(HandInsMessage.Saved("class.html"), workshop.page.told)
+        assertEquals(HandInsMessage.Saved("class.html"), workshop.page.message)
         val zip = workshop.save(HandInsEvent.FeedbackRequested, "/home/class.zip")
         assertContains(zip.decodeToString(), "Ben - feedback - ")
         val file = workshop.save(HandInsEvent.FeedbackFileRequested("Ben"), "/home/Ben.robotran").decodeToString()
@@ -109,7 +109,7 @@ internal class HandInsStateHolderTest : HandInsTesting() {
         files.full = true
         workshop.handle(HandInsEvent.CsvRequested)
         advanceUntilIdle()
-        assertEquals(HandInsMessage.NotSaved("", isFull = true), workshop.page.told)
+        assertEquals(HandInsMessage.NotSaved("", isFull = true), workshop.page.message)
     }
 
     @Test

@@ -107,7 +107,7 @@ internal class KeptHandInsTest : HandInsTesting() {
     fun `a full device is told, and the hand-ins are open all the same`() = looking { workshop ->
         store.full = true
         workshop.bring(AnyClass.few.take(1))
-        assertEquals(HandInsMessage.NotKept(""), workshop.page.told)
+        assertEquals(HandInsMessage.NotKept(""), workshop.page.message)
         assertEquals(HandInVerdict.PASSED, workshop.row("Ada").verdict)
     }
 
@@ -124,7 +124,7 @@ internal class KeptHandInsTest : HandInsTesting() {
             advanceUntilIdle()
             assertNull(workshop.page.opened)
             assertEquals(listOf("Ada", "Ben", "Dina", "Emil", "Fritz"), workshop.names)
-            assertEquals(HandInsMessage.Removed("Cleo"), workshop.page.told)
+            assertEquals(HandInsMessage.Removed("Cleo"), workshop.page.message)
             assertTrue(workshop.page.rows.all { it.graded === graded[it.id] })
             val csv = workshop.save(HandInsEvent.CsvRequested, "/home/class.csv").decodeToString()
             assertFalse("Cleo" in csv)
@@ -134,7 +134,7 @@ internal class KeptHandInsTest : HandInsTesting() {
             assertEquals(listOf("Ada", "Ben", "Dina", "Emil", "Fritz"), workshop.names)
             assertEquals("Further.", workshop.row("Ben").comment)
             workshop.bring(AnyClass.few.take(3))
-            assertEquals(HandInsMessage.Brought(1, 2), workshop.page.told)
+            assertEquals(HandInsMessage.Brought(1, 2), workshop.page.message)
             assertEquals("", workshop.row("Cleo").comment)
         }
         looking { workshop -> assertEquals(6, workshop.page.rows.size) }
@@ -153,7 +153,7 @@ internal class KeptHandInsTest : HandInsTesting() {
             advanceUntilIdle()
             assertEquals(before.map { it.id to it.comment }, workshop.page.rows.map { it.id to it.comment })
             assertTrue(before.zip(workshop.page.rows).all { (one, other) -> one.graded === other.graded })
-            assertNull(workshop.page.told)
+            assertNull(workshop.page.message)
             // There is nothing more to undo.
             workshop.handle(HandInsEvent.RemovalUndone)
             assertEquals(6, workshop.page.rows.size)

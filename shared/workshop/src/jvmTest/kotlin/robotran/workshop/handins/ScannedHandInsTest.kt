@@ -41,7 +41,7 @@ internal class ScannedHandInsTest : HandInsTesting() {
             texts = emptyList()
             workshop.handle(event)
             advanceUntilIdle()
-            assertEquals(HandInsMessage.NoCamera, workshop.page.told)
+            assertEquals(HandInsMessage.NoCamera, workshop.page.message)
         }
     }
 
@@ -78,7 +78,7 @@ internal class ScannedHandInsTest : HandInsTesting() {
             for (kind in QrScannerKind.entries.drop(1)) {
                 workshop.handle(HandInsEvent.ScanRequested(kind, NO_WORDS))
                 advanceUntilIdle()
-                assertEquals(HandInsMessage.NoCodes(isPhoto = kind == QrScannerKind.PHOTO), workshop.page.told)
+                assertEquals(HandInsMessage.NoCodes(isPhoto = kind == QrScannerKind.PHOTO), workshop.page.message)
             }
         }
     }

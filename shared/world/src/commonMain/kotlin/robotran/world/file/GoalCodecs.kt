@@ -15,7 +15,7 @@ import robotran.world.GoalCondition.ShowOnDisplay
 import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.WorldLimits
-import robotran.world.messages.told
+import robotran.world.messages.reason
 
 /** One for each kind of condition, in the order in which error messages list them. */
 internal val GOAL_CODECS: List<GoalCodec> = listOf(
@@ -70,7 +70,7 @@ internal val GOAL_CODECS: List<GoalCodec> = listOf(
         read = {
             val atLeast = number("atLeast", 0.0..WorldLimits.MAXIMUM_INK)
             val atMost = number("atMost", 0.0..WorldLimits.MAXIMUM_INK)
-            if (atLeast == null && atMost == null) place.refuse(told { mustHaveOneOrBoth("atLeast", "atMost") })
+            if (atLeast == null && atMost == null) place.refuse(reason { mustHaveOneOrBoth("atLeast", "atMost") })
             checkBounds("atLeast" to atLeast, "atMost" to atMost)
             InkLength(atLeast, atMost)
         },

@@ -5,26 +5,26 @@ import robotran.world.Goal
 import robotran.world.TouchKind
 import robotran.world.WorldLimits
 import robotran.world.geometry.Shape
-import robotran.world.messages.told
+import robotran.world.messages.reason
 
 /** Reads goals, and counts them. */
 internal class GoalReader(private val shapes: ShapeReader) {
     private var goals = 0
 
-    fun read(place: JsonCursor): List<Goal> = goals(place, depth = 1, min = 0)
+    fun read(cursor: JsonCursor): List<Goal> = goals(cursor, depth = 1, min = 0)
 
-    private fun goals(place: JsonCursor, depth: Int, min: Int): List<Goal> {
+    private fun goals(cursor: JsonCursor, depth: Int, min: Int): List<Goal> {
         val deepest = WorldLimits.MAXIMUM_GOAL_DEPTH
-        if (depth > deepest) place.refuse(told { goalsTooDeep(deepest) })
-        return place.items(min..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
+        if (depth > deepest) cursor.refuse(reason { goalsTooDeep(deepest) })
+        return cursor.items(min..WorldLimits.MAXIMUM_GOALS).map { goal(it, depth) }
     }
 
-    private fun goal(place: JsonCursor, depth: Int): Goal {
-        if (++goals > WorldLimits.MAXIMUM_GOALS) place.refuse(told { tooManyGoals(WorldLimits.MAXIMUM_GOALS) })
-        val says = place.optional("says")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS)
-        val codec = place.member("kind").choice(CODECS)
-        val parts = { goals(place.member("goals"), depth + 1, min = 1) }
-        return Goal(codec.read(GoalConditionFields(place, shapes, parts)), says, unknownOf(place))
+    private fun goal(cursor: JsonCursor, depth: Int): Goal {
+        if (++goals > WorldLimits.MAXIMUM_GOALS) cursor.refuse(reason { tooManyGoals(WorldLimits.MAXIMUM_GOALS) })
+        val says = cursor.optional("says")?.text(WorldLimits.MAXIMUM_SENTENCE_CHARACTERS)
+        val codec = cursor.member("kind").choice(CODECS)
+        val parts = { goals(cursor.member("goals"), depth + 1, min = 1) }
+        return Goal(codec.read(GoalConditionFields(cursor, shapes, parts)), says, unknownOf(cursor))
     }
 
     private companion object {
@@ -62,7 +62,7 @@ internal class GoalConditionFields(
     fun touchKinds(): Set<TouchKind> {
         val what = place.optional("what") ?: return TouchKind.entries.toSet()
         val kinds = what.items(1..TouchKind.entries.size).map { it.choice(TOUCH_KINDS) }
-        if (kinds.toSet().size < kinds.size) what.refuse(told { wordTwice() })
+        if (kinds.toSet().size < kinds.size) what.refuse(reason { wordTwice() })
         return kinds.toSet()
     }
 
@@ -73,7 +73,7 @@ internal class GoalConditionFields(
         val (lowerName, lowest) = lower
         val (upperName, highest) = upper
         if (lowest != null && highest != null && lowest > highest) {
-            place.refuse(told { mustNotBeAbove(lowerName, upperName) })
+            place.refuse(reason { mustNotBeAbove(lowerName, upperName) })
         }
     }
 }

@@ -7,7 +7,7 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.JsonCursor
 import robotran.json.JsonPath
 import robotran.json.JsonStep
-import robotran.world.messages.told
+import robotran.world.messages.reason
 
 /**
  * Converts a world from version 1 to version 2: `name` became `title`, `start` the start of the first of `robots`, and
@@ -23,7 +23,7 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
                     "name" -> put("title", place.element)
                     "start" -> put("robots", JsonArray(listOf(JsonObject(mapOf("start" to place.element)))))
                     "walls" -> put(name, JsonArray(place.items(0..Int.MAX_VALUE).map(::wall)))
-                    "title", "robots" -> place.refuse(told { ofVersion(WORLD_VERSION) })
+                    "title", "robots" -> place.refuse(reason { ofVersion(WORLD_VERSION) })
                     else -> put(name, place.element)
                 }
             }
@@ -57,17 +57,17 @@ internal class MigrationFromVersion1(private val file: JsonCursor) {
             else -> steps
         }
 
-    private fun wall(place: JsonCursor): JsonElement = JsonObject(
+    private fun wall(cursor: JsonCursor): JsonElement = JsonObject(
         buildMap {
-            place.names.forEach { put(it, place.member(it).element) }
-            ENDS.forEach { end -> place.member(end).let { point -> putAll(point(end, point)) } }
+            cursor.names.forEach { put(it, cursor.member(it).element) }
+            ENDS.forEach { end -> cursor.member(end).let { point -> putAll(point(end, point)) } }
         },
     )
 
     /** Keeps other members of a point next to it, because a pair of numbers cannot hold them. */
-    private fun point(name: String, place: JsonCursor): Map<String, JsonElement> {
-        val point = JsonArray(COORDINATES.map { place.member(it).element })
-        return mapOf(name to point) + place.rest().mapKeys { "$name.${it.key}" }
+    private fun point(name: String, cursor: JsonCursor): Map<String, JsonElement> {
+        val point = JsonArray(COORDINATES.map { cursor.member(it).element })
+        return mapOf(name to point) + cursor.rest().mapKeys { "$name.${it.key}" }
     }
 
     private companion object {

@@ -8,7 +8,7 @@ import robotran.world.HasParts
 import robotran.world.MarkFigure
 import robotran.world.NeedsTemplate
 import robotran.world.World
-import robotran.world.messages.told
+import robotran.world.messages.reason
 
 /** Rejects duplicate names, and goals that refer to missing robots or objects. */
 internal fun checkNames(world: World, file: JsonCursor) {
@@ -17,7 +17,7 @@ internal fun checkNames(world: World, file: JsonCursor) {
         val places = file.optional(list)?.items(0..Int.MAX_VALUE) ?: continue
         names.forEachIndexed { number, name ->
             if (name == null) return@forEachIndexed
-            owners[name]?.let { places[number].refuse(told { nameTaken(name, it.path.toString()) }) }
+            owners[name]?.let { places[number].refuse(reason { nameTaken(name, it.path.toString()) }) }
             owners[name] = places[number]
         }
     }
@@ -37,22 +37,22 @@ private class GoalNames(private val world: World) {
     private val movable = robots + world.blocks.mapNotNull { it.name }
     private val lines = world.marks.filter { it.figure is MarkFigure.Line }.mapNotNull { it.name }
 
-    fun check(goals: List<Goal>, place: JsonCursor) {
-        val places = place.items(0..Int.MAX_VALUE)
+    fun check(goals: List<Goal>, cursor: JsonCursor) {
+        val places = cursor.items(0..Int.MAX_VALUE)
         goals.forEachIndexed { number, goal -> check(goal, places[number]) }
     }
 
-    private fun check(goal: Goal, place: JsonCursor) {
+    private fun check(goal: Goal, cursor: JsonCursor) {
         val condition = goal.condition
-        if (condition is HasActor) checkActor(condition, place)
-        if (condition is HasLine && condition.line !in lines) place.member("line").refuse(told { mustNameLine() })
-        if (condition is NeedsTemplate && world.template == null) place.refuse(told { needsTemplate() })
-        if (condition is HasParts) check(condition.goals, place.member("goals"))
+        if (condition is HasActor) checkActor(condition, cursor)
+        if (condition is HasLine && condition.line !in lines) cursor.member("line").refuse(reason { mustNameLine() })
+        if (condition is NeedsTemplate && world.template == null) cursor.refuse(reason { needsTemplate() })
+        if (condition is HasParts) check(condition.goals, cursor.member("goals"))
     }
 
-    private fun checkActor(condition: HasActor, place: JsonCursor) {
+    private fun checkActor(condition: HasActor, cursor: JsonCursor) {
         val who = condition.who ?: return
         if (who in (if (condition.mayBeBlock) movable else robots)) return
-        place.member("who").refuse(told { if (condition.mayBeBlock) mustNameRobotOrBlock() else mustNameRobot() })
+        cursor.member("who").refuse(reason { if (condition.mayBeBlock) mustNameRobotOrBlock() else mustNameRobot() })
     }
 }

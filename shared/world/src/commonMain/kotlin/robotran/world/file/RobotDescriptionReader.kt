@@ -17,9 +17,9 @@ import robotran.world.RobotPart
 import robotran.world.RotationPart
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
+import robotran.world.messages.reason
+import robotran.world.messages.robotReason
 import robotran.world.messages.sentence
-import robotran.world.messages.told
-import robotran.world.messages.toldOfRobot
 import robotran.world.robot.RobotError
 import robotran.world.robot.RobotPiece
 import robotran.world.robot.robotErrors
@@ -27,111 +27,111 @@ import robotran.world.robot.rounded
 import robotran.world.roundToThousandths
 
 /**
- * The robot in the members of [place]; those that are missing are like those of the ready robot that it names.
+ * The robot in the members of [cursor]; those that are missing are like those of the ready robot that it names.
  *
  * @param mayBeImpossible whether somebody still works on it; its figures are in their ranges nevertheless.
  */
-internal fun readDescription(place: JsonCursor, mayBeImpossible: Boolean = false): RobotDescription {
-    val base = place.optional("like")?.let(::readyRobot)
-    val brick = place.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.DEFAULT
+internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = false): RobotDescription {
+    val base = cursor.optional("like")?.let(::readyRobot)
+    val brick = cursor.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.DEFAULT
     val like = base ?: ReadyRobots.defaultOf(brick)
     val robot = RobotDescription(
-        title = place.member("title").text(RobotLimits.MAXIMUM_TITLE_CHARACTERS),
+        title = cursor.member("title").text(RobotLimits.MAXIMUM_TITLE_CHARACTERS),
         brick = brick,
-        chassis = readChassis(place, like.chassis),
-        drive = place.optional("wheels")?.let { readDrive(it, like.drive) } ?: like.drive,
-        casters = place.optional("casters")?.items(0..RobotLimits.MAXIMUM_CASTERS)?.map(::readPoint) ?: like.casters,
-        pen = if (place.has("pen")) readPen(place.member("pen")) else like.pen,
+        chassis = readChassis(cursor, like.chassis),
+        drive = cursor.optional("wheels")?.let { readDrive(it, like.drive) } ?: like.drive,
+        casters = cursor.optional("casters")?.items(0..RobotLimits.MAXIMUM_CASTERS)?.map(::readPoint) ?: like.casters,
+        pen = if (cursor.has("pen")) readPen(cursor.member("pen")) else like.pen,
         brickAt = BrickMount(
-            place.optional("brickAt")?.let(::readPoint) ?: like.brickAt.at,
-            place.optional("brickTurned")?.flag() ?: like.brickAt.turned,
+            cursor.optional("brickAt")?.let(::readPoint) ?: like.brickAt.at,
+            cursor.optional("brickTurned")?.flag() ?: like.brickAt.turned,
         ),
         parts =
-            place.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
+            cursor.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
         base = base?.base,
-        unknown = unknownOf(place),
+        unknown = unknownOf(cursor),
     )
     val errors = robotErrors(robot).filter {
         !mayBeImpossible || it is RobotError.OutOfRange ||
             it == RobotError.NoWheels
     }
-    errors.firstOrNull()?.let { error -> placeOf(error, place).refuseInSentence { error.sentence(it) } }
+    errors.firstOrNull()?.let { error -> placeOf(error, cursor).refuseInSentence { error.sentence(it) } }
     return robot
 }
 
-/** The ready robot whose name is at [place]. */
-internal fun readyRobot(place: JsonCursor): RobotDescription {
-    val name = place.text(RobotLimits.MAXIMUM_TITLE_CHARACTERS)
+/** The ready robot whose name is at [cursor]. */
+internal fun readyRobot(cursor: JsonCursor): RobotDescription {
+    val name = cursor.text(RobotLimits.MAXIMUM_TITLE_CHARACTERS)
     return ReadyRobots.all[name]
-        ?: place.refuseInSentence(toldOfRobot { noReadyRobot(name, ReadyRobots.all.keys.toList()) })
+        ?: cursor.refuseInSentence(robotReason { noReadyRobot(name, ReadyRobots.all.keys.toList()) })
 }
 
-private fun readChassis(place: JsonCursor, like: Chassis): Chassis {
-    val mass = place.optional("massAt")?.let(::readPoint)
+private fun readChassis(cursor: JsonCursor, like: Chassis): Chassis {
+    val mass = cursor.optional("massAt")?.let(::readPoint)
     return Chassis(
-        outline = place.optional("outline")?.items(RobotLimits.CORNERS)?.map(::readPoint) ?: like.outline,
-        height = place.optional("height")?.figure(RobotLimits.HEIGHTS) ?: like.height,
-        mass = place.optional("mass")?.figure(RobotLimits.MASSES) ?: like.mass,
+        outline = cursor.optional("outline")?.items(RobotLimits.CORNERS)?.map(::readPoint) ?: like.outline,
+        height = cursor.optional("height")?.figure(RobotLimits.HEIGHTS) ?: like.height,
+        mass = cursor.optional("mass")?.figure(RobotLimits.MASSES) ?: like.mass,
         massAt = mass ?: like.massAt,
     )
 }
 
-private fun readDrive(place: JsonCursor, like: Drive) = Drive(
-    wheelDiameter = place.optional("diameter")?.let(::readDiameter) ?: like.wheelDiameter,
-    wheelWidth = place.optional("width")?.figure(RobotLimits.WHEEL_WIDTHS) ?: like.wheelWidth,
-    track = place.optional("track")?.figure(RobotLimits.TRACKS) ?: like.track,
-    gear = place.optional("gear")?.figure(RobotLimits.GEARS) ?: like.gear,
-    left = place.optional("left")?.choice(MOTORS) ?: like.left,
-    right = place.optional("right")?.choice(MOTORS) ?: like.right,
-    reversed = place.optional("reversed")?.flag() ?: like.reversed,
-    tyreFriction = place.optional("grip")?.figure(RobotLimits.TYRE_FRICTIONS) ?: like.tyreFriction,
+private fun readDrive(cursor: JsonCursor, like: Drive) = Drive(
+    wheelDiameter = cursor.optional("diameter")?.let(::readDiameter) ?: like.wheelDiameter,
+    wheelWidth = cursor.optional("width")?.figure(RobotLimits.WHEEL_WIDTHS) ?: like.wheelWidth,
+    track = cursor.optional("track")?.figure(RobotLimits.TRACKS) ?: like.track,
+    gear = cursor.optional("gear")?.figure(RobotLimits.GEARS) ?: like.gear,
+    left = cursor.optional("left")?.choice(MOTORS) ?: like.left,
+    right = cursor.optional("right")?.choice(MOTORS) ?: like.right,
+    reversed = cursor.optional("reversed")?.flag() ?: like.reversed,
+    tyreFriction = cursor.optional("grip")?.figure(RobotLimits.TYRE_FRICTIONS) ?: like.tyreFriction,
 )
 
-private fun readDiameter(place: JsonCursor): Double {
-    val diameter = place.number(ANY_NUMBER)
-    if (diameter !in RobotLimits.WHEEL_DIAMETERS) place.refuseInSentence(toldOfRobot { noWheels() })
+private fun readDiameter(cursor: JsonCursor): Double {
+    val diameter = cursor.number(ANY_NUMBER)
+    if (diameter !in RobotLimits.WHEEL_DIAMETERS) cursor.refuseInSentence(robotReason { noWheels() })
     return roundToThousandths(diameter)
 }
 
-private fun readPen(place: JsonCursor): PenMount? = if (place.isNull) null else PenMount(place.choice(MOTORS))
+private fun readPen(cursor: JsonCursor): PenMount? = if (cursor.isNull) null else PenMount(cursor.choice(MOTORS))
 
-private fun readPart(place: JsonCursor): RobotPart {
-    val kind = place.member("kind").choice(PART_KINDS)
-    val port = place.optional("port")?.wholeNumber(1..BrickKind.entries.maxOf { it.inputPorts })
+private fun readPart(cursor: JsonCursor): RobotPart {
+    val kind = cursor.member("kind").choice(PART_KINDS)
+    val port = cursor.optional("port")?.wholeNumber(1..BrickKind.entries.maxOf { it.inputPorts })
     return when (kind) {
         PartKind.BUMPER -> BumperPart(
             port,
-            at = readPoint(place.member("at")),
-            width = place.member("width").figure(RobotLimits.BUMPER_WIDTHS),
-            depth = place.optional("depth")?.figure(RobotLimits.BUMPER_DEPTHS) ?: BumperPart.DEFAULT_DEPTH,
-            direction = place.optional("direction")?.figure(RobotLimits.ANGLES) ?: 0.0,
-            side = place.optional("side")?.choice(SIDES),
-            unknown = unknownOf(place),
+            at = readPoint(cursor.member("at")),
+            width = cursor.member("width").figure(RobotLimits.BUMPER_WIDTHS),
+            depth = cursor.optional("depth")?.figure(RobotLimits.BUMPER_DEPTHS) ?: BumperPart.DEFAULT_DEPTH,
+            direction = cursor.optional("direction")?.figure(RobotLimits.ANGLES) ?: 0.0,
+            side = cursor.optional("side")?.choice(SIDES),
+            unknown = unknownOf(cursor),
         )
 
-        PartKind.TOUCH -> FingerTouchPart(port, unknownOf(place))
-        PartKind.ROTATION -> RotationPart(port, place.member("wheel").choice(SIDES), unknownOf(place))
-        else -> readSensor(place, port, checkNotNull(kind.sensor))
+        PartKind.TOUCH -> FingerTouchPart(port, unknownOf(cursor))
+        PartKind.ROTATION -> RotationPart(port, cursor.member("wheel").choice(SIDES), unknownOf(cursor))
+        else -> readSensor(cursor, port, checkNotNull(kind.sensor))
     }
 }
 
-private fun readSensor(place: JsonCursor, port: Int?, sensor: SensorKind): SensorPart {
-    val facing = place.optional("facing")?.let(::readFacing) ?: defaultFacing(sensor)
+private fun readSensor(cursor: JsonCursor, port: Int?, sensor: SensorKind): SensorPart {
+    val facing = cursor.optional("facing")?.let(::readFacing) ?: defaultFacing(sensor)
     return SensorPart(
         port,
         sensor,
-        at = readPoint(place.member("at")),
-        height = place.optional("height")?.figure(RobotLimits.SENSOR_HEIGHTS) ?: defaultHeight(facing),
+        at = readPoint(cursor.member("at")),
+        height = cursor.optional("height")?.figure(RobotLimits.SENSOR_HEIGHTS) ?: defaultHeight(facing),
         facing = facing,
-        turret = place.optional("turret")?.choice(MOTORS),
-        unknown = unknownOf(place),
+        turret = cursor.optional("turret")?.choice(MOTORS),
+        unknown = unknownOf(cursor),
     )
 }
 
-private fun readFacing(place: JsonCursor): Facing = if (place.textOrNull() != null) {
-    place.choice(DIRECTIONS)
+private fun readFacing(cursor: JsonCursor): Facing = if (cursor.textOrNull() != null) {
+    cursor.choice(DIRECTIONS)
 } else {
-    Facing.Ahead(place.figure(RobotLimits.ANGLES))
+    Facing.Ahead(cursor.figure(RobotLimits.ANGLES))
 }
 
 internal fun defaultFacing(sensor: SensorKind): Facing = when (sensor) {
@@ -143,9 +143,9 @@ internal fun defaultFacing(sensor: SensorKind): Facing = when (sensor) {
 /** In centimetres. */
 internal fun defaultHeight(facing: Facing): Double = if (facing is Facing.Ahead) AHEAD_HEIGHT else DOWN_HEIGHT
 
-private fun readPoint(place: JsonCursor): Point {
-    val coordinates = place.items(0..Int.MAX_VALUE)
-    if (coordinates.size != 2) place.refuse(told { mustBePlace() })
+private fun readPoint(cursor: JsonCursor): Point {
+    val coordinates = cursor.items(0..Int.MAX_VALUE)
+    if (coordinates.size != 2) cursor.refuse(reason { mustBePlace() })
     return Point(coordinates[0].figure(RobotLimits.COORDINATES), coordinates[1].figure(RobotLimits.COORDINATES))
 }
 

@@ -9,7 +9,7 @@ import robotran.json.readJson
 import robotran.json.writeJson
 import robotran.language.Language
 import robotran.world.RobotDescription
-import robotran.world.messages.toldOfRobot
+import robotran.world.messages.robotReason
 
 /** The result of reading a robot file. */
 sealed interface RobotFileResult {
@@ -50,9 +50,9 @@ fun writeRobot(robot: RobotDescription): String = writeJson(
     },
 )
 
-private fun robotIn(place: JsonCursor): RobotDescription {
-    FORMAT.versionOf(place)
-    return readDescription(place)
+private fun robotIn(cursor: JsonCursor): RobotDescription {
+    FORMAT.versionOf(cursor)
+    return readDescription(cursor)
 }
 
 private fun resultOf(reading: JsonReading<RobotDescription>): RobotFileResult = when (reading) {
@@ -65,6 +65,6 @@ private const val ROBOT_VERSION = 1
 private val FORMAT = JsonFormat(
     ROBOT_FORMAT,
     ROBOT_VERSION,
-    toldOfRobot { notARobot(ROBOT_FORMAT) },
-    { version -> toldOfRobot { newerRobot(version, ROBOT_VERSION) } },
+    robotReason { notARobot(ROBOT_FORMAT) },
+    { version -> robotReason { newerRobot(version, ROBOT_VERSION) } },
 )

@@ -12,7 +12,7 @@ import robotran.world.geometry.box
 import robotran.world.geometry.flat
 import robotran.world.geometry.length
 import robotran.world.geometry.overlap
-import robotran.world.messages.told
+import robotran.world.messages.reason
 import robotran.world.robot.box
 
 /** Rejects a robot that would start in an obstacle or in another robot. */
@@ -21,10 +21,10 @@ internal fun checkStarts(world: World, file: JsonCursor) {
     val robots = world.robots.map { outline(it.start, it.description) }
     val obstacles = obstacles(world)
     robots.forEachIndexed { number, robot ->
-        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(told { startsIn(it.what) }) }
+        obstacles.firstOrNull { overlap(robot, it.shape) }?.let { starts[number].refuse(reason { startsIn(it.what) }) }
         (0..<number).firstOrNull {
             overlap(robot, robots[it])
-        }?.let { starts[number].refuse(told { startsIn("robots[$it]") }) }
+        }?.let { starts[number].refuse(reason { startsIn("robots[$it]") }) }
     }
 }
 

@@ -9,22 +9,22 @@ import robotran.world.Template
 import robotran.world.UnknownFields
 import robotran.world.World
 import robotran.world.WorldLimits
-import robotran.world.messages.told
+import robotran.world.messages.reason
 
 /**
  * The world in a file, or in a part of one, of any format version.
  *
  * @throws JsonValidationException if it is invalid.
  */
-fun worldIn(place: JsonCursor): World {
-    val version = FORMAT.versionOf(place)
-    return if (version < WORLD_VERSION) readMigrated(place) else WorldReader(place).read()
+fun worldIn(cursor: JsonCursor): World {
+    val version = FORMAT.versionOf(cursor)
+    return if (version < WORLD_VERSION) readMigrated(cursor) else WorldReader(cursor).read()
 }
 
-private fun readMigrated(place: JsonCursor): World {
-    val migration = MigrationFromVersion1(place)
+private fun readMigrated(cursor: JsonCursor): World {
+    val migration = MigrationFromVersion1(cursor)
     try {
-        return WorldReader(place.with(migration.migrated, migration::pathBefore)).read()
+        return WorldReader(cursor.with(migration.migrated, migration::pathBefore)).read()
     } catch (refusal: JsonValidationException) {
         throw JsonValidationException(refusal.path?.let(migration::pathBefore), refusal.form, refusal.reason)
     }
@@ -35,8 +35,8 @@ internal const val WORLD_VERSION = 2
 private val FORMAT = JsonFormat(
     WORLD_FORMAT,
     WORLD_VERSION,
-    told { notAWorld(WORLD_FORMAT) },
-    { version -> told { newerWorld(version, WORLD_VERSION) } },
+    reason { notAWorld(WORLD_FORMAT) },
+    { version -> reason { newerWorld(version, WORLD_VERSION) } },
 )
 
 /** Builds a [World] from the fields of a file. */
@@ -79,17 +79,17 @@ private class WorldReader(private val file: JsonCursor) {
     private fun <T> list(name: String, maximum: Int, read: (JsonCursor) -> T): List<T> =
         file.optional(name)?.items(0..maximum)?.map(read).orEmpty()
 
-    private fun readPaper(place: JsonCursor): Paper {
+    private fun readPaper(cursor: JsonCursor): Paper {
         val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
-        return Paper(place.member("width").number(sides), place.member("height").number(sides), unknownOf(place))
+        return Paper(cursor.member("width").number(sides), cursor.member("height").number(sides), unknownOf(cursor))
     }
 
-    private fun readTemplate(place: JsonCursor): Template {
-        val strokes = place.member("strokes").items(1..WorldLimits.MAXIMUM_STROKES)
-        return Template(strokes.map { shapes.way(it, 2, closed = false) }, unknownOf(place))
+    private fun readTemplate(cursor: JsonCursor): Template {
+        val strokes = cursor.member("strokes").items(1..WorldLimits.MAXIMUM_STROKES)
+        return Template(strokes.map { shapes.way(it, 2, closed = false) }, unknownOf(cursor))
     }
 }
 
-/** The members of [place] that have not been read. */
-fun unknownOf(place: JsonCursor): UnknownFields =
-    place.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }
+/** The members of [cursor] that have not been read. */
+fun unknownOf(cursor: JsonCursor): UnknownFields =
+    cursor.rest().let { if (it.isEmpty()) UnknownFields.NONE else UnknownFields(it) }

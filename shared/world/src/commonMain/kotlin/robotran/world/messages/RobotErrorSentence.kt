@@ -44,6 +44,6 @@ fun RobotError.sentence(language: Language): String = with(RobotMessages.of(lang
     }
 }
 
-internal fun toldOfRobot(sentence: RobotMessages.() -> String): (Language) -> String = {
+internal fun robotReason(sentence: RobotMessages.() -> String): (Language) -> String = {
     RobotMessages.of(it).sentence()
 }

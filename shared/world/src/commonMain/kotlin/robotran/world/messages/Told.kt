@@ -2,4 +2,6 @@ package robotran.world.messages
 
 import robotran.language.Language
 
-internal fun told(reason: WorldFileMessages.() -> String): (Language) -> String = { WorldFileMessages.of(it).reason() }
+internal fun reason(sentence: WorldFileMessages.() -> String): (Language) -> String = {
+    WorldFileMessages.of(it).sentence()
+}

@@ -91,11 +91,11 @@ private fun wordsFor(row: BlockRow, description: BlockDescription?, scope: Block
 }
 
 /** What else is true of the row now: that it runs, that the program stops there, its mistakes. */
-private fun statesOf(row: BlockRow, marks: RowMarks, words: String, said: RowWords): String = listOfNotNull(
+private fun statesOf(row: BlockRow, marks: RowMarks, label: String, said: RowWords): String = listOfNotNull(
     if (marks.isRunning) said.runsNow else null,
     if (marks.hasBreakpoint) said.stopsBefore else null,
     if (row is BlockRow.First && row.isCollapsed) said.folded else null,
-).plus(marks.notes.map { it.diagnostic.message }.filter { it !in words }).joinToString(", ")
+).plus(marks.notes.map { it.diagnostic.message }.filter { it !in label }).joinToString(", ")
 
 /** All that fingers and keys can do, for those who have neither; the last one shows them all. */
 private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): List<CustomAccessibilityAction> {
@@ -137,16 +137,16 @@ private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): L
     )
 }
 
-private fun action(words: String, act: () -> Unit) = CustomAccessibilityAction(words) {
+private fun action(label: String, act: () -> Unit) = CustomAccessibilityAction(label) {
     act()
     true
 }
 
 /** Tells a screen reader what an edit has done. It cannot be seen. */
 @Composable
-internal fun SaidAloud(words: String?) = Box(
+internal fun SaidAloud(label: String?) = Box(
     Modifier.size(1.dp).testTag("blocks-said").semantics {
         liveRegion = LiveRegionMode.Polite
-        contentDescription = words.orEmpty()
+        contentDescription = label.orEmpty()
     },
 )

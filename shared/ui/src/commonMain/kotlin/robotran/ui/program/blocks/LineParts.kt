@@ -50,8 +50,8 @@ internal fun LinePart(
 
 /** Words on a block. A screen reader reads the block as a whole. */
 @Composable
-internal fun BlockWords(words: String, scope: BlockScope, look: BlockLook, modifier: Modifier = Modifier) = Text(
-    words,
+internal fun BlockWords(label: String, scope: BlockScope, look: BlockLook, modifier: Modifier = Modifier) = Text(
+    label,
     modifier.clearAndSetSemantics { },
     color = look.ink,
     fontSize = scope.wordSize,

@@ -59,10 +59,10 @@ private fun differInBlanksOnly(replaced: String, replacement: String): Boolean =
 
 private fun isBlank(character: Char) = character.isWhitespace() || character.category == CharCategory.FORMAT
 
-private fun shortened(words: String) = if (words.length <= MAX_CHARACTERS) {
-    words
+private fun shortened(label: String) = if (label.length <= MAX_CHARACTERS) {
+    label
 } else {
-    words.take(MAX_CHARACTERS - 1) + "…"
+    label.take(MAX_CHARACTERS - 1) + "…"
 }
 
 private val BLANKS = Regex("\\s+")

@@ -46,14 +46,14 @@ internal fun KeyRow(control: EditorControl) {
 }
 
 @Composable
-private fun TouchKey(sign: String, words: String, onClick: () -> Unit) {
+private fun TouchKey(sign: String, label: String, onClick: () -> Unit) {
     Box(
         Modifier
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .testTag("key-$sign")
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
-            .semantics { contentDescription = words },
+            .semantics { contentDescription = label },
         Alignment.Center,
     ) {
         Text(sign, style = editorStyle(SIZE))

@@ -34,8 +34,8 @@ internal class SheetSvg(private val world: World, private val state: SessionStat
             "role" to "img",
             "font-family" to "sans-serif",
         ) {
-            svg.words("title", world.title)
-            if (world.task.isNotEmpty()) svg.words("desc", world.task)
+            svg.textElement("title", world.title)
+            if (world.task.isNotEmpty()) svg.textElement("desc", world.task)
             writeContent(MARGIN)
         }
         return svg.toString()

@@ -58,9 +58,9 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
     )
 
     /** Text centred on a place, with a paper-coloured outline for contrast. */
-    fun label(words: String, place: Point, size: Double) = svg.words(
+    fun label(text: String, place: Point, size: Double) = svg.textElement(
         "text",
-        words,
+        text,
         "x" to place.x,
         "y" to down(place.y),
         "font-size" to size,

@@ -26,9 +26,9 @@ internal class SvgWriter {
     }
 
     /** Writes an element that contains text. */
-    fun words(name: String, words: String, vararg attributes: Pair<String, Any?>) {
+    fun textElement(name: String, content: String, vararg attributes: Pair<String, Any?>) {
         begin(name, attributes)
-        text.append('>').append(escaped(words)).append("</").append(name).append(">\n")
+        text.append('>').append(escaped(content)).append("</").append(name).append(">\n")
     }
 
     /** Writes an element that contains texts, each in a `tspan` with its attributes. */
@@ -85,9 +85,9 @@ internal fun figures(points: List<Point>): String = points.joinToString(" ") { "
 internal fun hex(colour: Color): String =
     "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
 
-/** Escapes [words] for XML and drops control characters and lone surrogates. */
-private fun escaped(words: String): String = buildString {
-    for ((place, letter) in words.withIndex()) {
+/** Escapes [text] for XML and drops control characters and lone surrogates. */
+private fun escaped(text: String): String = buildString {
+    for ((place, letter) in text.withIndex()) {
         when {
             letter == '&' -> append("&amp;")
             letter == '<' -> append("&lt;")
@@ -95,7 +95,7 @@ private fun escaped(words: String): String = buildString {
             letter == '"' -> append("&quot;")
 
             letter.isHighSurrogate() -> append(
-                if (words.getOrNull(place + 1)?.isLowSurrogate() == true) {
+                if (text.getOrNull(place + 1)?.isLowSurrogate() == true) {
                     letter
                 } else {
                     MISSING
@@ -103,7 +103,7 @@ private fun escaped(words: String): String = buildString {
             )
 
             letter.isLowSurrogate() -> append(
-                if (words.getOrNull(place - 1)?.isHighSurrogate() == true) {
+                if (text.getOrNull(place - 1)?.isHighSurrogate() == true) {
                     letter
                 } else {
                     MISSING

@@ -170,10 +170,10 @@ internal fun ComposeUiTest.letGo() {
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.placeOf(tag: String): Rect = onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
 
-/** The tag of the socket with [words] in [text], the first one. */
-internal fun socketOf(text: String, words: String): String {
-    val start = text.indexOf(words)
-    return "socket-$start-${start + words.length}"
+/** The tag of the socket with [label] in [text], the first one. */
+internal fun socketOf(text: String, label: String): String {
+    val start = text.indexOf(label)
+    return "socket-$start-${start + label.length}"
 }
 
 /** Gives the blocks the keyboard's focus. */

@@ -101,19 +101,19 @@ class BlocksPictures {
         workshop.handle(BlockEvent.SheetShown(BlockSheet.Actions(block)))
     }
 
-    private fun Workshop.at(words: String): BlockId {
+    private fun Workshop.at(label: String): BlockId {
         val blocks = checkNotNull(state.programs.blocks)
-        val line = blocks.program.outline.lines.first { words in it.span.textIn(blocks.program.text) }
+        val line = blocks.program.outline.lines.first { label in it.span.textIn(blocks.program.text) }
         val block = checkNotNull(blocks.program.blockOfLine(line.index)).id
         handle(BlockEvent.CursorPut(BlockCursor.At(block)))
         return block
     }
 
-    /** Opens the sheet of a part of the first line with [words], the last one if [part] is not given. */
-    private fun Workshop.openSheetAt(words: String, part: Int? = null) {
-        at(words)
+    /** Opens the sheet of a part of the first line with [label], the last one if [part] is not given. */
+    private fun Workshop.openSheetAt(label: String, part: Int? = null) {
+        at(label)
         val blocks = checkNotNull(state.programs.blocks)
-        val line = blocks.program.outline.lines.first { words in it.span.textIn(blocks.program.text) }
+        val line = blocks.program.outline.lines.first { label in it.span.textIn(blocks.program.text) }
         val parts = line.editableParts
         handle(BlockEvent.SheetShown(BlockSheet.Part(parts[part ?: parts.lastIndex].span)))
     }

@@ -125,8 +125,8 @@ class DoNowTest {
     private fun ComposeUiTest.said(): String? =
         onNodeWithTag("number").fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
 
-    private fun blockOf(workshop: Workshop, words: String) = checkNotNull(workshop.state.programs.blocks).program.let {
-        it.all.first { block -> block.head.span.textIn(it.text).trim() == words }.id
+    private fun blockOf(workshop: Workshop, label: String) = checkNotNull(workshop.state.programs.blocks).program.let {
+        it.all.first { block -> block.head.span.textIn(it.text).trim() == label }.id
     }
 
     private companion object {

@@ -43,13 +43,13 @@ private fun DoneKey(width: Dp, onDone: () -> Unit) =
 
 @Composable
 private fun PadKey(
-    words: String,
+    label: String,
     tag: String,
     width: Dp,
     spoken: String,
     sign: StrokeIcon? = null,
     onClick: () -> Unit,
-) = SheetButton(words, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
+) = SheetButton(label, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
 
 /** The width of a pad with keys of [keyWidth]; [isLow] as in [NumberPad]. */
 internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {

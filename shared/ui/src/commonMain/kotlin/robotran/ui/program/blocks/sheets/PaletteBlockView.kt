@@ -56,7 +56,7 @@ internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook) {
 
 /** A line of words, after the sign of [block] if that is given. */
 @Composable
-private fun Line(words: String, block: PaletteBlock?, look: BlockLook, modifier: Modifier) = Row(
+private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier: Modifier) = Row(
     modifier
         .defaultMinSize(minWidth = MIN_WIDTH, minHeight = if (block == null) LATER_LINE else Dimensions.TARGET)
         .padding(start = if (block == null) WORDS else MARGIN, end = MARGIN, top = 6.dp, bottom = 6.dp),
@@ -65,7 +65,7 @@ private fun Line(words: String, block: PaletteBlock?, look: BlockLook, modifier:
 ) {
     if (block != null) Sign(GroupSigns.of(block.group), look.ink)
     Text(
-        words,
+        label,
         Modifier.clearAndSetSemantics { },
         color = look.ink,
         fontSize = TextSizes.BODY,

@@ -34,16 +34,16 @@ import robotran.ui.theme.focusRing
 /**
  * A button of a sheet.
  *
- * @param spoken what a screen reader says, if that differs from [words].
+ * @param spoken what a screen reader says, if that differs from [label].
  * @param isChosen whether it is what the program has now.
- * @param sign is drawn instead of [words].
+ * @param sign is drawn instead of [label].
  */
 @Composable
 internal fun SheetButton(
-    words: String,
+    label: String,
     tag: String,
     modifier: Modifier = Modifier,
-    spoken: String = words,
+    spoken: String = label,
     isChosen: Boolean = false,
     sign: StrokeIcon? = null,
     onClick: () -> Unit,
@@ -63,14 +63,14 @@ internal fun SheetButton(
                 contentDescription = spoken
                 selected = isChosen
             }
-            .padding(horizontal = if (words.length == 1) 4.dp else 14.dp, vertical = 8.dp),
+            .padding(horizontal = if (label.length == 1) 4.dp else 14.dp, vertical = 8.dp),
         Alignment.Center,
     ) {
         if (sign == null) {
             Text(
-                words,
+                label,
                 color = if (isChosen) colours.pane else colours.onPane,
-                fontSize = if (words.length == 1) signSize() else TextSizes.BODY,
+                fontSize = if (label.length == 1) signSize() else TextSizes.BODY,
                 fontWeight = FontWeight.Medium,
                 textAlign = TextAlign.Center,
             )
@@ -86,8 +86,8 @@ private fun signSize(): TextUnit = (19 * minOf(1f, MOST_SCALE / LocalDensity.cur
 
 /** A heading between the rows of a sheet. */
 @Composable
-internal fun SheetHeading(words: String) = Text(
-    words,
+internal fun SheetHeading(label: String) = Text(
+    label,
     Modifier.padding(top = 8.dp).semantics { heading() },
     color = LocalRobotranColours.current.quiet,
     fontSize = TextSizes.COMPACT,
