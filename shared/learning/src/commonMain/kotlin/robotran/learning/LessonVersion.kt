@@ -44,14 +44,15 @@ internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<Strin
     )
 }
 
-private fun onPenbot(brick: BrickKind, file: SourceFile): String =
-    file.text.replace(lightSensorOf(BrickKind.DEFAULT), lightSensorOf(brick))
-
-/** How a program in Robolang says where the light sensor of the penbot with this [brick] is. */
-private fun lightSensorOf(brick: BrickKind): String {
-    val port = ReadyRobots.defaultOf(brick).parts.first { it.kind == SensorKind.LIGHT }.port
-    return "light sensor on $port"
+private fun onPenbot(brick: BrickKind, file: SourceFile): String {
+    val usual = lightPortOf(BrickKind.DEFAULT)
+    val other = lightPortOf(brick) ?: usual
+    return file.text.replace("light sensor on $usual", "light sensor on $other")
 }
+
+/** The port of the light sensor of the penbot with this [brick]; null if it has none. */
+private fun lightPortOf(brick: BrickKind): Int? =
+    ReadyRobots.defaultOf(brick).parts.firstOrNull { it.kind == SensorKind.LIGHT }?.port
 
 /** What the names of the files that are only for this [brick] begin with. */
 private fun prefixFor(brick: BrickKind) = "${brick.name.lowercase()}-"
