@@ -47,7 +47,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
     val language = ProgramLanguage.ofFile(name) ?: ProgramLanguage.ROBOLANG
     val source = ProgramSource.of(language, name, listOf(SourceFile(name, program)))
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
-    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.RCX)
+    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.DEFAULT)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(

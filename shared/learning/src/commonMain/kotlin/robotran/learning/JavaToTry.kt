@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 
 /**
  * Wraps [lines] of Java for a [brick], such as the example of a [WordHelp], in a whole program for the file `Try.java`.
@@ -12,7 +13,8 @@ fun wrapJavaExample(lines: String, brick: BrickKind): String = buildString {
     append("    }\n}\n")
 }
 
-private fun importsFor(brick: BrickKind): List<String> = when (brick) {
-    BrickKind.RCX -> listOf("josx.platform.rcx")
-    BrickKind.NXT -> listOf("lejos.nxt", "lejos.robotics.navigation", "lejos.util")
+private fun importsFor(brick: BrickKind): List<String> = when (val java = brick.java) {
+    JavaPlatform.LEJOS -> listOf(java.mainPackage)
+    JavaPlatform.NXJ -> listOf(java.mainPackage, "lejos.robotics.navigation", "lejos.util")
+    null -> emptyList()
 }

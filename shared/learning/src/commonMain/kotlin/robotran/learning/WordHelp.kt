@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.assembly.CommandHelp
@@ -83,13 +84,9 @@ private fun isInComment(text: String, offset: Int): Boolean {
 }
 
 /** The brick that the imports of the Java program [text] name; null if none does. */
-fun brickOfImports(text: String): BrickKind? = when (IMPORT.find(text)?.groupValues?.get(1)) {
-    "lejos" -> BrickKind.NXT
-    "josx" -> BrickKind.RCX
-    else -> null
-}
+fun brickOfImports(text: String): BrickKind? = IMPORT.find(text)?.let { BrickKind.ofJavaRoot(it.groupValues[1]) }
 
-private val IMPORT = Regex("""(?m)^\s*import\s+(lejos|josx)\.""")
+private val IMPORT = Regex("""(?m)^\s*import\s+(${JavaPlatform.entries.joinToString("|") { it.root }})\.""")
 
 /** Lowercases only ASCII, which Robolang's words consist of: the platforms differ on some other letters. */
 private fun lowercaseWord(word: String): String =

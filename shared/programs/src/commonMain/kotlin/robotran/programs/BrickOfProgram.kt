@@ -30,7 +30,7 @@ fun brickOf(program: ProgramSource): BrickKind? = when (program) {
     is ProgramSource.Robolang -> brickOfRobolang(program.text)
     is ProgramSource.Java -> brickOf(program.files)
     is ProgramSource.CompiledClasses -> brickOfClasses(program.classFiles.values)
-    is ProgramSource.ForLegoFirmware -> BrickKind.RCX
+    is ProgramSource.ForLegoFirmware -> BrickKind.OF_LEGO_FIRMWARE
 }
 
 /** Looks for names of packages among the constants of the [classFiles]. */
@@ -97,7 +97,8 @@ private fun endOfText(source: String, start: Int): Int {
     return minOf(if (source.getOrNull(place) == source[start]) place + 1 else place, source.length)
 }
 
-private val PACKAGES = mapOf("lejos" to BrickKind.NXT, "josx" to BrickKind.RCX)
+/** The bricks by the root of their packages. */
+private val PACKAGES = BrickKind.entries.mapNotNull { kind -> kind.java?.let { it.root to kind } }.toMap()
 
 /** A qualified name that is no part of a longer one. */
-internal val BRICK_NAME = Regex("""(?<![\w.$])(lejos|josx)(?:\.(?:\w+|\*))+""")
+internal val BRICK_NAME = Regex("""(?<![\w.$])(${PACKAGES.keys.joinToString("|")})(?:\.(?:\w+|\*))+""")

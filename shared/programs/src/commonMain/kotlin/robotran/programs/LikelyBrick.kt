@@ -1,13 +1,14 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 
 /**
  * The kind of brick that this program is for, or that it most likely is for if it names none: Java that prints with
- * `System.out` or uses classes of `java.util` that only leJOS NXJ has is for an NXT. Null if nothing tells.
+ * `System.out` or uses classes of `java.util` that only leJOS NXJ has is for the brick with that. Null if nothing tells.
  */
-fun likelyBrickOf(program: ProgramSource): BrickKind? =
-    brickOf(program) ?: BrickKind.NXT.takeIf { program is ProgramSource.Java && looksLikeNxj(program.files) }
+fun likelyBrickOf(program: ProgramSource): BrickKind? = brickOf(program)
+    ?: BrickKind.with(JavaPlatform.NXJ).takeIf { program is ProgramSource.Java && looksLikeNxj(program.files) }
 
 /** A program that names both bricks is for none. */
 private fun looksLikeNxj(files: List<SourceFile>): Boolean {

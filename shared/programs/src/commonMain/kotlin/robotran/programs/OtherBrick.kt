@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.programs.messages.ProgramMessages
@@ -18,7 +19,7 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
     fun mistakeInImage(source: ProgramSource): Diagnostic? {
         if (source is ProgramSource.ForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
-        return if (program == BrickKind.RCX) null else diagnosticOf(source, messages.noImageFor(program.name))
+        return if (program.java == JavaPlatform.LEJOS) null else diagnosticOf(source, messages.noImageFor(program.name))
     }
 
     private fun diagnosticOf(source: ProgramSource, message: String): Diagnostic {

@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
@@ -94,9 +94,9 @@ class ProgramCompiler private constructor(
         is ProgramSource.Java -> javaCompiler().read(source)
         is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
 
-        is ProgramSource.CompiledClasses -> when (target.kind) {
-            BrickKind.RCX -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
-            BrickKind.NXT -> nxjLinker().read(source, java.mode, JavaMessages.of(language))
+        is ProgramSource.CompiledClasses -> when (platform) {
+            JavaPlatform.LEJOS -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
+            JavaPlatform.NXJ -> nxjLinker().read(source, java.mode, JavaMessages.of(language))
         }
     }
 
@@ -122,7 +122,7 @@ class ProgramCompiler private constructor(
     }
 
     private suspend fun loadLibrary() {
-        if (target.kind == BrickKind.NXT) loaded.loadNxj()
+        if (target.kind.java == JavaPlatform.NXJ) loaded.loadNxj()
     }
 
     /**
@@ -187,10 +187,12 @@ class ProgramCompiler private constructor(
         return JavaProgramCompiler(compiler, linker, library)
     }
 
-    private fun javaParts(): Pair<ProgramLinker, JavaLibrary> = when (target.kind) {
-        BrickKind.RCX -> classFiles to JavaLibrary.ofLejos(java)
-        BrickKind.NXT -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary(), java)
+    private fun javaParts(): Pair<ProgramLinker, JavaLibrary> = when (platform) {
+        JavaPlatform.LEJOS -> classFiles to JavaLibrary.ofLejos(java)
+        JavaPlatform.NXJ -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary(), java)
     }
+
+    private val platform get() = checkNotNull(target.kind.java) { "No Java runs on ${target.kind.name}." }
 
     private fun nxjLinker() = NxjLinker(nxjLibrary(), java, TinyVmMessages.of(language))
 

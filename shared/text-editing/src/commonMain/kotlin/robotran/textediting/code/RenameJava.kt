@@ -8,7 +8,7 @@ import robotran.textediting.text.TextLines
 fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
     // On any brick the name of a class counts like any other.
-    val tokens = CodeTokens(lines, ProgramLanguage.JAVA, BrickKind.RCX)
+    val tokens = CodeTokens(lines, ProgramLanguage.JAVA, BrickKind.DEFAULT)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')

@@ -117,7 +117,7 @@ private fun barColour(colours: RobotranColours): Color = colours.onPane
 
 private fun coloured(text: String, language: ProgramLanguage, colours: CodeColours): List<AnnotatedString> {
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, language, BrickKind.RCX)
+    val tokens = CodeTokens(lines, language, BrickKind.DEFAULT)
     return (0..<minOf(lines.count, MAX_LINES)).map { index ->
         buildAnnotatedString {
             append(lines.line(index))

@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.ui.texts.Label
 import robotran.ui.texts.NqcTexts
@@ -15,12 +16,12 @@ import robotran.workshop.examples.examplesFor
  */
 internal enum class ExampleSet(val language: ProgramLanguage, val brick: BrickKind?, val title: Label) {
     ROBOLANG(ProgramLanguage.ROBOLANG, null, ScreenTexts::programExamplesRobolang),
-    LEJOS(ProgramLanguage.JAVA, BrickKind.RCX, ScreenTexts::programExamplesJava),
-    NQC(ProgramLanguage.NQC, BrickKind.RCX, NqcTexts::programExamplesNqc),
-    NXJ(ProgramLanguage.JAVA, BrickKind.NXT, NxtTexts::programExamplesNxj),
+    LEJOS(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.LEJOS), ScreenTexts::programExamplesJava),
+    NQC(ProgramLanguage.NQC, BrickKind.OF_LEGO_FIRMWARE, NqcTexts::programExamplesNqc),
+    NXJ(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.NXJ), NxtTexts::programExamplesNxj),
     ;
 
-    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.RCX)
+    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.DEFAULT)
 
     /** What tells the example [name] from those of the other sets. */
     fun idOf(name: String): String = if (this == NXJ) "$NXJ_FOLDER$name" else name

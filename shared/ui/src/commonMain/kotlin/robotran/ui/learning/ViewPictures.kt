@@ -94,7 +94,7 @@ internal fun TextPicture() {
 
 private fun coloured(line: String, colours: CodeColours): AnnotatedString = buildAnnotatedString {
     append(line)
-    for (token in tokensOf(line, ProgramLanguage.ROBOLANG, startsInComment = false, BrickKind.RCX)) {
+    for (token in tokensOf(line, ProgramLanguage.ROBOLANG, startsInComment = false, BrickKind.DEFAULT)) {
         addStyle(SpanStyle(color = colours.of(token.kind)), token.start, token.end)
     }
 }

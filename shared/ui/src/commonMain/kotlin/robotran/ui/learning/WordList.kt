@@ -27,8 +27,7 @@ import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
-import robotran.ui.texts.LearningTexts
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.BrickLabels
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -70,7 +69,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
                 val name = if (language == ProgramLanguage.JAVA) {
-                    if (brick == BrickKind.NXT) NxtTexts.learningHelpNxj(spoken) else LearningTexts.helpJava(spoken)
+                    BrickLabels.of(brick).javaWords(spoken)
                 } else {
                     language.ownName
                 }

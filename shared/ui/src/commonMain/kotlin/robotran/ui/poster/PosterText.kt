@@ -12,7 +12,7 @@ import robotran.workshop.state.PupilProgram
 internal fun codeLines(program: PupilProgram): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->
     val text = file.text.trimEnd()
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, program.language, BrickKind.RCX)
+    val tokens = CodeTokens(lines, program.language, BrickKind.DEFAULT)
     val heading = if (program.files.size == 1) emptyList() else headingOf(file.name, isFirst = index == 0)
     heading + (0..<lines.count).map { line -> runsOf(lines.line(line), tokens, line) }
 }

@@ -78,7 +78,7 @@ internal val LocalAllowedLanguages = staticCompositionLocalOf<List<ProgramLangua
 private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     var hasMore by remember { mutableStateOf(false) }
     val allowed = LocalAllowedLanguages.current ?: ProgramLanguage.entries
-    val languages = allowed.filter { brick == BrickKind.RCX || it !in OF_LEGO_FIRMWARE }
+    val languages = allowed.filter { brick.hasLegoFirmware || it !in OF_LEGO_FIRMWARE }
     for ((language, words) in WORDS_OF_NEW.filterKeys { it in languages }) {
         if (language == ProgramLanguage.LASM && languages.size > 1 && !hasMore) {
             Choice(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }

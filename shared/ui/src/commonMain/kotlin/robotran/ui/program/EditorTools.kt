@@ -18,6 +18,7 @@ import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
@@ -34,7 +35,7 @@ internal fun EditorTools(
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val isRobolang = state.program.language == ProgramLanguage.ROBOLANG
-    val send = sendWords(state.brick)
+    val send = BrickLabels.of(state.brick).send
     val translation = state.translationKind
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val places = toolPlaces(maxWidth, isRobolang, translation?.words, send)

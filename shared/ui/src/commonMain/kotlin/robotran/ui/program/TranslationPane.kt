@@ -143,7 +143,7 @@ private fun TranslatedText(
     val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
     val language = translation.language
     val brick = remember(draft) {
-        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines, BrickKind.RCX) else BrickKind.RCX
+        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines, BrickKind.DEFAULT) else BrickKind.DEFAULT
     }
     val layouts = rememberLineLayouts(language, brick, codeSize)
     val pieces = remember(draft) { CodeTokens(draft.lines, language, brick) }

@@ -1,6 +1,5 @@
 package robotran.workshop.learning
 
-import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.Lesson
@@ -45,7 +44,7 @@ internal class NqcVersions {
     }
 
     private fun translation(task: Lesson, file: SourceFile, name: String): PupilProgram? {
-        val isForRcx = task.brick == BrickKind.RCX && ProgramLanguage.ofFile(file.name) == ProgramLanguage.ROBOLANG
+        val isForRcx = task.brick.hasLegoFirmware && ProgramLanguage.ofFile(file.name) == ProgramLanguage.ROBOLANG
         val read = if (isForRcx) compileRobolang(file.name, file.text, PENBOT_TARGET) as? RobolangResult.Ready else null
         return read?.program?.asNqc(file.name, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
             ?.let { PupilProgram(name, it.text) }

@@ -1,6 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.programs.brickOf
 import robotran.workshop.platform.FileKind
@@ -25,7 +26,7 @@ internal fun newProgram(language: ProgramLanguage, others: List<PupilProgram>, b
 /** A file with another class for the Java program [program] of a robot with a [brick]. */
 internal fun newClass(program: PupilProgram, brick: BrickKind): ProgramFile {
     val name = uniqueName("Helper", ProgramLanguage.JAVA, program.files.map { it.name })
-    val library = packageOf(brickOf(program.source()) ?: brick)
+    val library = javaOf(brickOf(program.source()) ?: brick).mainPackage
     val className = name.removeSuffix(ProgramLanguage.JAVA.extension)
     return ProgramFile(name, "import $library.*;\n\nclass $className {\n\n}\n")
 }
@@ -63,14 +64,11 @@ private val FIRST_LASM = listOf(
     "\tendt",
 ).joinToString("\n", postfix = "\n")
 
-private fun packageOf(brick: BrickKind) = when (brick) {
-    BrickKind.RCX -> "josx.platform.rcx"
-    BrickKind.NXT -> "lejos.nxt"
-}
+private fun javaOf(brick: BrickKind) = checkNotNull(brick.java) { "No Java runs on ${brick.name}." }
 
-private fun firstJava(className: String, brick: BrickKind) = when (brick) {
-    BrickKind.RCX -> firstLejos(className)
-    BrickKind.NXT -> firstNxj(className)
+private fun firstJava(className: String, brick: BrickKind) = when (javaOf(brick)) {
+    JavaPlatform.LEJOS -> firstLejos(className)
+    JavaPlatform.NXJ -> firstNxj(className)
 }
 
 private fun firstNxj(className: String) = """

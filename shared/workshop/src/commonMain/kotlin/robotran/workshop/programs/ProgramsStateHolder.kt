@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -17,7 +18,6 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
-import robotran.projects.ProjectLimits
 import robotran.projects.ProjectRobot
 import robotran.projects.charactersInFile
 import robotran.projects.target
@@ -34,7 +34,6 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ImmediateProgram
-import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.PupilProgram
@@ -307,7 +306,7 @@ class ProgramsStateHolder(
     /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */
     internal suspend fun loadHelp() {
         val needsIt = robots.any { robot ->
-            robot.brick == BrickKind.NXT && robot.list.programs.any { it.language == ProgramLanguage.JAVA }
+            robot.brick.java == JavaPlatform.NXJ && robot.list.programs.any { it.language == ProgramLanguage.JAVA }
         }
         if (needsIt) nxjSources()
     }

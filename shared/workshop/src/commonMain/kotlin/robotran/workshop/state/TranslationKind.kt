@@ -18,7 +18,10 @@ enum class TranslationKind {
     companion object {
         /** The kinds for programs in [language] on a [brick], the usual one first; empty if there are none. */
         fun of(language: ProgramLanguage, brick: BrickKind): List<TranslationKind> = when (language) {
-            ProgramLanguage.ROBOLANG -> if (brick == BrickKind.RCX) listOf(JAVA, NQC) else listOf(JAVA)
+            ProgramLanguage.ROBOLANG -> listOfNotNull(
+                JAVA.takeIf { brick.java != null },
+                NQC.takeIf { brick.hasLegoFirmware },
+            )
             ProgramLanguage.NQC -> listOf(ASSEMBLY)
             ProgramLanguage.JAVA, ProgramLanguage.LASM -> emptyList()
         }

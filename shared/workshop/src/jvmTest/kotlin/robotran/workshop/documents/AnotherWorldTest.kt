@@ -1,7 +1,6 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
-import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.learning.Lessons
@@ -19,7 +18,6 @@ import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.PupilProgram
-import robotran.workshop.text
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeWorld
