@@ -18,6 +18,7 @@ rootProject.name = "robotran"
 
 include(":shared:language")
 include(":shared:brick")
+include(":shared:language-support")
 include(":shared:rcx-rom")
 include(":shared:nxt")
 include(":shared:robolang")

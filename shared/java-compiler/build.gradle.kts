@@ -13,6 +13,7 @@ texts {
         "**/*.java",
     )
     constant("commonTest", "robotran.javacompiler.examplePrograms", "examples/lejos", "*.java")
+    constant("commonTest", "robotran.javacompiler.nxjExamplePrograms", "examples/nxj", "*.java")
     constant(
         "commonTest",
         "robotran.javacompiler.nxjPrograms",
@@ -25,9 +26,8 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:language"))
+            api(project(":shared:language-support"))
             api(project(":shared:lejos-library"))
-        }
-        commonTest.dependencies {
             implementation(project(":shared:nxj-library"))
         }
         jvmMain.dependencies {

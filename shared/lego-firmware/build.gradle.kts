@@ -23,6 +23,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:language-support"))
             api(project(":shared:rcx-rom"))
         }
     }

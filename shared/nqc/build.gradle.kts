@@ -13,6 +13,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:language-support"))
             api(project(":shared:language"))
             api(project(":shared:lego-firmware"))
         }

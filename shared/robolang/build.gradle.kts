@@ -27,6 +27,7 @@ texts {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:language-support"))
             api(project(":shared:rcx-rom"))
             api(project(":shared:nxt"))
         }

@@ -1,21 +1,15 @@
 plugins {
     id("robotran.core")
-    id("robotran.texts")
-}
-
-texts {
-    constant("commonTest", "robotran.textediting.robolangExamples", "examples", "*.robo")
-    constant("commonTest", "robotran.textediting.lejosExamples", "examples/lejos", "*.java")
-    constant("commonTest", "robotran.textediting.nxjExamples", "examples/nxj", "*.java")
+    id("robotran.ecj-web")
 }
 
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            api(project(":shared:robolang"))
-            implementation(project(":shared:lego-firmware"))
-            implementation(project(":shared:nqc"))
-            implementation(project(":shared:lejos-library"))
+            api(project(":shared:language-support"))
+        }
+        commonTest.dependencies {
+            implementation(project(":shared:programs"))
             implementation(project(":shared:nxj-library"))
         }
     }

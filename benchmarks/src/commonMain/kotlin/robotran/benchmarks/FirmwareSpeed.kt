@@ -2,10 +2,9 @@ package robotran.benchmarks
 
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.file.BuiltInWorlds
@@ -48,7 +47,7 @@ private suspend fun nqcProgramOf(name: String, source: String): RcxProgram = whe
     val result = ProgramCompiler(
         ANY_TARGET,
         language = Language.ENGLISH,
-    ).read(ProgramSource.Nqc(name, listOf(SourceFile(name, source))))
+    ).read(Program.of(name, source))
 ) {
     is ProgramResult.Ready -> result.program as RcxProgram
     is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

@@ -2,10 +2,9 @@ package robotran.benchmarks
 
 import robotran.language.Language
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 
 /** The valid Java program [source], compiled and linked. */
@@ -15,7 +14,7 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             ANY_TARGET,
             settings,
             language = Language.ENGLISH,
-        ).read(ProgramSource.Java(name, listOf(SourceFile(name, source))))
+        ).read(Program.of(name, source))
     ) {
         is ProgramResult.Ready -> result.program as RcxProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

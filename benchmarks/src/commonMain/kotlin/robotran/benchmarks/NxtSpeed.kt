@@ -5,10 +5,9 @@ import robotran.language.Language
 import robotran.nxt.FakeNxt
 import robotran.nxt.program.NxtProgram
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.tinyvm.config.NxtCosts
@@ -62,7 +61,7 @@ private suspend fun nxjSpeed(name: String, source: String): Figure {
 /** The valid Java program [source] for an NXT, compiled and linked. */
 private suspend fun nxjProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): NxtProgram {
     val target = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
-    val program = ProgramSource.Java("$name.java", listOf(SourceFile("$name.java", source)))
+    val program = Program.of("$name.java", source)
     return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).read(program)) {
         is ProgramResult.Ready -> result.program as NxtProgram
         is ProgramResult.HasErrors -> error(result.diagnostics.first().message)

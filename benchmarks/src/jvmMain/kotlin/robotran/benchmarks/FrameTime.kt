@@ -4,8 +4,7 @@ import androidx.compose.ui.ImageComposeScene
 import androidx.compose.ui.unit.Density
 import kotlinx.coroutines.runBlocking
 import org.jetbrains.skiko.MainUIDispatcher
-import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -117,7 +116,7 @@ private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Bo
 
 private fun heavyProject(): Project {
     val world = heavyWorld()
-    val program = ProjectProgram("drive.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("drive.robo", PROGRAM)))
+    val program = ProjectProgram(Program.of("drive.robo", PROGRAM))
     return Project(world, world.robots.map { ProjectRobot(it.name, listOf(program)) })
 }
 

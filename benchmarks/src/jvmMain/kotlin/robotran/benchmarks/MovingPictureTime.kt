@@ -1,13 +1,15 @@
 package robotran.benchmarks
 
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
 import robotran.animatedpicture.AnimationStep
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_TARGET
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
@@ -18,15 +20,13 @@ import robotran.simulation.picture.WorldFrames
 import robotran.simulation.state.SessionState
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.world.file.BuiltInWorlds
-import kotlin.time.DurationUnit
-import kotlin.time.TimeSource
 
 /**
  * The time to make a moving picture of a minute's run in which the robot draws all the time, [faster] than it was, and
  * the size of the file.
  */
 internal suspend fun movingPictureTime(faster: Int): Figure {
-    val source = ProgramSource.Robolang("flowers.robo", FLOWERS)
+    val source = Program.of("flowers.robo", FLOWERS)
     val program = (
         ProgramCompiler(
             PENBOT_TARGET,

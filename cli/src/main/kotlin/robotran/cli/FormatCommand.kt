@@ -20,7 +20,7 @@ import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangText
 import robotran.cli.messages.CommandMessages
 import robotran.documents.TextChange
-import robotran.nqc.edit.formatNqc
+import robotran.nqc.support.NqcSupport
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
@@ -43,7 +43,15 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
         val isNqc = isNamed(name, NQC)
         return when (val file = if (isNqc) readTextFile(name, sentences) else readRobolangText(name, spoken.language)) {
             is TextFile.Rejected -> refuse(file.reason)
-            is TextFile.Read -> if (isNqc) settle(name, file, formatNqc(file.text)) else format(name, file)
+            is TextFile.Read -> if (isNqc) {
+                settle(
+                    name,
+                    file,
+                    NqcSupport.code.format(file.text).orEmpty(),
+                )
+            } else {
+                format(name, file)
+            }
         }
     }
 

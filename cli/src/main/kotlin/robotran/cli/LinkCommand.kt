@@ -129,7 +129,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
 
     /** Strips the local folders from the path. */
     private fun programOf(program: NamedProgram): ProjectProgram? = ProjectProgram.of(program.source)?.let { found ->
-        found.copy(files = found.files.map { it.copy(name = nameOf(it.name)) })
+        found.copy(program = found.program.run { copy(files = files.map { it.copy(name = nameOf(it.name)) }) })
     }
 
     private companion object {

@@ -5,6 +5,7 @@ import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
 import robotran.cli.console.ProcessConsole
 import robotran.cli.console.tellUncaught
+import robotran.language.ProgramLanguage
 import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures
 import java.io.File
@@ -38,4 +39,5 @@ internal object ComposeApp : DesktopApp {
 private fun isOpenedFile(word: String?): Boolean = word != null && ENDINGS.any(word::endsWith) && File(word).isFile
 
 private val ENDINGS =
-    listOf(".robotran", ".world.json", ".robot.json", ".course.json", ".robo", ".java", ".nqc", ".lasm", ".rcx")
+    listOf(".robotran", ".world.json", ".robot.json", ".course.json", ".rcx") +
+        ProgramLanguage.entries.map { it.extension }

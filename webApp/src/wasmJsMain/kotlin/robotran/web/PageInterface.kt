@@ -6,10 +6,8 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.promise
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.likelyBrickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
@@ -44,8 +42,7 @@ internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publ
 )
 
 private suspend fun runOf(program: String, milliseconds: Int, name: String, brick: String?): JsAny? {
-    val language = ProgramLanguage.ofFile(name) ?: ProgramLanguage.ROBOLANG
-    val source = ProgramSource.of(language, name, listOf(SourceFile(name, program)))
+    val source = Program.of(name, program)
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
     val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.DEFAULT)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {

@@ -2,10 +2,11 @@ package robotran.android.recorded
 
 import robotran.brick.log.toLogText
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.projects.ProjectFileResult
 import robotran.projects.RobotLoads
 import robotran.projects.lightFacingOf
@@ -37,13 +38,13 @@ internal class RecordedRuns(private val tree: File) {
         val reader = ProgramCompiler(target, language = Language.ENGLISH)
         val robolang = files("examples", ".robo").map { file ->
             compare(
-                example(reader, ProgramSource.Robolang(file.name, file.readText()), physics),
+                example(reader, Program(file.name, ProgramLanguage.ROBOLANG, file.readText()), physics),
                 file,
                 "shared/simulation",
             )
         }
         val java = files("examples/lejos", ".java").map { file ->
-            val source = ProgramSource.Java(file.name, listOf(SourceFile(file.name, file.readText())))
+            val source = Program(file.name, ProgramLanguage.JAVA, file.readText())
             compare(example(reader, source, physics), file, "shared/programs")
         }
         val projects = files("shared/projects/$RUNS", ".robotran").map { file ->

@@ -2,10 +2,10 @@ package robotran.android.recorded
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.robolang.robot.RobotTarget
 import robotran.world.Penbot
 import java.io.File
@@ -32,7 +32,7 @@ private suspend fun mistakeFaults(): List<String> {
             language = Language.ENGLISH,
         )
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
-    val result = reader.read(ProgramSource.Java("Oops.java", listOf(SourceFile("Oops.java", text))))
+    val result = reader.read(Program("Oops.java", ProgramLanguage.JAVA, text))
     val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()
     val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
     return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")

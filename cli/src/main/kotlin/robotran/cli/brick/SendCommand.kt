@@ -27,7 +27,6 @@ import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings
-import robotran.programs.ProgramSource
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.LegoLimits
@@ -62,7 +61,7 @@ internal class SendCommand(private val process: Console, private val towers: () 
             is ProgramFiles.Read -> read.programs.also { read.remarks.forEach(console::complain) }
             is ProgramFiles.Rejected -> refuse(read.reason)
         }
-        val forLego = programs.count { it.source is ProgramSource.ForLegoFirmware }
+        val forLego = programs.count { it.source.isForLegoFirmware }
         val code = when (forLego) {
             0 -> sendToLejos(programs)
             programs.size -> sendToLego(programs)

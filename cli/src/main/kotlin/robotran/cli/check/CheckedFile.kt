@@ -21,11 +21,12 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.json.JsonWarning
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 import robotran.programs.ImageBuildResult
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
 
@@ -156,7 +157,7 @@ private fun checkRobolang(
 
 /** The mistakes in the Java that [file] becomes, at the lines of [file] where that is possible. */
 private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler): List<Diagnostic> {
-    val source = ProgramSource.Robolang(file.program.name, file.source)
+    val source = Program.of(file.program.name, file.source)
     val kind = file.program.kind
     return runBlocking {
         when (kind.java) {
@@ -184,7 +185,7 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
             CheckedFile.Unreadable((file as TextFile.Rejected).reason)
         }
     }
-    val source = ProgramSource.Java(sources.first().name, sources)
+    val source = Program.of(sources)
     val result = runBlocking { compiler.forBrickOf(source, brick).read(source) }
     val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)

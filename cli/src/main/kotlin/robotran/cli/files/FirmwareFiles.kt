@@ -3,19 +3,25 @@ package robotran.cli.files
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.legofirmware.image.FirmwareLimits
+import robotran.programs.Program
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
-import robotran.programs.nqcIncludes
+import robotran.programs.support
 import robotran.projects.ProjectLimits
 import java.nio.file.Path
 import kotlin.io.path.isRegularFile
 
 /**
- * Reads the NQC program [name] with the files that it includes, which lie beside it or in folders there: a program of
+ * Reads the program [name] in [language] with the files that it includes, which lie beside it or in folders there: a program of
  * somebody else's cannot get at other files of the user.
  */
-internal fun readNqc(name: String, messages: FileMessages = CommandMessages.of(Language.ENGLISH)): ReadProgram {
+internal fun readWithIncluded(
+    name: String,
+    language: ProgramLanguage,
+    messages: FileMessages = CommandMessages.of(Language.ENGLISH),
+): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
     val remarks = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))
@@ -28,12 +34,13 @@ internal fun readNqc(name: String, messages: FileMessages = CommandMessages.of(L
             is TextFile.Read -> {
                 files[next] = SourceFile(file.name, file.text)
                 remarks += file.remarks
-                for (included in nqcIncludes(file.text)) {
+                for (included in language.support.files.includes(file.text)) {
                     when (val found = findIncluded(included, next, name)) {
                         is IncludedFile.Found -> waiting += found.name
 
                         IncludedFile.Outside -> {
-                            val line = file.text.lines().indexOfFirst { included in nqcIncludes(it) } + 1
+                            val line =
+                                file.text.lines().indexOfFirst { included in language.support.files.includes(it) } + 1
                             return ReadProgram.Rejected(messages.includesOutside(next, line, included))
                         }
 
@@ -43,7 +50,7 @@ internal fun readNqc(name: String, messages: FileMessages = CommandMessages.of(L
             }
         }
     }
-    return ReadProgram.Read(ProgramSource.Nqc(nameOf(files.getValue(name).name), files.values.toList()), remarks)
+    return ReadProgram.Read(Program(nameOf(files.getValue(name).name), language, files.values.toList()), remarks)
 }
 
 private sealed interface IncludedFile {
@@ -71,12 +78,6 @@ private fun findIncluded(included: String, file: String, program: String): Inclu
         else -> IncludedFile.Missing
     }
 }
-
-internal fun readLasm(name: String, messages: FileMessages): ReadProgram =
-    when (val file = readTextFile(name, messages)) {
-        is TextFile.Read -> ReadProgram.Read(ProgramSource.Lasm(nameOf(file.name), file.text), file.remarks)
-        is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
-    }
 
 internal fun readFirmwareImage(name: String, messages: FileMessages): ReadProgram =
     reading(name, messages, ReadProgram::Rejected) {

@@ -87,7 +87,7 @@ private fun isReadAs(input: String, output: String): Boolean = try {
         isSame(input, output) -> true
         read.isDirectory() -> liesIn(read, written) && !isOnlyWritten(output)
         isNamed(input, COURSE_EXTENSION) -> output.endsWith(FileKind.PROJECT.extension) && isBeside(read, written)
-        else -> isNamed(input, NQC) && isIncluded(input, written)
+        else -> isIncluded(input, written)
     }
 } catch (_: InvalidPathException) {
     false
@@ -98,7 +98,8 @@ private fun isBeside(course: Path, file: Path) = course.toAbsolutePath().parent?
 private fun isOnlyWritten(name: String) = ONLY_WRITTEN.any { name.endsWith(it, ignoreCase = true) }
 
 private fun isIncluded(program: String, file: Path): Boolean {
-    val read = readNqc(program) as? ReadProgram.Read ?: return false
+    val language = languageOf(program)?.takeIf { it.mayHaveFiles } ?: return false
+    val read = readWithIncluded(program, language) as? ReadProgram.Read ?: return false
     return read.source.files.any { isSame(it.name, "$file") }
 }
 

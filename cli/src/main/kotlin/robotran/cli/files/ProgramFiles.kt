@@ -4,8 +4,9 @@ import robotran.brick.program.BrickProgram
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import java.nio.file.Path
 import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
@@ -58,24 +59,17 @@ internal fun readProgramFiles(
 
 private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
     val first = names.first()
+    val language = languageOf(first)?.takeIf { isNamed(first, it.extension) }
     return when {
-        isNamed(first, ROBOLANG) -> compileRobolang(first, messages)
-        isNamed(first, NQC) -> readNqc(first, messages)
-        isNamed(first, LASM) -> readLasm(first, messages)
-        isNamed(first, RCX_IMAGE) -> readFirmwareImage(first, messages)
         isNamed(first, JAVA) -> readJava(names, messages)
+        language != null -> readWithIncluded(first, language, messages)
+        isNamed(first, RCX_IMAGE) -> readFirmwareImage(first, messages)
         isNamed(first, CLASS) -> readClassFiles(names, messages)
         isNamed(first, JAR) -> readJar(first, messages)
         isFolder(first) -> readClassFolder(first, messages)
         else -> ReadProgram.Rejected(messages.notAProgram(first, PROGRAM_ENDINGS))
     }
 }
-
-private fun compileRobolang(name: String, messages: FileMessages): ReadProgram =
-    when (val file = readTextFile(name, messages)) {
-        is TextFile.Read -> ReadProgram.Read(ProgramSource.Robolang(nameOf(file.name), file.text), file.remarks)
-        is TextFile.Rejected -> ReadProgram.Rejected(file.reason)
-    }
 
 private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
     val remarks = mutableListOf<String>()
@@ -86,7 +80,7 @@ private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
                 is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
             }
         }
-    return ReadProgram.Read(ProgramSource.Java(nameOf(files.first().name), files), remarks)
+    return ReadProgram.Read(Program.of(files).copy(name = nameOf(files.first().name)), remarks)
 }
 
 /**

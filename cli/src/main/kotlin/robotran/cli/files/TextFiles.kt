@@ -8,6 +8,8 @@ import robotran.documents.plainFileName
 import robotran.documents.readText
 import robotran.documents.sentenceFor
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.languageOfFile
 import java.nio.file.Path
 
 /** The result of reading a text file. */
@@ -43,6 +45,9 @@ private fun textIn(name: String, bytes: ByteArray, messages: FileMessages): Text
             reading.changes.map { sentenceFor(it, name, messages.language) },
         )
     }
+
+/** The language of the file [name] as [isNamed] knows it; null if it is none of a program's text. */
+internal fun languageOf(name: String): ProgramLanguage? = languageOfFile(plainFileName(name))
 
 /** Whether [name] ends in [ending] as [plainFileName] knows it: in any capitals, or with `.txt` behind it. */
 internal fun isNamed(name: String, ending: String): Boolean = plainFileName(name).endsWith(ending, ignoreCase = true)

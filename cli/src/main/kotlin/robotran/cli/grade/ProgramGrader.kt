@@ -1,7 +1,7 @@
 package robotran.cli.grade
 
 import kotlinx.coroutines.runBlocking
-import robotran.assignments.collecting.namedByClass
+import robotran.assignments.collecting.namedByContent
 import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.ExitCode
@@ -17,8 +17,9 @@ import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
+import robotran.programs.support
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
 import robotran.simulation.RobotLoad
@@ -127,8 +128,14 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
     /** A hand-in's file name never decides: platforms and browsers change it. */
     private fun Submission.namedByClasses(): Submission = copy(
         programs = programs.map { program ->
-            val java = program.source as? ProgramSource.Java
-            if (java == null) program else program.copy(source = java.copy(files = java.files.map(::namedByClass)))
+            val source = (program.source as? Program)?.takeIf { it.language.support.files.isNamedByContent }
+            if (source ==
+                null
+            ) {
+                program
+            } else {
+                program.copy(source = source.copy(files = source.files.map(::namedByContent)))
+            }
         },
     )
 

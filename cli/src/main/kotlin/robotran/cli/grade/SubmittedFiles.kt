@@ -3,7 +3,6 @@ package robotran.cli.grade
 import robotran.assignments.collecting.CollectedFile
 import robotran.assignments.collecting.CollectingLimits
 import robotran.assignments.collecting.composed
-import robotran.assignments.collecting.hasMain
 import robotran.assignments.collecting.isPlatformName
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.FileContent
@@ -14,12 +13,14 @@ import robotran.cli.files.filesIn
 import robotran.cli.files.isClassFile
 import robotran.cli.files.isFolder
 import robotran.cli.files.isNamed
+import robotran.cli.files.languageOf
 import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.input.PROJECT
 import robotran.cli.messages.CommandMessages
 import robotran.language.decodeText
+import robotran.programs.support
 import robotran.projects.isHandInLink
 import robotran.projects.isLink
 import java.nio.file.Path
@@ -145,7 +146,9 @@ private fun isFolderOfSubmissions(folder: Path): Boolean {
 
 /** Whether a learning platform has named the Java files [work], or more than one of them is a program. */
 private fun isOfSeveral(work: List<Path>): Boolean = work.any { isPlatformName(it.name) } ||
-    work.filter { isNamed(it.name, JAVA) }.count { hasMain(beginningOf(it)) } > 1
+    work.filter { isNamed(it.name, JAVA) }.count(::canStart) > 1
+
+private fun canStart(file: Path): Boolean = languageOf(file.name)?.support?.files?.canStart(beginningOf(file)) == true
 
 private fun beginningOf(file: Path): String =
     decodeText(file.inputStream().use { it.readNBytes(LARGEST_FILE_BYTES) })?.text.orEmpty()

@@ -2,15 +2,15 @@ package robotran.cli.input
 
 import robotran.cli.files.NamedProgram
 import robotran.language.source.Diagnostic
+import robotran.programs.Program
 import robotran.programs.ProgramSource
 
 /** [diagnostic] in one line, in the `file:line:column: message` format that editors recognise. */
 internal fun lineOf(program: NamedProgram, diagnostic: Diagnostic): String {
     val file =
-        when (program.source) {
-            is ProgramSource.Robolang -> program.path
-            is ProgramSource.Java, is ProgramSource.Nqc -> diagnostic.file
-            is ProgramSource.Lasm, is ProgramSource.FirmwareImage -> program.path
+        when (val source = program.source) {
+            is Program -> if (source.language.mayHaveFiles) diagnostic.file else program.path
+            is ProgramSource.FirmwareImage -> program.path
 
             is ProgramSource.CompiledClasses -> listOf(program.path, diagnostic.file).filter {
                 it.isNotEmpty()

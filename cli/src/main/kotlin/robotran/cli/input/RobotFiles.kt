@@ -64,7 +64,7 @@ internal fun readLoads(
     val first = world.robots.first().name
     if (first in given) return RobotProgramsResult.Rejected(listOf(messages.firstRobotNamed(first)))
     val robots = place.others.filter { it.name !in given }
-    robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.source) } }
+    robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.program) } }
     given[first] = own.programs
     val result = runBlocking {
         readRobotLoads(

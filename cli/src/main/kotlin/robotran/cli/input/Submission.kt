@@ -66,6 +66,6 @@ private fun handInOf(project: Project, name: String?, console: Console): Submiss
     if (robot == null || robot.programs.isEmpty()) {
         return SubmissionResult.Rejected(console.messages.noProgramIn(name ?: console.messages.theLink(), first))
     }
-    val programs = robot.programs.map { NamedProgram(it.name, it.source, name) }
+    val programs = robot.programs.map { NamedProgram(it.name, it.program, name) }
     return SubmissionResult.Read(Submission(programs, robot.firstProgram, robot.lightFacing))
 }

@@ -13,8 +13,7 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.language.Language
 import robotran.programs.FirmwareSettings
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.nqc.NqcRemark
 import robotran.robolang.nqc.translateToNqc
@@ -46,10 +45,7 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
         is RobolangFile.Ready -> {
             val translation = translateToNqc(file.program, NqcTranslationMessages.of(language))
             val (lost, changed) = translation.remarks.partition { it.isLost }
-            val source = ProgramSource.Nqc(
-                translation.fileName,
-                listOf(SourceFile(translation.fileName, translation.nqc)),
-            )
+            val source = Program.of(translation.fileName, translation.nqc)
             val line = { remark: NqcRemark -> "$name:${remark.range.line}:${remark.range.column}: ${remark.message}" }
             val messages = CommandMessages.of(language)
             NqcOfFile.Translated(

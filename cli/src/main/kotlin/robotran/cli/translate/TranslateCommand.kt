@@ -35,8 +35,8 @@ import robotran.cli.legofirmware.nqcOf
 import robotran.cli.messages.CommandMessages
 import robotran.legofirmware.listing.assemblyListing
 import robotran.programs.FirmwareSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
 import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
 import robotran.robolang.translate.KitFile
@@ -109,7 +109,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
             }
 
             is Reading.Ready -> {
-                val sources = (files.source as ProgramSource.Java).files.map { KitFile(it.name, it.text) }
+                val sources = (files.source as Program).files.map { KitFile(it.name, it.text) }
                 writeFile(
                     kit,
                     zip(javaKitFiles(checkNotNull(result.mainClass), sources, kind)),

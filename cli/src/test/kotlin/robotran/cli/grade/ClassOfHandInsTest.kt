@@ -12,7 +12,7 @@ import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.HandIn
@@ -61,7 +61,7 @@ class ClassOfHandInsTest : CommandTest() {
             listOf(
                 ProjectRobot(
                     world.robots.first().name,
-                    listOf(ProjectProgram("go.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("go.robo", text)))),
+                    listOf(ProjectProgram(Program("go.robo", ProgramLanguage.ROBOLANG, text))),
                 ),
             ),
             assignment = Assignment("ahead-1"),

@@ -8,7 +8,8 @@ import kotlinx.serialization.json.jsonPrimitive
 import robotran.cli.CommandTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -43,12 +44,12 @@ class SubmissionTest : CommandTest() {
     private fun file(name: String, text: String): String = folder.resolve(name).also { it.writeText(text) }.toString()
 
     private fun robolang(text: String, name: String = "ahead.robo") =
-        ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
+        ProjectProgram(Program(name, ProgramLanguage.ROBOLANG, text))
 
     private fun java(statements: String): ProjectProgram {
         val main = "  public static void main(String[] a) throws Exception {\n$statements\n  }\n"
         val text = "import josx.platform.rcx.*;\npublic class Ahead {\n$main}\n"
-        return ProjectProgram("Ahead", ProgramLanguage.JAVA, listOf(SourceFile("Ahead.java", text)))
+        return ProjectProgram(Program("Ahead", ProgramLanguage.JAVA, listOf(SourceFile("Ahead.java", text))))
     }
 
     /** A project on the empty sheet, as a pupil at home might write it. */

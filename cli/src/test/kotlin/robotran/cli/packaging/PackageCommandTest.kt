@@ -5,7 +5,7 @@ import robotran.brick.kind.BrickKind
 import robotran.cli.CommandTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.LinkResult
@@ -68,7 +68,7 @@ class PackageCommandTest : CommandTest() {
         val world = BuiltInWorlds.plainFor(BrickKind.NXT).copy(title = "Turn a wheel")
         val robot = ProjectRobot(
             world.robots.first().name,
-            listOf(ProjectProgram("Go.java", ProgramLanguage.JAVA, listOf(SourceFile("Go.java", java)))),
+            listOf(ProjectProgram(Program("Go.java", ProgramLanguage.JAVA, java))),
         )
         val project = Project(world, listOf(robot), assignment = Assignment("n1", words = listOf("turned")))
         assertEquals(0, make(program(writeProject(project), "n.robotran")), console.complaints.toString())

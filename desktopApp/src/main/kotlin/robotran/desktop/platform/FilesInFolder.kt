@@ -3,6 +3,7 @@ package robotran.desktop.platform
 import robotran.cli.files.filesIn
 import robotran.cli.files.leadsOutside
 import robotran.cli.files.liesIn
+import robotran.documents.FileKind
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.platform.appLanguage
 import java.nio.file.Path
@@ -53,7 +54,7 @@ private fun isReadable(path: Path) = READABLE.any { path.name.endsWith(it, ignor
 
 /** The same as for files that are dropped on the page in a browser. */
 private val READABLE =
-    listOf(".robotran", ".json", ".robo", ".java", ".nqc", ".nqh", ".lasm", ".rcx") +
+    FileKind.sources.map { it.extension } + listOf(".robotran", ".json", ".rcx") +
         listOf(".zip", ".txt", ".url", ".webloc", ".html", ".htm", ".md", ".eml")
 private val NOTHING = ByteArray(0)
 private const val MAX_FILES = 2_000

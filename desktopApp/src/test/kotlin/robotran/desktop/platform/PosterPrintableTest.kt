@@ -2,12 +2,12 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.poster.DrawnPoster
 import robotran.workshop.state.Poster
-import robotran.workshop.state.PupilProgram
 import robotran.world.file.BuiltInWorlds
 import java.awt.image.BufferedImage
 import java.awt.print.PageFormat
@@ -51,7 +51,7 @@ class PosterPrintableTest {
             Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), runBlocking { loadPhysicsEngine() }, Language.ENGLISH)
         val state = session.state
         session.close()
-        val program = PupilProgram("line.robo", text)
+        val program = Program.of("line.robo", text)
         return Poster("A line", "Ada", "", BuiltInWorlds.plain, state, program, Language.ENGLISH)
     }
 }

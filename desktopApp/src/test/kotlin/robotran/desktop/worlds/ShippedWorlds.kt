@@ -3,9 +3,9 @@ package robotran.desktop.worlds
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.forFirstRobot
@@ -45,9 +45,9 @@ internal object ShippedWorlds {
     }
 
     private fun source(file: File?): ProgramSource {
-        if (file == null) return ProgramSource.Robolang("empty.robo", "")
+        if (file == null) return Program("empty.robo", ProgramLanguage.ROBOLANG, "")
         val language = checkNotNull(ProgramLanguage.ofFile(file.name)) { file.name }
-        return ProgramSource.of(language, file.name, listOf(SourceFile(file.name, file.readText())))
+        return Program(file.name, language, file.readText())
     }
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText(), Language.ENGLISH)) {

@@ -6,7 +6,7 @@ import robotran.assignments.collecting.collectHandIns
 import robotran.assignments.doing.sealedHandIn
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.HandIn
@@ -38,10 +38,9 @@ internal val ASSIGNMENT: Project = run {
 }
 
 internal fun robolang(text: String, name: String = "prog.robo") =
-    ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
+    ProjectProgram(Program(name, ProgramLanguage.ROBOLANG, text))
 
-internal fun java(text: String, name: String = "Prog.java") =
-    ProjectProgram(name, ProgramLanguage.JAVA, listOf(SourceFile(name, text)))
+internal fun java(text: String, name: String = "Prog.java") = ProjectProgram(Program(name, ProgramLanguage.JAVA, text))
 
 internal fun handIn(
     name: String,

@@ -1,8 +1,8 @@
 package robotran.blockediting
 
 import robotran.language.source.SourceSpan
+import robotran.languagesupport.CodeTokenKind
 import robotran.robolang.RobolangWords
-import robotran.robolang.SourceTokenKind
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
@@ -55,7 +55,7 @@ private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<Sour
         val text = line.span.textIn(program.text)
         robolangTokens(text).filter { token ->
             val isCalled = text.drop(token.end).trimStart().startsWith("(")
-            token.kind == SourceTokenKind.NAME && keyOf(text.substring(token.start, token.end)) == name.key &&
+            token.kind == CodeTokenKind.NAME && keyOf(text.substring(token.start, token.end)) == name.key &&
                 isCalled == name.isRoutine
         }.map { SourceSpan(line.span.start + it.start, line.span.start + it.end) }
     }.filter { it !in known }

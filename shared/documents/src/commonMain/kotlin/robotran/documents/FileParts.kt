@@ -4,9 +4,11 @@ import robotran.json.JsonLimits
 import robotran.json.JsonWarning
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.fault
+import robotran.programs.languageOfFile
+import robotran.programs.support
 import robotran.projects.Course
 import robotran.projects.CourseFileResult
 import robotran.projects.ProjectFileResult
@@ -50,7 +52,9 @@ internal class GivenFile(val file: IncomingFile) {
     val text: String? = (reading as? TextReading.Read)?.text
 
     /** Whether other files may belong to the same program. */
-    val isPartOfProgram: Boolean = listOf(FileKind.JAVA, FileKind.NQC, FileKind.NQC_HEADER).any(::isNamedAs)
+    val isPartOfProgram: Boolean = languageOfFile(name)?.let { language ->
+        language.mayHaveFiles && language.support.files.endings.any(name::endsWith)
+    } == true
 
     fun isNamedAs(kind: FileKind): Boolean = name.endsWith(kind.extension)
 
@@ -78,7 +82,7 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
                 if (isTooLong(text)) {
                     Part.Unusable(OpenFilesError.TooLong(file.shownName))
                 } else {
-                    Part.OfProgram(ProjectProgram(file.name, code, listOf(SourceFile(file.name, text))))
+                    Part.OfProgram(ProjectProgram(Program(file.name, code, text)))
                 }
             }
 

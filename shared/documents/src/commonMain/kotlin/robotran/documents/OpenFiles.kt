@@ -3,9 +3,9 @@ package robotran.documents
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
-import robotran.programs.nqcProgramsOf
+import robotran.languagesupport.SourceFile
+import robotran.programs.languageOfFile
+import robotran.programs.programsOf
 import robotran.projects.Course
 import robotran.projects.LinkResult
 import robotran.projects.Project
@@ -139,8 +139,11 @@ suspend fun openLinkText(link: String, language: Language): OpenFilesResult =
 
 private fun titleOf(world: World) = validProjectName(world.title) ?: projectNameOfFile("")
 
+/** The newest language comes first. */
 private fun programsOf(sources: List<SourceFile>): List<ProjectProgram> {
-    val (java, nqc) = sources.partition { ProgramLanguage.ofFile(it.name) == ProgramLanguage.JAVA }
-    val programs = nqcProgramsOf(nqc) + listOfNotNull(java.firstOrNull()?.let { ProgramSource.Java(it.name, java) })
-    return programs.mapNotNull { ProjectProgram.of(it) }
+    val byLanguage = sources.groupBy { languageOfFile(it.name) ?: ProgramLanguage.default }
+    return ProgramLanguage.entries.reversed().flatMap { language ->
+        programsOf(byLanguage[language].orEmpty(), language)
+    }
+        .mapNotNull { ProjectProgram.of(it) }
 }

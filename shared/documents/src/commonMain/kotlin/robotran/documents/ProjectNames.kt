@@ -3,6 +3,7 @@ package robotran.documents
 import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.languageOfFile
 
 /** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
 fun validProjectName(name: String): String? =
@@ -95,6 +96,12 @@ enum class FileKind(val extension: String, val mimeType: String) {
 
     /** The same with LEGO's ending. */
     LEGO_FIRMWARE(".lgo", "application/octet-stream"),
+    ;
+
+    companion object {
+        /** The kinds of files with a program, or a part of one, as its author wrote it. */
+        val sources: List<FileKind> by lazy { entries.filter { languageOfFile(it.extension) != null } }
+    }
 }
 
 /** The kind of the files of programs in this language. */

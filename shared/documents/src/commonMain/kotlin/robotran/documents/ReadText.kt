@@ -38,7 +38,7 @@ fun readText(name: String, bytes: ByteArray): TextReading {
         decoded.text,
         listOfNotNull(
             TextChange.Decoded(decoded.encoding).takeIf { it.encoding != TextEncoding.UTF_8 },
-            TextChange.Renamed(plain).takeIf { plain != name && PROGRAMS.any { plain.endsWith(it.extension) } },
+            TextChange.Renamed(plain).takeIf { plain != name && FileKind.sources.any { plain.endsWith(it.extension) } },
         ),
     )
 }
@@ -63,6 +63,5 @@ fun sentenceFor(change: TextChange, file: String, language: Language): String {
     }
 }
 
-private val PROGRAMS = listOf(FileKind.ROBOLANG, FileKind.JAVA, FileKind.NQC, FileKind.NQC_HEADER, FileKind.LASM)
-private val KINDS = PROGRAMS +
+private val KINDS = FileKind.sources +
     listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOT, FileKind.COURSE, FileKind.RCX_IMAGE)

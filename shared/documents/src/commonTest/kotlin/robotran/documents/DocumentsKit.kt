@@ -1,7 +1,7 @@
 package robotran.documents
 
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -11,7 +11,7 @@ import kotlin.test.assertIs
 /** A project with one program with this [text]. */
 internal fun projectOf(text: String): Project {
     val world = BuiltInWorlds.plain
-    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    val program = ProjectProgram(Program("maze.robo", ProgramLanguage.ROBOLANG, text))
     return Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
 }
 

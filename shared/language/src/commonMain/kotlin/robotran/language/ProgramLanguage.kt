@@ -21,7 +21,13 @@ enum class ProgramLanguage(val extension: String, val ownName: String, val mayHa
     ;
 
     companion object {
+        /** The language of a pupil's first program, and of the programs that worlds give to their robots. */
+        val default: ProgramLanguage get() = ROBOLANG
+
         /** The language of a file with this name; null if its extension is none of a program's text. */
         fun ofFile(name: String): ProgramLanguage? = entries.find { name.endsWith(it.extension, ignoreCase = true) }
+
+        /** The same, [default] if the extension is none of a program's text. */
+        fun ofFileOrDefault(name: String): ProgramLanguage = ofFile(name) ?: default
     }
 }

@@ -1,7 +1,7 @@
 package robotran.learning
 
 import robotran.language.Language
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.world.World
 
 enum class WorldLevel { EASY, MEDIUM, HARD }

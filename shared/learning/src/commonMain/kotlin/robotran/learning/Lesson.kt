@@ -3,8 +3,9 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -83,7 +84,7 @@ class Lesson internal constructor(
             listOf(
                 ProjectRobot(
                     world.robots.first().name,
-                    listOf(ProjectProgram(files.first().name, languageOf(files.first()), files)),
+                    listOf(ProjectProgram(Program(files.first().name, languageOf(files.first()), files))),
                 ),
             ),
         )
@@ -94,5 +95,4 @@ class Lesson internal constructor(
         Attempt(program, this.program.text, solution.text, plainWorld, run)
 }
 
-private fun languageOf(file: SourceFile): ProgramLanguage =
-    ProgramLanguage.ofFile(file.name) ?: ProgramLanguage.ROBOLANG
+private fun languageOf(file: SourceFile): ProgramLanguage = ProgramLanguage.ofFileOrDefault(file.name)

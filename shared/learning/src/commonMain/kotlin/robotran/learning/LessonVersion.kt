@@ -2,7 +2,7 @@ package robotran.learning
 
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
 import robotran.world.Facing
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription

@@ -4,7 +4,8 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.legofirmware.assembly.CommandHelp
+import robotran.languagesupport.TextLines
+import robotran.programs.support
 
 /**
  * The help on one word of a program.
@@ -27,20 +28,11 @@ data class WordHelp(
          * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`;
          * null if there is none.
          */
-        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind): WordHelp? = when (code) {
-            ProgramLanguage.ROBOLANG -> robolangWords.help(lowercaseWord(word), language)
-            ProgramLanguage.JAVA -> lejosHelp(word, language, brick)
-            ProgramLanguage.NQC -> nqcHelp(word, language)
-            ProgramLanguage.LASM -> lasmHelp(word, language)
-        }
+        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind): WordHelp? =
+            code.help?.on(word, language, brick)
 
         /** The words of a programming language that have an entry, in the order of their file. */
-        fun words(code: ProgramLanguage, brick: BrickKind): List<String> = when (code) {
-            ProgramLanguage.ROBOLANG -> robolangWords.words
-            ProgramLanguage.JAVA -> javaWords(brick).words
-            ProgramLanguage.NQC -> nqcWords
-            ProgramLanguage.LASM -> CommandHelp.mnemonics
-        }
+        fun words(code: ProgramLanguage, brick: BrickKind): List<String> = code.help?.words(brick).orEmpty()
     }
 }
 
@@ -50,17 +42,11 @@ data class WordHelp(
  *
  * @param language the pupil's language.
  * @param code the language of the program.
- * @param brick the robot's brick; the imports of a Java program may name another.
+ * @param brick the robot's brick; the program may name another.
  */
 fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int, brick: BrickKind): WordHelp? {
     val range = wordRange(text, offset) ?: return null
-    return when (code) {
-        ProgramLanguage.ROBOLANG, ProgramLanguage.NQC, ProgramLanguage.LASM -> {
-            WordHelp.of(language, code, text.substring(range.first, range.last + 1), brick)
-        }
-
-        ProgramLanguage.JAVA -> helpInJava(language, text, range, brickOfImports(text) ?: brick)
-    }
+    return code.help?.at(text, range, language, code.support.code.brickOf(TextLines(text)) ?: brick)
 }
 
 /** Returns the word of [text] that [offset] is in or at the end of; null if there is none or it is in a comment. */
@@ -82,12 +68,3 @@ private fun isInComment(text: String, offset: Int): Boolean {
     val slashes = before.indexOf("//")
     return slashes >= 0 && before.take(slashes).count { it == '"' } % 2 == 0
 }
-
-/** The brick that the imports of the Java program [text] name; null if none does. */
-fun brickOfImports(text: String): BrickKind? = IMPORT.find(text)?.let { BrickKind.ofJavaRoot(it.groupValues[1]) }
-
-private val IMPORT = Regex("""(?m)^\s*import\s+(${JavaPlatform.entries.joinToString("|") { it.root }})\.""")
-
-/** Lowercases only ASCII, which Robolang's words consist of: the platforms differ on some other letters. */
-private fun lowercaseWord(word: String): String =
-    buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + ('a' - 'A') else it) } }

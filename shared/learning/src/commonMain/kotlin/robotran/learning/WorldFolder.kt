@@ -3,7 +3,8 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
+import robotran.programs.support
 import robotran.world.World
 
 /**
@@ -90,8 +91,7 @@ internal class WorldFolder(
 
         fun tabOfSolution(file: String) = nameOfSolution(checkNotNull(ProgramLanguage.ofFile(file)) { file })
 
-        fun nameOfSolution(language: ProgramLanguage) =
-            if (language == ProgramLanguage.JAVA) "Solution.java" else "solution${language.extension}"
+        fun nameOfSolution(language: ProgramLanguage) = language.support.files.nameFor("solution")
     }
 }
 

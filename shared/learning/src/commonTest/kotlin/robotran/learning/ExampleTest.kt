@@ -6,10 +6,12 @@ import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
+import robotran.programs.support
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -26,7 +28,7 @@ class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.ROBOLANG).filterNot(::isForNxt)) {
-            runs(help.word, ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+            runs(help.word, Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()))
         }
     }
 
@@ -35,7 +37,7 @@ class ExampleTest {
         val examples = examples(ProgramLanguage.ROBOLANG).filter(::isForNxt)
         assertTrue(examples.size > 5, "${examples.size} examples")
         for (help in examples) {
-            val result = nxtReader.read(ProgramSource.Robolang("${help.word}.robo", help.example.orEmpty()))
+            val result = nxtReader.read(Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()))
             val told = (result as? ProgramResult.HasErrors)?.diagnostics
             val ready = assertIs<ProgramResult.Ready>(result, "${help.word}: $told")
             assertEquals(emptyList<Diagnostic>(), ready.warnings, help.word)
@@ -45,8 +47,8 @@ class ExampleTest {
     @Test
     fun `every example in Java runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.JAVA)) {
-            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty(), brick = BrickKind.RCX))
-            runs(help.word, ProgramSource.Java(file.name, listOf(file)))
+            val file = SourceFile("Try.java", wrapped(help.example.orEmpty(), BrickKind.RCX))
+            runs(help.word, Program(file.name, ProgramLanguage.JAVA, listOf(file)))
         }
     }
 
@@ -55,10 +57,13 @@ class ExampleTest {
         val examples = examples(ProgramLanguage.JAVA, BrickKind.NXT)
         assertTrue(examples.size > 20, "${examples.size} examples")
         for (help in examples) {
-            val file = SourceFile("Try.java", wrapJavaExample(help.example.orEmpty(), BrickKind.NXT))
-            runs(help.word, ProgramSource.Java(file.name, listOf(file)), BrickKind.NXT)
+            val file = SourceFile("Try.java", wrapped(help.example.orEmpty(), BrickKind.NXT))
+            runs(help.word, Program(file.name, ProgramLanguage.JAVA, listOf(file)), BrickKind.NXT)
         }
     }
+
+    private fun wrapped(example: String, brick: BrickKind) =
+        ProgramLanguage.JAVA.support.files.wrapped(example, "Try.java", brick)
 
     private fun isForNxt(help: WordHelp): Boolean = "brick nxt" in help.example.orEmpty()
 

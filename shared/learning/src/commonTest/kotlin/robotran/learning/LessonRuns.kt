@@ -1,9 +1,9 @@
 package robotran.learning
 
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
 import robotran.programs.ProgramCompiler
-import robotran.programs.SourceFile
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads

@@ -2,10 +2,10 @@ package robotran.learning
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.learning.hint.CodeLine
 import robotran.learning.hint.codeLines
 import robotran.learning.hint.isNumber
-import robotran.programs.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.time.Duration.Companion.minutes

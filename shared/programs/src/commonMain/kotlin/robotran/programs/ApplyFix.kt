@@ -27,5 +27,5 @@ fun ProgramSource.withFix(file: String, fix: SourceFix): ProgramSource? {
     if (files.none { it.name == file }) return null
     // Columns do not count a byte order mark.
     val fixed = files.map { if (it.name == file) it.copy(text = it.text.removePrefix("\uFEFF").withFix(fix)) else it }
-    return ProgramSource.of(language, name, fixed)
+    return Program(name, language, fixed)
 }

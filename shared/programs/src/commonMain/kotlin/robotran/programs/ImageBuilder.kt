@@ -1,21 +1,16 @@
 package robotran.programs
 
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.lejoslinker.ImageResult
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
-import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.LinkMessages
 
 /** Builds one image of several programs. */
 internal class ImageBuilder(
-    private val target: RobotTarget,
-    private val robolang: RobolangMessages,
+    private val compilerOf: (ProgramLanguage) -> LanguageCompiler,
     private val java: TimedJavaProgramCompiler,
-    private val translated: TranslatedProgramCompiler,
     private val linker: ClassFileLinker,
     private val messages: LinkMessages,
 ) {
@@ -55,15 +50,8 @@ internal class ImageBuilder(
 
     private suspend fun compile(source: ProgramSource): CompiledSource = when (source) {
         is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
-        is ProgramSource.ForLegoFirmware -> error("${source.name} is not for leJOS.")
-        is ProgramSource.Java -> java.compile(source)
-
-        is ProgramSource.Robolang -> when (
-            val result = compileRobolang(source.name, source.text, target, robolang)
-        ) {
-            is RobolangResult.Ready -> translated.compile(source.name, result.program, result.warnings)
-            is RobolangResult.HasErrors -> CompiledSource.HasErrors(result.diagnostics)
-        }
+        is ProgramSource.FirmwareImage -> error("${source.name} is not for leJOS.")
+        is Program -> compilerOf(source.language).compileToClasses(source) { java }
     }
 
     /** Classes of different programs with the same name; the same class may be in several. */

@@ -9,6 +9,8 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
+import robotran.languagesupport.SourceFile
+import robotran.languagesupport.simpleName
 import robotran.programs.messages.ProgramMessages
 import robotran.tinyvm.diagnostic.LinkError
 import kotlin.coroutines.cancellation.CancellationException
@@ -19,12 +21,12 @@ internal class JavaProgramCompiler(
     private val linker: ProgramLinker,
     private val library: JavaLibrary,
 ) {
-    fun read(source: ProgramSource.Java): ProgramResult = link(compile(source))
+    fun read(source: Program): ProgramResult = link(compile(source))
 
     /** Links what [compile] has compiled. */
     fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker)
 
-    fun compile(source: ProgramSource.Java): CompiledSource =
+    fun compile(source: Program): CompiledSource =
         compiledOf(source, compiler.compile(filesOf(source), library.classFiles, library.missing, library.target))
 }
 
@@ -41,13 +43,13 @@ internal class TimedJavaProgramCompiler(
     private val messages = JavaMessages.of(language)
 
     /** @throws CompilerNotLoadedException see [compile]. */
-    suspend fun read(source: ProgramSource.Java): ProgramResult = link(compile(source))
+    suspend fun read(source: Program): ProgramResult = link(compile(source))
 
     /** Links what [compile] has compiled. */
     fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker)
 
     /** @throws CompilerNotLoadedException if the compiler cannot be loaded. */
-    suspend fun compile(source: ProgramSource.Java): CompiledSource {
+    suspend fun compile(source: Program): CompiledSource {
         try {
             loaded.timedCompiler?.let { return compiled(source, it.withLanguage(messages)) }
         } catch (_: CompilerNotLoadedException) {
@@ -65,12 +67,12 @@ internal class TimedJavaProgramCompiler(
         throw CompilerNotLoadedException(cause.message.orEmpty(), cause)
     }
 
-    private suspend fun compiled(source: ProgramSource.Java, compiler: TimedJavaCompiler): CompiledSource {
+    private suspend fun compiled(source: Program, compiler: TimedJavaCompiler): CompiledSource {
         val result = compiler.compile(filesOf(source), library.classFiles, library.missing, library.target)
         return if (result == null) CompiledSource.HasErrors(listOf(tooLong(source))) else compiledOf(source, result)
     }
 
-    private fun tooLong(source: ProgramSource.Java) = Diagnostic(
+    private fun tooLong(source: Program) = Diagnostic(
         Severity.ERROR,
         source.files.firstOrNull()?.name.orEmpty(),
         null,
@@ -78,19 +80,19 @@ internal class TimedJavaProgramCompiler(
     )
 }
 
-private fun filesOf(source: ProgramSource.Java) = source.files.map { JavaSource(it.name, it.text) }
+private fun filesOf(source: Program) = source.files.map { JavaSource(it.name, it.text) }
 
-private fun linked(compiled: CompiledSource, linker: ProgramLinker): ProgramResult = when (compiled) {
+internal fun linked(compiled: CompiledSource, linker: ProgramLinker): ProgramResult = when (compiled) {
     is CompiledSource.Compiled -> linker.link(compiled.program)
     is CompiledSource.HasErrors -> ProgramResult.HasErrors(compiled.diagnostics)
 }
 
-private fun compiledOf(source: ProgramSource.Java, result: CompilationResult): CompiledSource = when (result) {
+private fun compiledOf(source: Program, result: CompilationResult): CompiledSource = when (result) {
     is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics)
     is CompilationResult.Compiled -> compiledOf(source, result)
 }
 
-private fun compiledOf(source: ProgramSource.Java, compiled: CompilationResult.Compiled): CompiledSource {
+private fun compiledOf(source: Program, compiled: CompilationResult.Compiled): CompiledSource {
     val first = source.files.firstOrNull()?.name.orEmpty()
     val mainClass =
         mainClassOf(first, compiled.mainClasses)

@@ -8,22 +8,21 @@ import robotran.programs.messages.ProgramMessages
 
 /** Tells that a program is for another kind of brick, at the place where it says so. */
 internal class OtherBrick(private val robot: BrickKind, private val messages: ProgramMessages) {
-    /** The mistake in [source] if it cannot run on the robot; null if it can, or is in Robolang, which tells itself. */
+    /** The mistake in [source] if it cannot run on the robot; null if it can. */
     fun mistakeIn(source: ProgramSource): Diagnostic? {
-        if (source is ProgramSource.Robolang) return null
         val program = brickOf(source)?.takeIf { it != robot } ?: return null
         return diagnosticOf(source, messages.forOtherBrick(program.name, robot.name))
     }
 
     /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
     fun mistakeInImage(source: ProgramSource): Diagnostic? {
-        if (source is ProgramSource.ForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
+        if (source.isForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
         return if (program.java == JavaPlatform.LEJOS) null else diagnosticOf(source, messages.noImageFor(program.name))
     }
 
     private fun diagnosticOf(source: ProgramSource, message: String): Diagnostic {
-        val mention = (source as? ProgramSource.Java)?.let { brickMentionIn(it.files) }
+        val mention = source.language?.support?.files?.brickMentionIn(source.files)
         return Diagnostic(Severity.ERROR, mention?.file ?: source.name, mention?.range, message)
     }
 }

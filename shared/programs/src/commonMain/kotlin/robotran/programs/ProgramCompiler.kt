@@ -1,19 +1,17 @@
 package robotran.programs
 
+import kotlin.coroutines.cancellation.CancellationException
+import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.CompilerNotLoadedException
-import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
-import robotran.lejoslinker.messages.ImageMessages
+import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
 import robotran.programs.messages.ProgramMessages
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
-import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
-import kotlin.coroutines.cancellation.CancellationException
 
 /**
  * Compiles a pupil's program, in any language, to a program for the robot's brick. It loads the Java compiler and the
@@ -39,11 +37,13 @@ class ProgramCompiler private constructor(
         firmware: FirmwareSettings = FirmwareSettings(),
     ) : this(target, java, firmware, language, LoadedJava())
 
-    private val robolang = RobolangProgramCompiler(target, RobolangMessages.of(language))
-    private val classFiles = linkerFor(java)
-    private val firmwarePrograms = FirmwareProgramCompiler(firmware, language)
+    private val javaTools = JavaToolchain(target.kind, java, language, loaded)
+    private val settings = CompilerSettings(target, language, javaTools, firmware)
+    private val compilers = HashMap<ProgramLanguage, LanguageCompiler>()
     private val fixes = FixVerification { compileUnverified(it) }
     private val otherBrick = OtherBrick(target.kind, ProgramMessages.of(language))
+
+    private fun compilerOf(language: ProgramLanguage) = compilers.getOrPut(language) { language.compiler(settings) }
 
     /** Returns a compiler with messages in [language]. */
     fun withLanguage(language: Language): ProgramCompiler = ProgramCompiler(target, java, firmware, language, loaded)
@@ -62,11 +62,18 @@ class ProgramCompiler private constructor(
 
     /** Loads what compiling [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading = attempt {
-        if (otherBrick.mistakeIn(source) == null) {
-            if (source is ProgramSource.Java) loaded.loadCompiler()
-            if (source !is ProgramSource.Robolang) loadLibrary()
+        if (mistakenBrick(source) == null) {
+            when (source) {
+                is Program -> compilerOf(source.language).load()
+                is ProgramSource.CompiledClasses -> javaTools.loadLibrary()
+                is ProgramSource.FirmwareImage -> Unit
+            }
         }
     }
+
+    /** The mistake that [source] is for another brick, unless its compiler tells that by itself. */
+    private fun mistakenBrick(source: ProgramSource): Diagnostic? =
+        if (source is Program && compilerOf(source.language).tellsOtherBrick) null else otherBrick.mistakeIn(source)
 
     private suspend fun attempt(load: suspend () -> Unit): CompilerLoading = try {
         load()
@@ -81,48 +88,41 @@ class ProgramCompiler private constructor(
     /**
      * Compiles any [source], after [prepareFor] has loaded what that needs. Not thread-safe.
      *
-     * The fixes of its mistakes are known to help; only those of Java, which takes too long, are not tried out.
+     * The fixes of its mistakes are known to help; only those of a slow compiler are not tried out.
      */
     fun compileNow(source: ProgramSource): ProgramResult {
-        otherBrick.mistakeIn(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
+        mistakenBrick(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
         val result = compileUnverified(source)
-        return if (source is ProgramSource.Java) result else fixes.verified(source, result)
+        return if (source.language?.support?.hasSlowCompiler == true) result else fixes.verified(source, result)
     }
 
     private fun compileUnverified(source: ProgramSource): ProgramResult = when (source) {
-        is ProgramSource.Robolang -> robolang.read(source)
-        is ProgramSource.Java -> javaCompiler().read(source)
-        is ProgramSource.ForLegoFirmware -> firmwarePrograms.read(source)
-
-        is ProgramSource.CompiledClasses -> when (platform) {
-            JavaPlatform.LEJOS -> classFiles.read(source, CompiledGaps(java, JavaMessages.of(language)))
-            JavaPlatform.NXJ -> nxjLinker().read(source, java.mode, JavaMessages.of(language))
-        }
+        is Program -> compilerOf(source.language).compile(source)
+        is ProgramSource.CompiledClasses -> javaTools.link(source)
+        is ProgramSource.FirmwareImage -> source.compile(language)
     }
+
+    /** Whether [source] has no mistakes, after [prepareFor] has loaded what telling that needs. */
+    fun accepts(source: ProgramSource): Boolean = compileUnverified(source) is ProgramResult.Ready
 
     /**
-     * Compiles any [source] for somebody who waits, and loads what that needs. The compiler for Java works beside the
-     * caller where it can; a program with which it is not ready after some time has a mistake that says so.
+     * Compiles any [source] for somebody who waits, and loads what that needs. A slow compiler works beside the caller
+     * where it can; a program with which it is not ready after some time has a mistake that says so.
      */
     suspend fun compile(source: ProgramSource): TimedCompilation {
-        val isForThis = otherBrick.mistakeIn(source) == null
-        val loading = if (source is ProgramSource.Java && isForThis) attempt { loadLibrary() } else prepareFor(source)
+        val beside = (source as? Program)?.takeIf { mistakenBrick(it) == null }?.let { compilerOf(it.language).beside }
+        val loading = if (beside == null) prepareFor(source) else attempt { beside.load() }
         return when {
             loading is CompilerLoading.Failed -> TimedCompilation.NotLoaded(loading.cause)
-            source is ProgramSource.Java && isForThis -> compileTimed(source)
-            else -> TimedCompilation.Compiled(compileNow(source))
+            beside == null -> TimedCompilation.Compiled(compileNow(source))
+            else -> beside.compileTimed(source)
         }
     }
 
-    private suspend fun compileTimed(source: ProgramSource.Java): TimedCompilation = try {
-        val (linker, library) = javaParts()
-        TimedCompilation.Compiled(timedCompiler(linker, library).read(source))
+    private suspend fun CompilerBeside.compileTimed(program: Program): TimedCompilation = try {
+        TimedCompilation.Compiled(compile(program))
     } catch (missing: CompilerNotLoadedException) {
         TimedCompilation.NotLoaded(missing)
-    }
-
-    private suspend fun loadLibrary() {
-        if (target.kind.java == JavaPlatform.NXJ) loaded.loadNxj()
     }
 
     /**
@@ -139,12 +139,10 @@ class ProgramCompiler private constructor(
         val others = sources.mapNotNull { otherBrick.mistakeInImage(it) }
         if (others.isNotEmpty()) return ImageBuildResult.HasErrors(others)
         val settings = JavaSettings(TinyVmMode.BRICK, version = version)
-        val linker = linkerFor(settings)
-        val java = timedCompiler(linker, JavaLibrary.ofLejos(settings))
-        val translated = TranslatedProgramCompiler(java, ProgramMessages.of(language))
+        val forBrick = JavaToolchain(BrickKind.with(JavaPlatform.LEJOS), settings, language, loaded)
         val messages = TinyVmMessages.of(language)
         return try {
-            ImageBuilder(target, RobolangMessages.of(language), java, translated, linker, messages).build(sources)
+            ImageBuilder(::compilerOf, forBrick.timed(), forBrick.classFiles, messages).build(sources)
         } catch (missing: CompilerNotLoadedException) {
             ImageBuildResult.NotLoaded(missing)
         }
@@ -165,39 +163,10 @@ class ProgramCompiler private constructor(
      *
      * @throws Throwable if a compiler cannot be loaded, see [CompilerLoading.Failed].
      */
-    suspend fun readTranslation(source: ProgramSource.Robolang): ProgramResult =
-        when (val result = compileRobolang(source.name, source.text, target, RobolangMessages.of(language))) {
-            is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics)
-
-            is RobolangResult.Ready -> {
-                loadLibrary()
-                val (linker, library) = javaParts()
-                TranslatedProgramCompiler(timedCompiler(linker, library), ProgramMessages.of(language))
-                    .read(source.name, result.program, result.warnings)
-            }
-        }
-
-    private fun timedCompiler(linker: ProgramLinker, library: JavaLibrary) =
-        TimedJavaProgramCompiler(loaded, linker, library, language)
-
-    private fun javaCompiler(): JavaProgramCompiler {
-        val compiler = checkNotNull(loaded.compiler) { "The compiler for Java is not loaded." }
-            .withLanguage(JavaMessages.of(language))
-        val (linker, library) = javaParts()
-        return JavaProgramCompiler(compiler, linker, library)
-    }
-
-    private fun javaParts(): Pair<ProgramLinker, JavaLibrary> = when (platform) {
-        JavaPlatform.LEJOS -> classFiles to JavaLibrary.ofLejos(java)
-        JavaPlatform.NXJ -> nxjLinker() to JavaLibrary.ofNxj(nxjLibrary(), java)
-    }
-
-    private val platform get() = checkNotNull(target.kind.java) { "No Java runs on ${target.kind.name}." }
-
-    private fun nxjLinker() = NxjLinker(nxjLibrary(), java, TinyVmMessages.of(language))
-
-    private fun nxjLibrary() = checkNotNull(loaded.nxj) { "The classes of leJOS NXJ are not loaded." }
-
-    private fun linkerFor(settings: JavaSettings) =
-        ClassFileLinker(settings, TinyVmMessages.of(language), ImageMessages.of(language))
+    suspend fun readTranslation(source: Program): ProgramResult = javaTools.link(
+        compilerOf(source.language).compileToClasses(source) {
+            javaTools.loadLibrary()
+            javaTools.timed()
+        },
+    )
 }

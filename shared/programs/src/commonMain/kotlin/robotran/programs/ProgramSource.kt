@@ -1,8 +1,9 @@
 package robotran.programs
 
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 
-/** The files of a pupil's program. */
+/** A pupil's program: as written, or what another compiler has made of it. */
 sealed interface ProgramSource {
     /** The program's name, usually the name of its first file. */
     val name: String
@@ -13,21 +14,8 @@ sealed interface ProgramSource {
     /** Its texts, the first one first; empty for what another compiler made. */
     val files: List<SourceFile>
 
-    /** A program in Robolang, which always has one file. */
-    data class Robolang(override val name: String, val text: String) : ProgramSource {
-        override val language get() = ProgramLanguage.ROBOLANG
-        override val files get() = listOf(SourceFile(name, text))
-    }
-
-    /**
-     * A program in Java, for leJOS on an RCX or for leJOS NXJ on an NXT.
-     *
-     * @property files one or more source files. The main class is the class of the first file if it has a main method,
-     * or else the first class that has one.
-     */
-    data class Java(override val name: String, override val files: List<SourceFile>) : ProgramSource {
-        override val language get() = ProgramLanguage.JAVA
-    }
+    /** Whether it is for LEGO's own firmware of the RCX. */
+    val isForLegoFirmware: Boolean
 
     /**
      * A program in Java that was compiled elsewhere.
@@ -42,54 +30,61 @@ sealed interface ProgramSource {
     ) : ProgramSource {
         override val language get() = null
         override val files get() = emptyList<SourceFile>()
-    }
-
-    /** A program for LEGO's own firmware of the RCX. */
-    sealed interface ForLegoFirmware : ProgramSource
-
-    /**
-     * A program in NQC.
-     *
-     * @property files the program, then the files that it or these include, by the part of their names after the folders.
-     */
-    data class Nqc(override val name: String, override val files: List<SourceFile>) : ForLegoFirmware {
-        override val language get() = ProgramLanguage.NQC
-    }
-
-    /** A program in assembly text. */
-    data class Lasm(override val name: String, val text: String) : ForLegoFirmware {
-        override val language get() = ProgramLanguage.LASM
-        override val files get() = listOf(SourceFile(name, text))
+        override val isForLegoFirmware get() = false
     }
 
     /**
-     * A program that was compiled elsewhere.
+     * A program for LEGO's own firmware that was compiled elsewhere.
      *
      * @property bytes of its `.rcx` file.
      */
-    class FirmwareImage(override val name: String, val bytes: ByteArray) : ForLegoFirmware {
+    class FirmwareImage(override val name: String, val bytes: ByteArray) : ProgramSource {
         override val language get() = null
         override val files get() = emptyList<SourceFile>()
-    }
-
-    companion object {
-        /** The program of [files], which are one if [language] knows no more. */
-        fun of(language: ProgramLanguage, name: String, files: List<SourceFile>): ProgramSource = when (language) {
-            ProgramLanguage.ROBOLANG -> Robolang(name, files.single().text)
-            ProgramLanguage.JAVA -> Java(name, files)
-            ProgramLanguage.NQC -> Nqc(name, files)
-            ProgramLanguage.LASM -> Lasm(name, files.single().text)
-        }
+        override val isForLegoFirmware get() = true
     }
 }
 
 /**
- * One file of a program.
+ * A program as its author wrote it.
  *
- * @property name its name, with or without folders, such as `Square.java`; it must match a public class in the file.
- * @property text its content, with any line breaks.
+ * @property files one or more if [ProgramLanguage.mayHaveFiles], otherwise one. In Java, the main class is the class of
+ * the first file if it has a main method, or else the first class that has one. In NQC, the first file is the program,
+ * the others are those that it includes, by the part of their names after the folders.
  */
-data class SourceFile(val name: String, val text: String)
+data class Program(
+    override val name: String,
+    override val language: ProgramLanguage,
+    override val files: List<SourceFile>,
+) : ProgramSource {
+    /** A program of one file. */
+    constructor(name: String, language: ProgramLanguage, text: String) :
+        this(name, language, listOf(SourceFile(name, text)))
 
-/** The name of a file without its folders. */
-internal fun simpleName(path: String): String = path.substringAfterLast('/').substringAfterLast('\\')
+    override val isForLegoFirmware: Boolean get() = language.support.isForLegoFirmware
+
+    /** The first file's text. */
+    val text: String get() = files.first().text
+
+    /** Whether there is no code. */
+    val isBlank: Boolean get() = files.all { it.text.isBlank() }
+
+    /** The total length of its files. */
+    val characters: Int get() = files.sumOf { it.text.length }
+
+    /** The same program with [text] in the file with the index [index]. */
+    fun withText(index: Int, text: String): Program =
+        copy(files = files.mapIndexed { other, old -> if (other == index) old.copy(text = text) else old })
+
+    /** The same program with other [files], named after the first one. */
+    fun withFiles(files: List<SourceFile>): Program = Program(files.first().name, language, files)
+
+    companion object {
+        /** The program of [files], in the language that the name of the first one tells. */
+        fun of(files: List<SourceFile>): Program =
+            files.first().name.let { Program(it, ProgramLanguage.ofFileOrDefault(it), files) }
+
+        /** The program of one file, in the language that its [name] tells. */
+        fun of(name: String, text: String): Program = of(listOf(SourceFile(name, text)))
+    }
+}

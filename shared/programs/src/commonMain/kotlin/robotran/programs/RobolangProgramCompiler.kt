@@ -1,14 +1,29 @@
 package robotran.programs
 
+import robotran.programs.messages.ProgramMessages
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.robot.RobotTarget
 
-internal class RobolangProgramCompiler(private val target: RobotTarget, private val messages: RobolangMessages) {
-    fun read(source: ProgramSource.Robolang): ProgramResult =
-        when (val result = compileRobolang(source.name, source.text, target, messages)) {
-            is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings)
-            is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics)
-        }
+internal class RobolangProgramCompiler(private val settings: CompilerSettings) : LanguageCompiler {
+    override val tellsOtherBrick get() = true
+
+    override fun compile(program: Program): ProgramResult = when (val result = robolang(program)) {
+        is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings)
+        is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics)
+    }
+
+    /** Compiles the Java that [program] becomes. */
+    override suspend fun compileToClasses(
+        program: Program,
+        java: suspend () -> TimedJavaProgramCompiler,
+    ): CompiledSource = when (val result = robolang(program)) {
+        is RobolangResult.Ready -> TranslatedProgramCompiler(java(), ProgramMessages.of(settings.language))
+            .compile(program.name, result.program, result.warnings)
+
+        is RobolangResult.HasErrors -> CompiledSource.HasErrors(result.diagnostics)
+    }
+
+    private fun robolang(program: Program) =
+        compileRobolang(program.name, program.text, settings.target, RobolangMessages.of(settings.language))
 }

@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.javacompiler.support.JavaSupport
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceRange
@@ -13,10 +14,6 @@ internal class TranslatedProgramCompiler(
     private val compiler: TimedJavaProgramCompiler,
     private val messages: ProgramMessages,
 ) {
-    /** Compiles and links, see [compile]. */
-    suspend fun read(name: String, program: RobolangProgram, warnings: List<Diagnostic>): ProgramResult =
-        compiler.link(compile(name, program, warnings))
-
     /**
      * @param name the Robolang program's file.
      * @param warnings about the program itself.
@@ -40,7 +37,7 @@ internal class TranslatedProgramCompiler(
     }
 
     private fun sourceOf(translation: Translation) =
-        ProgramSource.Java(translation.fileName, listOf(SourceFile(translation.fileName, translation.java)))
+        Program(translation.fileName, JavaSupport.language, translation.java)
 
     /** A line that every translation has belongs to no line of the program. */
     private fun located(name: String, translation: Translation, diagnostic: Diagnostic): Diagnostic {

@@ -1,7 +1,9 @@
 package robotran.programs
 
+import robotran.language.ProgramLanguage
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -27,7 +29,8 @@ class ApplyFixTest {
 
     @Test
     fun `only the file of a fix changes`() {
-        val program = ProgramSource.Nqc("a", listOf(SourceFile("a.nqc", "x"), SourceFile("b.nqh", "\uFEFFy")))
+        val program =
+            Program("a", ProgramLanguage.NQC, listOf(SourceFile("a.nqc", "x"), SourceFile("b.nqh", "\uFEFFy")))
         val fixed = program.withFix("b.nqh", SourceFix(SourceRange(1, 1, 2), "z"))
         assertEquals(listOf("x", "z"), fixed?.files?.map { it.text })
         assertEquals(null, program.withFix("c.nqh", SourceFix(SourceRange(1, 1, 2), "z")))

@@ -1,14 +1,19 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
+import robotran.languagesupport.BrickMention
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
 
 class BrickOfProgramTest {
+    private val javaFiles = ProgramLanguage.JAVA.support.files
+
     private fun brickOf(vararg texts: String) =
-        brickOf(texts.mapIndexed { index, text -> SourceFile("Robot$index.java", text) })
+        javaFiles.brickOf(texts.mapIndexed { index, text -> SourceFile("Robot$index.java", text) })
 
     @Test
     fun `imports and qualified names tell the brick`() {
@@ -28,8 +33,7 @@ class BrickOfProgramTest {
         assertNull(brickOf("import my.lejos.Robot; class A { int lejosx.y; }"))
     }
 
-    private fun likely(text: String) =
-        likelyBrickOf(ProgramSource.Java("Robot.java", listOf(SourceFile("Robot.java", text))))
+    private fun likely(text: String) = likelyBrickOf(Program("Robot.java", ProgramLanguage.JAVA, text))
 
     @Test
     fun `Java that an RCX cannot run is likely for an NXT`() {
@@ -40,7 +44,7 @@ class BrickOfProgramTest {
         assertNull(likely("import java.util.*; class Robot { Vector v; Random r; String s = \"System.out\"; }"))
         assertNull(likely("class List { Map map; }"))
         assertNull(likely("import lejos.nxt.*; import josx.util.*; class Robot { void f() { System.out.println(); } }"))
-        assertNull(likelyBrickOf(ProgramSource.Robolang("x.robo", "forward 3")))
+        assertNull(likelyBrickOf(Program("x.robo", ProgramLanguage.ROBOLANG, "forward 3")))
     }
 
     @Test
@@ -64,7 +68,7 @@ class BrickOfProgramTest {
             SourceFile("A.java", "class A {}"),
             SourceFile("B.java", "\n\nimport  lejos.nxt.Motor;\nimport lejos.util.*;"),
         )
-        assertEquals(BrickMention(BrickKind.NXT, "B.java", SourceRange(3, 9, 24)), brickMentionIn(files))
+        assertEquals(BrickMention(BrickKind.NXT, "B.java", SourceRange(3, 9, 24)), javaFiles.brickMentionIn(files))
     }
 
     @Test

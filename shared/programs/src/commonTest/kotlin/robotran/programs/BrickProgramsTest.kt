@@ -2,6 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -20,7 +21,7 @@ class BrickProgramsTest {
     private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings, language = Language.ENGLISH)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
-        read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
+        read(Program(name, ProgramLanguage.JAVA, text))
 
     private fun expectedIn(text: String, kinds: Set<String>): List<Pair<Int, String>> =
         text.lines().flatMapIndexed { index, line ->

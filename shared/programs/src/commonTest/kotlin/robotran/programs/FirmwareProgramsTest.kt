@@ -1,26 +1,28 @@
 package robotran.programs
 
-import kotlinx.coroutines.test.runTest
-import robotran.brick.kind.BrickKind
-import robotran.language.Language
-import robotran.language.source.Diagnostic
-import robotran.language.source.SourceRange
-import robotran.legofirmware.FirmwareProgram
-import robotran.legofirmware.image.ChunkId
-import robotran.legofirmware.image.FirmwareTarget
-import robotran.legofirmware.image.toBytes
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
+import kotlinx.coroutines.test.runTest
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
+import robotran.legofirmware.FirmwareProgram
+import robotran.legofirmware.image.ChunkId
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.toBytes
 
 class FirmwareProgramsTest {
     private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     private fun nqc(vararg files: Pair<String, String>) =
-        ProgramSource.Nqc(files.first().first, files.map { (name, text) -> SourceFile(name, text) })
+        Program(files.first().first, ProgramLanguage.NQC, files.map { (name, text) -> SourceFile(name, text) })
 
     private val drive = nqc("drive.nqc" to "task main()\n{\n  OnFwd(OUT_A);\n  Wait(100);\n  Off(OUT_A);\n}\n")
 
@@ -94,7 +96,7 @@ class FirmwareProgramsTest {
         val forRcx = compiler.withFirmware(FirmwareSettings(FirmwareTarget.RCX))
         val sources = listOf(
             nqc("a.nqc" to "task main()\n{\n  MuteSound();\n}\n"),
-            ProgramSource.Lasm("a.lasm", "\ttask 0\n\tmute\n\tendt\n"),
+            Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tmute\n\tendt\n"),
         )
         for (source in sources) {
             assertEquals(FirmwareTarget.RCX2, imageOf(source).target)
@@ -112,7 +114,7 @@ class FirmwareProgramsTest {
 
     @Test
     fun `a mistake in assembly text has its place`() = runTest {
-        val diagnostic = mistakeIn(ProgramSource.Lasm("a.lasm", "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
+        val diagnostic = mistakeIn(Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
         assertEquals("a.lasm" to SourceRange(3, 2, 6), diagnostic.file to diagnostic.range)
     }
 
@@ -128,7 +130,7 @@ class FirmwareProgramsTest {
         val nxt = compiler.forTarget(nxtTestTarget)
         for (source in listOf(
             drive,
-            ProgramSource.Lasm("a.lasm", ""),
+            Program("a.lasm", ProgramLanguage.LASM, ""),
             ProgramSource.FirmwareImage("a.rcx", byteArrayOf()),
         )) {
             assertEquals(BrickKind.RCX, likelyBrickOf(source))
@@ -138,7 +140,7 @@ class FirmwareProgramsTest {
 
     @Test
     fun `none of them fits into an image for leJOS`() = runTest {
-        val robolang = ProgramSource.Robolang("drive.robo", "forward 20")
+        val robolang = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20")
         val result = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(robolang, drive)))
         assertEquals("drive.nqc", result.diagnostics.single().file)
         assertContains(result.diagnostics.single().message, ".rcx")
@@ -153,13 +155,13 @@ class FirmwareProgramsTest {
             SourceFile("two.nqc", "  # include \"c.nqh\"\ntask main() { }"),
             SourceFile("lost.nqh", ""),
         )
-        val programs = nqcProgramsOf(files).map { program -> program.files.map { it.name } }
+        val programs = programsOf(files, ProgramLanguage.NQC).map { program -> program.files.map { it.name } }
         assertEquals(
             listOf(listOf("one.nqc", "b.nqh", "c.nqh", "lost.nqh"), listOf("two.nqc", "c.nqh")),
             programs,
         )
-        assertEquals(emptyList(), nqcProgramsOf(emptyList()))
+        assertEquals(emptyList(), programsOf(emptyList(), ProgramLanguage.NQC))
         val circle = listOf(SourceFile("a.nqc", "#include \"b.nqc\""), SourceFile("b.nqc", "#include \"a.nqc\""))
-        assertEquals(listOf(circle), nqcProgramsOf(circle).map { it.files })
+        assertEquals(listOf(circle), programsOf(circle, ProgramLanguage.NQC).map { it.files })
     }
 }

@@ -2,6 +2,8 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.messages.TinyVmMessages
@@ -23,7 +25,9 @@ class ImageBuildTest {
 
     @Test
     fun `a Robolang program becomes an image through the Java that it is translated to`() = runTest {
-        val image = built(ProgramSource.Robolang("my square.robo", "repeat 4 times\n  forward 10 cm\nend")).image
+        val image = built(
+            Program("my square.robo", ProgramLanguage.ROBOLANG, "repeat 4 times\n  forward 10 cm\nend"),
+        ).image
         assertEquals(1, image.contents.entryClasses.size)
         assertTrue(image.bytesForObjects(LejosVersion.V3_0) > 5_000)
     }
@@ -31,9 +35,9 @@ class ImageBuildTest {
     @Test
     fun `programs in both languages share an image in their order`() = runTest {
         val programs = listOf(
-            ProgramSource.Robolang("first.robo", "beep"),
+            Program("first.robo", ProgramLanguage.ROBOLANG, "beep"),
             java("Second.java", mainOf("Second", "Sound.beep();")),
-            ProgramSource.Robolang("third.robo", "buzz"),
+            Program("third.robo", ProgramLanguage.ROBOLANG, "buzz"),
         )
         val image = assertIs<ImageBuildResult.Built>(compiler.buildImage(programs)).image
         assertEquals(listOf("First", "Second", "Third"), image.entryClasses)
@@ -43,7 +47,7 @@ class ImageBuildTest {
     fun `mistakes of all programs are told`() = runTest {
         val result = compiler.buildImage(
             listOf(
-                ProgramSource.Robolang("first.robo", "beep\nbep"),
+                Program("first.robo", ProgramLanguage.ROBOLANG, "beep\nbep"),
                 java("Second.java", mainOf("Second", "int x = \"\";")),
             ),
         )
@@ -56,7 +60,7 @@ class ImageBuildTest {
         val names = List(100) { "step$it" }
         val calls = names.joinToString("") { "$it()\n" } + "show 0.5\n"
         val text = calls + names.joinToString("") { "procedure $it()\n  beep\nend\n" }
-        val result = compiler.buildImage(listOf(ProgramSource.Robolang("many.robo", text)))
+        val result = compiler.buildImage(listOf(Program("many.robo", ProgramLanguage.ROBOLANG, text)))
         val told = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.map { it.range to it.message }
         assertTrue(told.any { (range, message) -> range == null && "Many.show: " in message }, "$told")
         assertEquals(told.distinct(), told)
@@ -79,7 +83,11 @@ class ImageBuildTest {
     fun `a helper that two programs share is in the image once`() = runTest {
         val helper = SourceFile("Helper.java", "public class Helper { int a; }")
         val programs = listOf("One", "Two").map {
-            ProgramSource.Java("$it.java", listOf(SourceFile("$it.java", mainOf(it, "new Helper();")), helper))
+            Program(
+                "$it.java",
+                ProgramLanguage.JAVA,
+                listOf(SourceFile("$it.java", mainOf(it, "new Helper();")), helper),
+            )
         }
         val image = assertIs<ImageBuildResult.Built>(compiler.buildImage(programs)).image
         assertEquals(1, image.contents.classes.count { it.name == "Helper" })
@@ -135,7 +143,7 @@ class ImageBuildTest {
         return assertIs<ImageBuildResult.Built>(result, (result as? ImageBuildResult.HasErrors)?.diagnostics.toString())
     }
 
-    private fun java(name: String, text: String) = ProgramSource.Java(name, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     /** A program whose [statements] begin in line 5. */
     private fun mainOf(name: String, statements: String) = """

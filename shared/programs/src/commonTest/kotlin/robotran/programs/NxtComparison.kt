@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.nxt.log.CallOrigin
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
@@ -46,7 +47,7 @@ internal class NxtComparison {
 
     private suspend fun compare(path: String, text: String, physics: PhysicsEngine) {
         val interpreted = (compileRobolang(path, text, nxtTestTarget) as? RobolangResult.Ready)?.program ?: return
-        val translated = when (val result = reader.readTranslation(ProgramSource.Robolang(path, text))) {
+        val translated = when (val result = reader.readTranslation(Program(path, ProgramLanguage.ROBOLANG, text))) {
             is ProgramResult.Ready -> result.program
 
             is ProgramResult.HasErrors -> {

@@ -3,6 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.SourceRange
 import robotran.tinyvm.NxjProgram
 import kotlin.test.Test
@@ -15,7 +16,7 @@ class NxtProgramsTest {
     private val rcx = ProgramCompiler(testTarget, language = Language.ENGLISH)
     private val nxt = rcx.forTarget(nxtTestTarget)
 
-    private fun java(name: String, text: String) = ProgramSource.Java(name, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     private val squareNxj = java(
         "Square.java",
@@ -91,10 +92,10 @@ class NxtProgramsTest {
 
     @Test
     fun `Robolang runs on either brick and its header must not name the other`() = runTest {
-        val plain = ProgramSource.Robolang("drive.robo", "forward 20 cm")
+        val plain = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20 cm")
         assertEquals(BrickKind.RCX, assertIs<ProgramResult.Ready>(rcx.read(plain)).program.kind)
         assertEquals(BrickKind.NXT, assertIs<ProgramResult.Ready>(nxt.read(plain)).program.kind)
-        val forNxt = ProgramSource.Robolang("drive.robo", "robot\n  brick nxt\nend\nforward 20 cm")
+        val forNxt = Program("drive.robo", ProgramLanguage.ROBOLANG, "robot\n  brick nxt\nend\nforward 20 cm")
         assertEquals(BrickKind.NXT, brickOf(forNxt))
         assertIs<ProgramResult.Ready>(nxt.read(forNxt))
         assertEquals(2, assertIs<ProgramResult.HasErrors>(rcx.read(forNxt)).diagnostics.single().range?.line)
@@ -102,7 +103,7 @@ class NxtProgramsTest {
 
     @Test
     fun `the Java that Robolang becomes for an NXT compiles and links`() = runTest {
-        val programs = robolangExamples.map { (name, text) -> ProgramSource.Robolang(name, text) }
+        val programs = robolangExamples.map { (name, text) -> Program(name, ProgramLanguage.ROBOLANG, text) }
             .filter { nxt.read(it) is ProgramResult.Ready }
         val failures = programs.mapNotNull { source ->
             (nxt.readTranslation(source) as? ProgramResult.HasErrors)?.let { "$source: ${it.diagnostics.first()}" }
@@ -113,7 +114,7 @@ class NxtProgramsTest {
 
     @Test
     fun `no image is built of a program for an NXT`() = runTest {
-        val forNxt = ProgramSource.Robolang("drive.robo", "robot\n  brick nxt\nend\nforward 20 cm")
+        val forNxt = Program("drive.robo", ProgramLanguage.ROBOLANG, "robot\n  brick nxt\nend\nforward 20 cm")
         for (source in listOf(squareNxj, forNxt)) {
             val diagnostic = assertIs<ImageBuildResult.HasErrors>(rcx.buildImage(listOf(squareRcx, source))).diagnostics
             assertEquals(
@@ -121,7 +122,7 @@ class NxtProgramsTest {
                 diagnostic.single().message,
             )
         }
-        val plain = ProgramSource.Robolang("drive.robo", "forward 20 cm")
+        val plain = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20 cm")
         assertIs<ImageBuildResult.HasErrors>(nxt.buildImage(listOf(plain)))
         assertIs<ImageBuildResult.Built>(rcx.buildImage(listOf(plain)))
     }

@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -25,7 +26,7 @@ internal class NxtTranslatedPoses {
         val differences = mutableListOf<String>()
         var compared = 0
         for ((path, text) in texts) {
-            val source = ProgramSource.Robolang(path.substringAfterLast('/'), text)
+            val source = Program(path.substringAfterLast('/'), ProgramLanguage.ROBOLANG, text)
             val program = (reader.read(source) as? ProgramResult.Ready)?.program ?: continue
             val java = (reader.readTranslation(source) as? ProgramResult.Ready)?.program
             if (java == null) {

@@ -6,6 +6,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.program.BrickProgram
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
@@ -62,9 +63,11 @@ class RcxLinkTest {
                 }
             }
         """.trimIndent()
-        val steer = compiled(ProgramSource.Java("Steer.java", listOf(SourceFile("Steer.java", java))), nxtTestTarget)
+        val steer =
+            compiled(Program("Steer.java", ProgramLanguage.JAVA, java), nxtTestTarget)
         val nqc = "task main() { while (true) { if (Message() == 7) OnFwd(OUT_A); Wait(5); } }"
-        val waits = compiled(ProgramSource.Nqc("waits.nqc", listOf(SourceFile("waits.nqc", nqc))), testTarget)
+        val waits =
+            compiled(Program("waits.nqc", ProgramLanguage.NQC, nqc), testTarget)
         val session =
             Session(world, listOf(steer, waits).map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         session.apply(SessionInput.Press(BrickButton.ENTER, 0))

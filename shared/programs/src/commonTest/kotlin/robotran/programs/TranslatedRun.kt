@@ -7,6 +7,7 @@ import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.language.ProgramLanguage
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -44,7 +45,9 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
             ProgramSource.CompiledClasses(name, compiled.classes, compiled.mainClasses.single()),
         )
 
-        is CompilationResult.Rejected -> read(ProgramSource.Java(name, listOf(SourceFile(name, translation.java))))
+        is CompilationResult.Rejected -> read(
+            Program(name, ProgramLanguage.JAVA, translation.java),
+        )
     }
 }
 

@@ -4,6 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.toLogText
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
@@ -38,7 +39,7 @@ class JavaExampleRunTest {
         brick: BrickKind = BrickKind.RCX,
     ): Session {
         val compiler = if (brick == BrickKind.NXT) reader.forTarget(nxtTestTarget) else reader
-        val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))
+        val result = compiler.read(Program(name, ProgramLanguage.JAVA, text))
         assertIs<ProgramResult.Ready>(result, name)
         assertEquals(emptyList(), result.warnings, name)
         return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics, Language.ENGLISH).apply {

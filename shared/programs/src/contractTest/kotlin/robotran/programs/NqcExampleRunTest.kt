@@ -3,6 +3,7 @@ package robotran.programs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.log.toLogText
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.legofirmware.image.toBytes
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -36,7 +37,7 @@ class NqcExampleRunTest {
     fun `every NQC example makes its recorded run`() = runTest(timeout = 5.minutes) {
         assertTrue(nqcExamples.size >= 10, "${nqcExamples.size} examples")
         for ((name, text) in nqcExamples) {
-            val session = run(ProgramSource.Nqc(name, listOf(SourceFile(name, text))))
+            val session = run(Program(name, ProgramLanguage.NQC, text))
             val record = name.removeSuffix(".nqc")
             val romLog = session.romLog.entries.toLogText()
             assertEquals(nqcRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
@@ -53,7 +54,7 @@ class NqcExampleRunTest {
     @Test
     fun `an example and its image and assembly text do the same`() = runTest(timeout = 5.minutes) {
         for ((name, text) in nqcExamples.filterKeys { it in SHORT }) {
-            val source = ProgramSource.Nqc(name, listOf(SourceFile(name, text)))
+            val source = Program(name, ProgramLanguage.NQC, text)
             val image = assertNotNull(assertIs<ProgramResult.Ready>(compiler.read(source)).firmwareImage)
             val compiled = ProgramSource.FirmwareImage("$name.rcx", image.toBytes())
             val runs = listOf(source, compiled, assertNotNull(compiled.toLasm())).map { run(it) }

@@ -4,16 +4,18 @@ import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.async
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import kotlin.test.Test
 import kotlin.test.assertTrue
 
 /** Who waits for Java to be compiled can go on meanwhile, for as long as it takes. */
 class CompilingBesideTest {
     private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
-    private val robolang = ProgramSource.Robolang("square.robo", "forward 10\n")
-    private val java = ProgramSource.Java(
+    private val robolang = Program("square.robo", ProgramLanguage.ROBOLANG, "forward 10\n")
+    private val java = Program(
         "Hello.java",
-        listOf(SourceFile("Hello.java", "class Hello { public static void main(String[] args) { } }")),
+        ProgramLanguage.JAVA,
+        "class Hello { public static void main(String[] args) { } }",
     )
 
     /** A caller that the machine keeps from going on may find the program compiled, so it may try again. */

@@ -2,6 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.lejoslinker.LejosImage
 import robotran.tinyvm.config.LejosVersion
 import kotlin.test.Test
@@ -73,9 +74,9 @@ class EveryProgramLinksTest {
     private fun sourceOf(path: String, text: String): ProgramSource {
         val name = path.substringAfterLast('/')
         return if (name.endsWith(".robo")) {
-            ProgramSource.Robolang(name, text)
+            Program(name, ProgramLanguage.ROBOLANG, text)
         } else {
-            ProgramSource.Java(name, listOf(SourceFile(name, text)))
+            Program(name, ProgramLanguage.JAVA, text)
         }
     }
 

@@ -1,12 +1,12 @@
 package robotran.programs
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.fuzz.Fuzzing
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
-import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -19,25 +19,27 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `a fix of Robolang helps`() = assertHelpful(robolangPrograms + robolangExamples) { name, text ->
-        ProgramSource.Robolang(name, text)
+        Program(name, ProgramLanguage.ROBOLANG, text)
     }
 
     @Test
     fun `a fix of NQC helps`() = assertHelpful(nqcExamples + nqcPrograms) { name, text ->
-        ProgramSource.Nqc(name, listOf(SourceFile(name, text)))
+        Program(name, ProgramLanguage.NQC, text)
     }
 
     @Test
     fun `the languages seldom suggest a fix that has to be dropped`() {
-        val robolang = RobolangProgramCompiler(testTarget, RobolangMessages.of(Language.ENGLISH))
+        val java = JavaToolchain(testTarget.kind, JavaSettings(), Language.ENGLISH, LoadedJava())
+        val settings = CompilerSettings(testTarget, Language.ENGLISH, java, FirmwareSettings())
+        val robolang = RobolangProgramCompiler(settings)
         val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, Fuzzing.seed)
-        ofRobolang.check(count, { name, text -> ProgramSource.Robolang(name, text) }) {
-            robolang.read(it as ProgramSource.Robolang)
+        ofRobolang.check(count, { name, text -> Program(name, ProgramLanguage.ROBOLANG, text) }) {
+            robolang.compile(it as Program)
         }
-        val nqc = FirmwareProgramCompiler(FirmwareSettings(), Language.ENGLISH)
+        val nqc = NqcProgramCompiler(settings)
         val ofNqc = HelpfulFixes(nqcExamples + nqcPrograms, Fuzzing.seed)
-        ofNqc.check(count, { name, text -> ProgramSource.Nqc(name, listOf(SourceFile(name, text))) }) {
-            nqc.read(it as ProgramSource.Nqc)
+        ofNqc.check(count, { name, text -> Program(name, ProgramLanguage.NQC, text) }) {
+            nqc.compile(it as Program)
         }
         for (fixes in listOf(ofRobolang, ofNqc)) {
             val rate = fixes.harmful.size.toDouble() / fixes.offered
@@ -58,7 +60,7 @@ class HelpfulFixesFuzzTest {
     }
 
     private fun verifiedFix(verification: FixVerification): SourceFix? {
-        val source = ProgramSource.Robolang("a.robo", "beep\nbep\nbep")
+        val source = Program("a.robo", ProgramLanguage.ROBOLANG, "beep\nbep\nbep")
         val fixable = mistake(2).copy(fix = SourceFix(SourceRange(2, 1, 4), "beep"))
         val result = verification.verified(source, ProgramResult.HasErrors(listOf(fixable, mistake(3))))
         return (result as ProgramResult.HasErrors).diagnostics.first().fix

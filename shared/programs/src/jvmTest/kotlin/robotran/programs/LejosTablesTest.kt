@@ -2,6 +2,7 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
@@ -112,7 +113,11 @@ class LejosTablesTest {
                 ProgramCompiler(testTarget, JavaSettings(version = version), language = Language.ENGLISH)
             }
             programs.flatMap { (name, text) ->
-                val told = when (val result = compiler.read(ProgramSource.Java(name, listOf(SourceFile(name, text))))) {
+                val told = when (
+                    val result = compiler.read(
+                        Program(name, ProgramLanguage.JAVA, text),
+                    )
+                ) {
                     is ProgramResult.HasErrors -> result.diagnostics
                     is ProgramResult.Ready -> if (withWarnings) result.warnings else emptyList()
                 }

@@ -7,6 +7,7 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
 import kotlin.test.Test
@@ -34,7 +35,7 @@ class NxjModesTest {
         }
     """.trimIndent()
 
-    private fun java(name: String, text: String) = ProgramSource.Java(name, listOf(SourceFile(name, text)))
+    private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)
 
     @Test
     fun `what leJOS NXJ lacks is refused true to the brick, and accepted if forgiving`() = runTest {
@@ -73,7 +74,7 @@ class NxjModesTest {
         }
     }
 
-    private fun mainClassOf(program: ProgramSource.Java) = checkNotNull(MAIN_CLASS.find(program.files.single().text)) {
+    private fun mainClassOf(program: Program) = checkNotNull(MAIN_CLASS.find(program.files.single().text)) {
         program.name
     }.groupValues.drop(1).first { it.isNotEmpty() }
 

@@ -5,6 +5,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.RunState
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.simulation.Session
@@ -38,7 +39,7 @@ internal class NxjSessions {
     private fun differences(path: String, source: String): List<String> {
         val name = path.substringAfterLast('/')
         val reader = if (path.startsWith("forgiving/")) forgivingCompiler else compiler
-        val result = runBlocking { reader.read(ProgramSource.Java(name, listOf(SourceFile(name, source)))) }
+        val result = runBlocking { reader.read(Program(name, ProgramLanguage.JAVA, source)) }
         if (result !is ProgramResult.Ready) return listOf("$path: $result")
         val expected = NxjExpectations(source)
         val session = Session(world, listOf(result.program), physics, Language.ENGLISH)

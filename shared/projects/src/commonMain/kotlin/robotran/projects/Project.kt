@@ -1,11 +1,12 @@
 package robotran.projects
 
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.nxt.storage.NxtFile
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.toLasm
 import robotran.simulation.RecordedInput
 import robotran.world.LightFacing
@@ -45,7 +46,7 @@ data class Project(
     /** The programs by robot name, for [readRobotLoads]. */
     val programs: Map<String, List<ProgramSource>> get() = robots.associate { robot ->
         robot.name to
-            robot.programs.map { it.source }
+            robot.programs.map { it.program }
     }
 
     /** The same project with an empty flash memory in each robot. */
@@ -78,26 +79,25 @@ data class ProjectRobot(
 )
 
 /**
- * The source of a program.
+ * A program in a project file.
  *
- * @property name the name that the pupil sees, usually that of its first file.
- * @property files one or more if [ProgramLanguage.mayHaveFiles], otherwise one.
- * @property view how the pupil sees a program in Robolang; null for what the reader is used to.
+ * @property view how the pupil sees a program that has blocks; null for what the reader is used to.
  */
 data class ProjectProgram(
-    val name: String,
-    val language: ProgramLanguage,
-    val files: List<SourceFile>,
+    val program: Program,
     val view: ProgramView? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 ) {
-    val source: ProgramSource get() = ProgramSource.of(language, name, files)
+    val name: String get() = program.name
+    val language: ProgramLanguage get() = program.language
+    val files: List<SourceFile> get() = program.files
 
     companion object {
         /** An `.rcx` file becomes assembly text. Null if it cannot, and for class files, which cannot be edited. */
-        fun of(source: ProgramSource): ProjectProgram? {
-            val text = if (source is ProgramSource.FirmwareImage) source.toLasm() ?: return null else source
-            return text.language?.let { ProjectProgram(text.name, it, text.files) }
+        fun of(source: ProgramSource): ProjectProgram? = when (source) {
+            is Program -> ProjectProgram(source)
+            is ProgramSource.FirmwareImage -> source.toLasm()?.let(::ProjectProgram)
+            is ProgramSource.CompiledClasses -> null
         }
     }
 }

@@ -4,9 +4,10 @@ import robotran.json.JsonCursor
 import robotran.json.JsonFormat
 import robotran.json.JsonValidationException
 import robotran.json.messages.JsonMessages
-import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.messages.reason
 import robotran.world.World
 import robotran.world.file.FACINGS
@@ -65,8 +66,8 @@ internal fun programIn(cursor: JsonCursor): ProjectProgram {
     } else {
         listOf(SourceFile(name, textIn(cursor.member(TEXT))))
     }
-    val view = cursor.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language == ProgramLanguage.ROBOLANG }
-    return ProjectProgram(name, language, files, view, unknownOf(cursor))
+    val view = cursor.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language.support.hasBlocks }
+    return ProjectProgram(Program(name, language, files), view, unknownOf(cursor))
 }
 
 private fun fileIn(cursor: JsonCursor): SourceFile {

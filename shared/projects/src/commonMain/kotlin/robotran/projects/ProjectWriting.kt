@@ -6,8 +6,8 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.brick.controls.BrickButton
 import robotran.json.decimal
 import robotran.json.jsonObject
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World

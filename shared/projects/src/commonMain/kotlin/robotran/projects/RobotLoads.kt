@@ -2,8 +2,10 @@ package robotran.projects
 
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -53,7 +55,7 @@ suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<Str
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val compiler = reader.forTarget(robot.description.target)
-        val results = sources.ifEmpty { listOfNotNull(ownProgram(robot)) }.map { compiler.read(it) }
+        val results = sources.ifEmpty { listOfNotNull(robot.givenProgram) }.map { compiler.read(it) }
         val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
         if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Ready>()
@@ -104,9 +106,9 @@ fun lightFacingOf(program: BrickProgram): LightFacing? = when ((program as? Robo
 fun World.forFirstRobot(programs: List<ProgramSource>): Map<String, List<ProgramSource>> =
     mapOf(robots.first().name to programs)
 
-private fun ownProgram(robot: RobotPlacement): ProgramSource? = robot.program?.let {
-    ProgramSource.Robolang("${robot.name}.robo", it)
-}
+/** The program that the world gives to this robot; null if it gives none. */
+val RobotPlacement.givenProgram: Program?
+    get() = program?.let { Program("$name${ProgramLanguage.default.extension}", ProgramLanguage.default, it) }
 
 private fun assignmentError(
     world: World,

@@ -1,7 +1,7 @@
 package robotran.projects
 
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.file.BuiltInWorlds
@@ -12,7 +12,7 @@ private val WORLD = BuiltInWorlds.plain.copy(
 )
 
 private fun program(text: String) =
-    listOf(ProjectProgram("a.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("a.robo", text)), ProgramView.BLOCKS))
+    listOf(ProjectProgram(Program("a.robo", ProgramLanguage.ROBOLANG, text), ProgramView.BLOCKS))
 
 /** A teacher's copy of an assignment with every feature of the file format. */
 internal val EVERY_ASSIGNMENT = Project(

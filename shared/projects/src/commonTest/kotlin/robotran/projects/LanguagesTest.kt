@@ -2,10 +2,11 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.log.romCalls
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.RobotLoad
@@ -44,17 +45,18 @@ class LanguagesTest {
         assertIs<ProgramResult.HasErrors>(reader.withLanguage(language).read(source)).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
-        val source = ProgramSource.Robolang("a.robo", text)
+        val source = Program("a.robo", ProgramLanguage.ROBOLANG, text)
         val program = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
         return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 
     @Test
     fun `a reader tells mistakes of both languages in the pupil's own`() = runTest {
-        val robolang = ProgramSource.Robolang("a.robo", "forward")
-        val java = ProgramSource.Java(
+        val robolang = Program("a.robo", ProgramLanguage.ROBOLANG, "forward")
+        val java = Program(
             "Robot.java",
-            listOf(SourceFile("Robot.java", "class Robot { public static void main(String[] args) { spped = 3; } }")),
+            ProgramLanguage.JAVA,
+            "class Robot { public static void main(String[] args) { spped = 3; } }",
         )
         reader.prepareFor(java)
         assertEquals(
@@ -126,7 +128,7 @@ class LanguagesTest {
 
     @Test
     fun `a robot that is not there is told in the pupil's language`() = runTest {
-        val given = mapOf("anna" to listOf(ProgramSource.Robolang("a.robo", "beep")))
+        val given = mapOf("anna" to listOf(Program("a.robo", ProgramLanguage.ROBOLANG, "beep")))
         assertEquals(
             listOf(
                 "No robot in this world is called anna. There is only one, called yellow.",

@@ -3,9 +3,10 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
@@ -28,8 +29,9 @@ class NxtLoadsTest {
             RobotPlacement(Pose(60.0, 60.0, 0.0), "carl", description = ReadyRobots.SUMO),
         ),
     )
-    private val forNxt = ProgramSource.Java(
+    private val forNxt = Program(
         "Go.java",
+        ProgramLanguage.JAVA,
         listOf(
             SourceFile(
                 "Go.java",
@@ -40,7 +42,7 @@ class NxtLoadsTest {
 
     @Test
     fun `each robot gets programs for its own brick`() = runTest {
-        val beep = ProgramSource.Robolang("beep.robo", "beep")
+        val beep = Program("beep.robo", ProgramLanguage.ROBOLANG, "beep")
         val given = mapOf("ann" to listOf(beep), "carl" to listOf(forNxt, beep))
         val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads
         assertEquals(

@@ -5,10 +5,11 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
 import robotran.simulation.RobotLoad
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -76,7 +77,7 @@ class OtherDrivesTest {
         for (robot in robots(ReadyRobots.defaultOf(brick))) {
             val compiler =
                 ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
-            val source = ProgramSource.Robolang("drive.robo", text)
+            val source = Program("drive.robo", ProgramLanguage.ROBOLANG, text)
             val program = assertIs<ProgramResult.Ready>(compiler.read(source)).program
             val one = run(robot, program, "run")
             val translation = assertIs<ProgramResult.Ready>(compiler.readTranslation(source)).program

@@ -3,14 +3,15 @@ package robotran.projects
 import robotran.brick.program.ProgramRun
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.legofirmware.image.Chunk
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeBytes
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes
+import robotran.programs.Program
 import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.simulation.RecordedInput
@@ -57,8 +58,9 @@ class ProjectFileTest {
 
     @Test
     fun `programs are told as their reader takes them`() {
-        val a = ProgramSource.Robolang("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n")
-        val b = ProgramSource.Java("B", listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")))
+        val a = Program("a.robo", ProgramLanguage.ROBOLANG, "beep\r\n\tbuzz // ñ🤖\u0000\n")
+        val b =
+            Program("B", ProgramLanguage.JAVA, listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")))
         assertEquals(mapOf("bob" to listOf(a, b), "ann" to emptyList()), FULL_PROJECT.programs)
         assertEquals(FULL_PROJECT.robots.first().programs, listOf(a, b).map { ProjectProgram.of(it) })
         assertNull(ProjectProgram.of(ProgramSource.CompiledClasses("C", emptyMap())))
@@ -68,8 +70,8 @@ class ProjectFileTest {
     fun `programs for LEGO's firmware keep their files, and an image becomes assembly text`() {
         assertEquals(FIRMWARE_PROJECT, loaded(writeProject(FIRMWARE_PROJECT)))
         val (nqc, lasm) = FIRMWARE_PROJECT.programs.values.single()
-        assertEquals(listOf("d.nqc", "e.nqh"), assertIs<ProgramSource.Nqc>(nqc).files.map { it.name })
-        assertEquals("\ttask 0\n\tendt\n", assertIs<ProgramSource.Lasm>(lasm).text)
+        assertEquals(listOf("d.nqc", "e.nqh"), assertIs<Program>(nqc).files.map { it.name })
+        assertEquals("\ttask 0\n\tendt\n", assertIs<Program>(lasm).text)
         val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes.of(STOP))))
         val program = assertNotNull(ProjectProgram.of(ProgramSource.FirmwareImage("f.rcx", image.toBytes())))
         assertEquals(ProgramLanguage.LASM to "f.lasm", program.language to program.name)

@@ -3,8 +3,9 @@ package robotran.projects
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode
@@ -38,15 +39,13 @@ internal val FULL_PROJECT = Project(
         ProjectRobot(
             "bob",
             listOf(
+                ProjectProgram(Program("a.robo", ProgramLanguage.ROBOLANG, "beep\r\n\tbuzz // ñ🤖\u0000\n")),
                 ProjectProgram(
-                    "a.robo",
-                    ProgramLanguage.ROBOLANG,
-                    listOf(SourceFile("a.robo", "beep\r\n\tbuzz // ñ🤖\u0000\n")),
-                ),
-                ProjectProgram(
-                    "B",
-                    ProgramLanguage.JAVA,
-                    listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
+                    Program(
+                        "B",
+                        ProgramLanguage.JAVA,
+                        listOf(SourceFile("B.java", "class B {\n}"), SourceFile("C.java", "")),
+                    ),
                 ),
             ),
             firstProgram = 1,
@@ -81,11 +80,13 @@ internal val FIRMWARE_PROJECT = Project(
             BuiltInWorlds.plain.robots.first().name,
             listOf(
                 ProjectProgram(
-                    "d.nqc",
-                    ProgramLanguage.NQC,
-                    listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
+                    Program(
+                        "d.nqc",
+                        ProgramLanguage.NQC,
+                        listOf(SourceFile("d.nqc", "#include \"e.nqh\"\ntask main() { }"), SourceFile("e.nqh", "")),
+                    ),
                 ),
-                ProjectProgram("f.lasm", ProgramLanguage.LASM, listOf(SourceFile("f.lasm", "\ttask 0\n\tendt\n"))),
+                ProjectProgram(Program("f.lasm", ProgramLanguage.LASM, "\ttask 0\n\tendt\n")),
             ),
         ),
     ),

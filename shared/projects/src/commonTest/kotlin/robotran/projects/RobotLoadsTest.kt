@@ -3,6 +3,8 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorPort
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.robolang.robot.RobotTarget
@@ -32,7 +34,7 @@ class RobotLoadsTest {
         ),
     )
 
-    private fun program(name: String, text: String) = ProgramSource.Robolang(name, text)
+    private fun program(name: String, text: String) = Program(name, ProgramLanguage.ROBOLANG, text)
 
     private suspend fun names(given: Map<String, List<ProgramSource>>): List<List<String?>> =
         assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load ->
@@ -92,7 +94,7 @@ class RobotLoadsTest {
 
     @Test
     fun `a project gives its robots more than programs`() = runTest {
-        fun program(name: String) = checkNotNull(ProjectProgram.of(ProgramSource.Robolang(name, "beep")))
+        fun program(name: String) = checkNotNull(ProjectProgram.of(Program(name, ProgramLanguage.ROBOLANG, "beep")))
         val robots = listOf(
             ProjectRobot("carl", listOf(program("a.robo"), program("b.robo")), firstProgram = 1),
             ProjectRobot("ann", lightFacing = LightFacing.FORWARD),

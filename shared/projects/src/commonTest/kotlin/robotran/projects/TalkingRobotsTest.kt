@@ -2,9 +2,10 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.rcxrom.state.RcxState
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -44,8 +45,9 @@ class TalkingRobotsTest {
         """,
     )
 
-    private val answering = ProgramSource.Java(
+    private val answering = Program(
         "Answering.java",
+        ProgramLanguage.JAVA,
         listOf(
             SourceFile(
                 "Answering.java",
@@ -87,14 +89,14 @@ class TalkingRobotsTest {
         """,
     )
 
-    private fun nqc(text: String) = ProgramSource.Nqc("a.nqc", listOf(SourceFile("a.nqc", text.trimIndent())))
+    private fun nqc(text: String) = Program("a.nqc", ProgramLanguage.NQC, text.trimIndent())
 
     @Test
     fun `NQC asks Java and wakes Robolang while another robot listens`() = runTest {
         val programs = mapOf(
             "nqc" to listOf(asking),
             "java" to listOf(answering),
-            "robolang" to listOf(ProgramSource.Robolang("drive.robo", "forward 10")),
+            "robolang" to listOf(Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 10")),
             "other nqc" to listOf(listening),
         )
         val result = readRobotLoads(world, ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH), programs)

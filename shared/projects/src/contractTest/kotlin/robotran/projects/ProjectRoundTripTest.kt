@@ -7,8 +7,9 @@ import robotran.brick.controls.BrickButton
 import robotran.json.nearestDecimal
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode
@@ -72,19 +73,21 @@ class ProjectRoundTripTest {
         val name = "p" + visible()
         if (random.nextBoolean()) {
             return ProjectProgram(
-                name,
-                ProgramLanguage.ROBOLANG,
-                listOf(SourceFile(name, text())),
-                maybe { ProgramView.entries.random(random) },
+                Program(name, ProgramLanguage.ROBOLANG, text()),
+                maybe {
+                    ProgramView.entries.random(random)
+                },
                 unknown(),
             )
         }
         return ProjectProgram(
-            name,
-            ProgramLanguage.JAVA,
-            List(random.nextInt(1, 4)) {
-                SourceFile("f" + visible(), text())
-            },
+            Program(
+                name,
+                ProgramLanguage.JAVA,
+                List(random.nextInt(1, 4)) {
+                    SourceFile("f" + visible(), text())
+                },
+            ),
             unknown = unknown(),
         )
     }

@@ -1,13 +1,13 @@
 package robotran.textediting
 
-import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeSyntax
 import robotran.textediting.text.Draft
 
 /**
  * Keeps a long text and the small input field for the keyboard in step. It remembers the field's last content, so that
  * no input is lost when the pupil types faster than the screen is drawn. Not thread-safe.
  */
-class InputLink(private val language: ProgramLanguage) {
+class InputLink(private val syntax: CodeSyntax) {
     private var shown = Draft("")
     private var window = InputWindow.of(shown)
     private var field = Draft("")
@@ -40,10 +40,10 @@ class InputLink(private val language: ProgramLanguage) {
         val typed = typedBetween(before, written)
         val isInSync = draft == shown
         val after = when {
-            typed != null && typed.isNotEmpty() && !isComposing -> draft.typed(typed, language)
+            typed != null && typed.isNotEmpty() && !isComposing -> draft.typed(typed, syntax)
             isInSync -> window.applied(draft, written.text, written.selection)
             typed != null -> draft.replaced(typed)
-            written.text.length < before.text.length -> draft.erasedBackwards(language)
+            written.text.length < before.text.length -> draft.erasedBackwards(syntax)
             else -> draft
         }
         if (isInSync) syncIfEqual(after)

@@ -1,9 +1,8 @@
 package robotran.textediting
 
-import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeSyntax
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.indent
 
 /** The lines of the selection, without the last line if the selection ends at its start. */
 private fun Draft.selectedLines(): IntRange {
@@ -35,22 +34,21 @@ private fun Draft.withSelectedLines(change: (String) -> String): Draft {
 }
 
 /** This text with the selected lines indented by one level. */
-fun Draft.indented(language: ProgramLanguage): Draft = withSelectedLines {
+fun Draft.indented(syntax: CodeSyntax): Draft = withSelectedLines {
     if (it.isBlank()) {
         it
     } else {
-        language.indent +
-            it
+        syntax.indent + it
     }
 }
 
 /** This text with the selected lines unindented by one level. */
-fun Draft.unindented(language: ProgramLanguage): Draft =
-    withSelectedLines { it.drop(minOf(language.indent.length, indentOf(it).length)) }
+fun Draft.unindented(syntax: CodeSyntax): Draft =
+    withSelectedLines { it.drop(minOf(syntax.indent.length, indentOf(it).length)) }
 
 /** This text with the selected lines commented out or, if they all are already, uncommented. */
-fun Draft.withCommentToggled(language: ProgramLanguage): Draft {
-    val mark = language.commentMark
+fun Draft.withCommentToggled(syntax: CodeSyntax): Draft {
+    val mark = syntax.commentMark
     val written = selectedLines().map(lines::line).filter { it.isNotBlank() }
     if (written.isEmpty()) return this
     if (written.all { it.trimStart().startsWith(mark) }) {
@@ -99,10 +97,3 @@ fun Draft.withoutLines(): Draft {
 }
 
 private fun TextSelection.shifted(by: Int) = TextSelection(anchor + by, caret + by)
-
-/** What begins a comment to the end of the line. */
-private val ProgramLanguage.commentMark: String
-    get() = when (this) {
-        ProgramLanguage.ROBOLANG, ProgramLanguage.JAVA, ProgramLanguage.NQC -> "//"
-        ProgramLanguage.LASM -> ";"
-    }

@@ -1,6 +1,6 @@
 package robotran.textediting
 
-import robotran.textediting.text.TextLines
+import robotran.languagesupport.TextLines
 
 /**
  * Moves marks on lines, counted from 1, with the text of their lines when [edit] changes [before]. A mark on a deleted

@@ -1,31 +1,30 @@
 package robotran.textediting
 
-import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeSyntax
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.indent
 import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
 
 /**
  * This text with [typed] typed or pasted. A line that now ends a block gets the indentation of the block's first line.
  */
-fun Draft.typed(typed: String, language: ProgramLanguage): Draft {
-    if (typed == "\n") return withLineBreak(language)
-    val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", language.indent))
-    return if (typed.length == 1) after.withBlockEndAligned(language) else after
+fun Draft.typed(typed: String, syntax: CodeSyntax): Draft {
+    if (typed == "\n") return withLineBreak(syntax)
+    val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", syntax.indent))
+    return if (typed.length == 1) after.withBlockEndAligned(syntax) else after
 }
 
 /** This text with a line break at the caret, and the new line indented. */
-fun Draft.withLineBreak(language: ProgramLanguage): Draft {
+fun Draft.withLineBreak(syntax: CodeSyntax): Draft {
     val position = selection.start
     val line = lines.lineOf(position)
     val before = text.substring(lines.start(line), position)
     val indent = indentOf(before)
-    val deeper = if (blockEffect(before, language).opens) indent + language.indent else indent
+    val deeper = if (syntax.blockEffect(before).opens) indent + syntax.indent else indent
     val rest = text.substring(selection.end, lines.end(lines.lineOf(selection.end)))
     val broken = replaced("\n" + deeper)
-    val closesAtOnce = "}" in blockEnds(language) && deeper != indent && rest.trimStart().startsWith('}')
+    val closesAtOnce = "}" in syntax.blockEnds && deeper != indent && rest.trimStart().startsWith('}')
     return if (closesAtOnce) broken.withBehindCaret("\n" + indent, rest) else broken.withoutBlanksBehindCaret(rest)
 }
 
@@ -38,12 +37,12 @@ private fun Draft.withBehindCaret(inserted: String, rest: String): Draft {
 private fun Draft.withoutBlanksBehindCaret(rest: String): Draft =
     Draft(text.removeRange(selection.caret, selection.caret + rest.length - rest.trimStart().length), selection)
 
-private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
+private fun Draft.withBlockEndAligned(syntax: CodeSyntax): Draft {
     val line = lines.lineOf(selection.caret)
     val content = lines.line(line)
-    if (selection.caret != lines.end(line) || content.trim().lowercase() !in blockEnds(language)) return this
+    if (selection.caret != lines.end(line) || content.trim().lowercase() !in syntax.blockEnds) return this
     val indent = indentOf(content)
-    val expected = indentOfOpener(line, language) ?: return this
+    val expected = indentOfOpener(line, syntax) ?: return this
     if (expected == indent) return this
     val start = lines.start(line)
     return Draft(
@@ -52,18 +51,12 @@ private fun Draft.withBlockEndAligned(language: ProgramLanguage): Draft {
     )
 }
 
-private fun blockEnds(language: ProgramLanguage) = when (language) {
-    ProgramLanguage.ROBOLANG -> setOf("end", "else")
-    ProgramLanguage.JAVA, ProgramLanguage.NQC -> setOf("}")
-    ProgramLanguage.LASM -> emptySet()
-}
-
 /** The indentation of the block that [line] ends; null if there is no such block. */
-private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? {
+private fun Draft.indentOfOpener(line: Int, syntax: CodeSyntax): String? {
     var open = 0
     for (above in line - 1 downTo maxOf(0, line - MAX_LINES_OF_A_BLOCK)) {
         val content = lines.line(above)
-        val effect = blockEffect(content, language)
+        val effect = syntax.blockEffect(content)
         if (effect.opens) {
             if (open == 0) return indentOf(content)
             open--
@@ -77,12 +70,12 @@ private fun Draft.indentOfOpener(line: Int, language: ProgramLanguage): String? 
  * This text without its selection or, if nothing is selected, without the character before the caret. Leading spaces
  * are deleted one indentation level at a time.
  */
-fun Draft.erasedBackwards(language: ProgramLanguage): Draft {
+fun Draft.erasedBackwards(syntax: CodeSyntax): Draft {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     if (caret == 0) return this
     val before = text.substring(lines.start(lines.lineOf(caret)), caret)
-    val step = language.indent.length
+    val step = syntax.indent.length
     val blanks = if (before.isNotEmpty() && before.all { it == ' ' }) {
         (before.length - 1) % step + 1
     } else {

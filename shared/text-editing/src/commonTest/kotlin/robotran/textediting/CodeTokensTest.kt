@@ -2,21 +2,20 @@ package robotran.textediting
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.CodeTokenKind
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.code.isJavaName
-import robotran.textediting.code.renamedInJava
-import robotran.textediting.code.tokenizeJavaLine
-import robotran.textediting.code.tokensOf
-import robotran.textediting.text.TextLines
+import robotran.languagesupport.CodeTokenKind
+import robotran.languagesupport.CodeTokens
+import robotran.languagesupport.TextLines
+import robotran.programs.support
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class CodeTokensTest {
+    private val java = ProgramLanguage.JAVA.support
+
     private fun described(line: String, language: ProgramLanguage) =
-        tokensOf(line, language, startsInComment = false, brick = BrickKind.RCX).map {
+        language.support.code.tokens(line, startsInComment = false, brick = BrickKind.RCX).tokens.map {
             it.kind to
                 line.substring(it.start, it.end)
         }
@@ -94,16 +93,18 @@ class CodeTokensTest {
 
     @Test
     fun `a comment of NQC goes on until it ends`() {
-        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.NQC, otherwise = BrickKind.RCX)
+        val tokens =
+            CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.NQC.support.code, otherwise = BrickKind.RCX)
         assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
         assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
     }
 
     @Test
     fun `a comment goes on until it ends`() {
-        assertTrue(tokenizeJavaLine("a /* b", startsInComment = false, brick = BrickKind.RCX).endsInComment)
-        assertFalse(tokenizeJavaLine("b */ c", startsInComment = true, brick = BrickKind.RCX).endsInComment)
-        val tokens = CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA, otherwise = BrickKind.RCX)
+        assertTrue(java.code.tokens("a /* b", startsInComment = false, brick = BrickKind.RCX).endsInComment)
+        assertFalse(java.code.tokens("b */ c", startsInComment = true, brick = BrickKind.RCX).endsInComment)
+        val tokens =
+            CodeTokens(TextLines("/*\n int\n*/ int"), ProgramLanguage.JAVA.support.code, otherwise = BrickKind.RCX)
         assertEquals(listOf(CodeTokenKind.COMMENT), tokens.of(1).map { it.kind })
         assertEquals(listOf(CodeTokenKind.COMMENT, CodeTokenKind.KEYWORD), tokens.of(2).map { it.kind })
     }
@@ -113,9 +114,12 @@ class CodeTokensTest {
         val source = "class Square { // Square\n  Square next = new Square(\"Square\");\n  int Squares;\n}"
         assertEquals(
             "class Box { // Square\n  Box next = new Box(\"Square\");\n  int Squares;\n}",
-            renamedInJava(source, "Square", "Box"),
+            java.files.renamed(source, "Square", "Box"),
         )
-        assertTrue(isJavaName("Box2"))
-        assertFalse(isJavaName("2Box") || isJavaName("class") || isJavaName("a b") || isJavaName(""))
+        assertTrue(java.files.isValidName("Box2"))
+        assertFalse(
+            java.files.isValidName("2Box") || java.files.isValidName("class") || java.files.isValidName("a b") ||
+                java.files.isValidName(""),
+        )
     }
 }

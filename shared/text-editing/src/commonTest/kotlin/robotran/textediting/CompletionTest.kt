@@ -1,10 +1,11 @@
 package robotran.textediting
 
 import robotran.brick.kind.BrickKind
+import robotran.javacompiler.edit.BrickApi
 import robotran.language.ProgramLanguage
-import robotran.textediting.api.BrickApi
-import robotran.textediting.complete.CompletionList
-import robotran.textediting.complete.WordHelp
+import robotran.languagesupport.CompletionHelp
+import robotran.languagesupport.CompletionList
+import robotran.programs.support
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
 import robotran.textediting.text.Draft
@@ -16,7 +17,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class CompletionTest {
-    private val help = WordHelp { word -> "About $word.".takeIf { word == "forward" } }
+    private val help = CompletionHelp { word -> "About $word.".takeIf { word == "forward" } }
 
     private fun draft(marked: String) = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
 
@@ -24,7 +25,7 @@ class CompletionTest {
         marked: String,
         language: ProgramLanguage = ProgramLanguage.ROBOLANG,
         isExplicit: Boolean = false,
-    ): CompletionList? = completionsAt(draft(marked), language, help, isExplicit, brick = BrickKind.RCX)
+    ): CompletionList? = completionsAt(draft(marked), language.support.code, help, isExplicit, brick = BrickKind.RCX)
 
     private fun labels(
         marked: String,
@@ -76,7 +77,7 @@ class CompletionTest {
     @Test
     fun `what is offered depends on the brick`() {
         fun onNxt(marked: String) =
-            completionsAt(draft(marked), ProgramLanguage.ROBOLANG, help, isExplicit = true, BrickKind.NXT)
+            completionsAt(draft(marked), ProgramLanguage.ROBOLANG.support.code, help, isExplicit = true, BrickKind.NXT)
                 ?.items?.map { it.label }.orEmpty()
         assertEquals(emptyList(), labels("show dist|"))
         assertEquals(listOf("distance"), onNxt("show dist|"))
@@ -105,13 +106,27 @@ class CompletionTest {
         val start = draft("if light < 3\n  rep|\nend")
         val list =
             assertNotNull(
-                completionsAt(start, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX),
+                completionsAt(
+                    start,
+                    ProgramLanguage.ROBOLANG.support.code,
+                    help,
+                    isExplicit = false,
+                    brick = BrickKind.RCX,
+                ),
             )
         val block = list.items.first { it.label.startsWith("repeat 4") }
         val after = start.completed(list, block)
         assertEquals("if light < 3\n  repeat 4 times\n    \n  end\nend", after.text)
         assertEquals(2, after.lines.lineOf(after.selection.caret))
-        assertNull(completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX))
+        assertNull(
+            completionsAt(
+                before,
+                ProgramLanguage.ROBOLANG.support.code,
+                help,
+                isExplicit = false,
+                brick = BrickKind.RCX,
+            ),
+        )
     }
 
     @Test
@@ -119,7 +134,13 @@ class CompletionTest {
         val before = draft("show ro|")
         val list =
             assertNotNull(
-                completionsAt(before, ProgramLanguage.ROBOLANG, help, isExplicit = false, brick = BrickKind.RCX),
+                completionsAt(
+                    before,
+                    ProgramLanguage.ROBOLANG.support.code,
+                    help,
+                    isExplicit = false,
+                    brick = BrickKind.RCX,
+                ),
             )
         val after = before.completed(list, list.items.first { it.label == "round()" })
         assertEquals("show round()", after.text)

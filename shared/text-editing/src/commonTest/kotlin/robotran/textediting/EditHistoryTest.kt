@@ -1,6 +1,7 @@
 package robotran.textediting
 
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.textediting.text.Draft
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -33,8 +34,8 @@ class EditHistoryTest {
     @Test
     fun `what was erased comes back in one go with the caret where it was`() {
         val (draft, history) = write("beep")
-        val shorter = draft.erasedBackwards(ProgramLanguage.ROBOLANG)
-        val shortest = shorter.erasedBackwards(ProgramLanguage.ROBOLANG)
+        val shorter = draft.erasedBackwards(ProgramLanguage.ROBOLANG.support.code)
+        val shortest = shorter.erasedBackwards(ProgramLanguage.ROBOLANG.support.code)
         val erased = history.recorded(draft, shorter, EditKind.ERASING).recorded(shorter, shortest, EditKind.ERASING)
         assertEquals(draft, erased.undone(shortest)?.first)
     }

@@ -1,13 +1,14 @@
 package robotran.textediting
 
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class InputLinkTest {
-    private val link = InputLink(ProgramLanguage.ROBOLANG)
+    private val link = InputLink(ProgramLanguage.ROBOLANG.support.code)
 
     private fun Draft.fieldTyped(typed: String) = replaced(typed)
 

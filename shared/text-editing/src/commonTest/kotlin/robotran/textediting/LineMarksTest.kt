@@ -1,6 +1,6 @@
 package robotran.textediting
 
-import robotran.textediting.text.TextLines
+import robotran.languagesupport.TextLines
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

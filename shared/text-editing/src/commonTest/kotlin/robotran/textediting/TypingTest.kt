@@ -1,6 +1,7 @@
 package robotran.textediting
 
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
@@ -18,7 +19,7 @@ class TypingTest {
     private fun Draft.marked() = text.replaceRange(selection.caret, selection.caret, "|")
 
     private fun typed(before: String, typed: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG): String =
-        typed.fold(at(before)) { draft, character -> draft.typed(character.toString(), language) }.marked()
+        typed.fold(at(before)) { draft, character -> draft.typed(character.toString(), language.support.code) }.marked()
 
     @Test
     fun `a new line stands as far right as the one above`() = assertEquals("  beep\n  |", typed("  beep|", "\n"))
@@ -64,13 +65,13 @@ class TypingTest {
 
     @Test
     fun `what comes from the clipboard gets our line ends and no tabs`() =
-        assertEquals("a\n  b\nc|", at("|").typed("a\r\n\tb\rc", ProgramLanguage.ROBOLANG).marked())
+        assertEquals("a\n  b\nc|", at("|").typed("a\r\n\tb\rc", ProgramLanguage.ROBOLANG.support.code).marked())
 
     @Test
     fun `erasing goes a step to the left before a line and a character otherwise`() {
-        assertEquals("  |beep", at("    |beep").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
-        assertEquals("    be|p", at("    bee|p").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
-        assertEquals("|beep", at("\uD83D\uDE00|beep").erasedBackwards(ProgramLanguage.ROBOLANG).marked())
+        assertEquals("  |beep", at("    |beep").erasedBackwards(ProgramLanguage.ROBOLANG.support.code).marked())
+        assertEquals("    be|p", at("    bee|p").erasedBackwards(ProgramLanguage.ROBOLANG.support.code).marked())
+        assertEquals("|beep", at("\uD83D\uDE00|beep").erasedBackwards(ProgramLanguage.ROBOLANG.support.code).marked())
     }
 
     @Test
@@ -82,21 +83,28 @@ class TypingTest {
     @Test
     fun `lines go further right and left together`() {
         val draft = at("a\n|b\n\nc|\nd")
-        assertEquals("a\n  b\n\n  c\nd", draft.indented(ProgramLanguage.ROBOLANG).text)
-        assertEquals(draft.text, draft.indented(ProgramLanguage.ROBOLANG).unindented(ProgramLanguage.ROBOLANG).text)
+        assertEquals("a\n  b\n\n  c\nd", draft.indented(ProgramLanguage.ROBOLANG.support.code).text)
+        assertEquals(
+            draft.text,
+            draft.indented(
+                ProgramLanguage.ROBOLANG.support.code,
+            ).unindented(ProgramLanguage.ROBOLANG.support.code).text,
+        )
     }
 
     @Test
     fun `lines become comments and code again`() {
         val draft = at("repeat forever\n|  beep\n\n    buzz|\nend")
-        val commented = draft.withCommentToggled(ProgramLanguage.ROBOLANG)
+        val commented = draft.withCommentToggled(ProgramLanguage.ROBOLANG.support.code)
         assertEquals("repeat forever\n  // beep\n\n  //   buzz\nend", commented.text)
-        assertEquals(draft.text, commented.withCommentToggled(ProgramLanguage.ROBOLANG).text)
+        assertEquals(draft.text, commented.withCommentToggled(ProgramLanguage.ROBOLANG.support.code).text)
         val assembly = at("\tplays\t|3\n")
-        assertEquals("\t; plays\t3\n", assembly.withCommentToggled(ProgramLanguage.LASM).text)
+        assertEquals("\t; plays\t3\n", assembly.withCommentToggled(ProgramLanguage.LASM.support.code).text)
         assertEquals(
             assembly.text,
-            assembly.withCommentToggled(ProgramLanguage.LASM).withCommentToggled(ProgramLanguage.LASM).text,
+            assembly.withCommentToggled(
+                ProgramLanguage.LASM.support.code,
+            ).withCommentToggled(ProgramLanguage.LASM.support.code).text,
         )
     }
 

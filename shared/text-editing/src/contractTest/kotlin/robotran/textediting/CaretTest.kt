@@ -1,7 +1,7 @@
 package robotran.textediting
 
+import robotran.languagesupport.TextLines
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.withWordSelected
 import kotlin.test.Test

@@ -13,9 +13,8 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.formatJava
-import robotran.textediting.code.tokensOf
-import robotran.textediting.complete.WordHelp
+import robotran.languagesupport.CompletionHelp
+import robotran.programs.support
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
 import robotran.textediting.text.Draft
@@ -103,7 +102,10 @@ class EditingProperties :
         test("the pieces of a line come in order and inside it, whatever it holds") {
             checkAll(texts, Arb.enum<ProgramLanguage>()) { text, language ->
                 for (line in text.split('\n')) {
-                    tokensOf(line, language, startsInComment = false, brick = BrickKind.RCX).fold(0) { done, token ->
+                    language.support.code.tokens(line, startsInComment = false, brick = BrickKind.RCX).tokens.fold(0) {
+                        done,
+                        token,
+                        ->
                         token.start shouldBeInRange done..line.length
                         token.end shouldBeInRange token.start..line.length
                         token.end
@@ -114,15 +116,25 @@ class EditingProperties :
 
         test("Java that is laid out stays as it is and keeps all that is not blank") {
             checkAll(texts) { text ->
-                val once = formatJava(text)
-                formatJava(once) shouldBe once
+                val java = ProgramLanguage.JAVA.support.code
+                val once = java.format(text).orEmpty()
+                java.format(once) shouldBe once
                 once.filterNot { it.isWhitespace() } shouldBe text.filterNot { it.isWhitespace() }
             }
         }
 
         test("completing never fails and leaves what stands before it") {
             checkAll(drafts, Arb.enum<ProgramLanguage>()) { draft, language ->
-                val list = completionsAt(draft, language, WordHelp { null }, isExplicit = true, brick = BrickKind.RCX)
+                val list =
+                    completionsAt(
+                        draft,
+                        language.support.code,
+                        CompletionHelp {
+                            null
+                        },
+                        isExplicit = true,
+                        brick = BrickKind.RCX,
+                    )
                 for (item in list?.items.orEmpty()) {
                     draft.completed(list!!, item).text.take(list.start) shouldBe
                         draft.text.take(list.start)
@@ -177,21 +189,21 @@ private val drafts: Arb<Draft> = arbitrary { random ->
 
 private val actions: Arb<Action> = Arb.element(
     listOf("a", " ", "\n", "end", "}", "{", "x y", "\uD83D\uDE00")
-        .map { typed -> Action(EditKind.TYPING) { it.typed(typed, ProgramLanguage.ROBOLANG) } } +
+        .map { typed -> Action(EditKind.TYPING) { it.typed(typed, ProgramLanguage.ROBOLANG.support.code) } } +
         CaretMove.entries.map { move -> Action(EditKind.OTHER) { it.moved(move, selecting = move.ordinal % 2 == 0) } } +
         listOf(
-            Action(EditKind.ERASING) { it.erasedBackwards(ProgramLanguage.JAVA) },
+            Action(EditKind.ERASING) { it.erasedBackwards(ProgramLanguage.JAVA.support.code) },
             Action(EditKind.ERASING) { it.erasedForwards() },
             Action(EditKind.ERASING) { it.wordErasedBackwards() },
             Action(EditKind.ERASING) { it.wordErasedForwards() },
-            Action(EditKind.OTHER) { it.indented(ProgramLanguage.JAVA) },
-            Action(EditKind.OTHER) { it.unindented(ProgramLanguage.JAVA) },
-            Action(EditKind.OTHER) { it.withCommentToggled(ProgramLanguage.JAVA) },
+            Action(EditKind.OTHER) { it.indented(ProgramLanguage.JAVA.support.code) },
+            Action(EditKind.OTHER) { it.unindented(ProgramLanguage.JAVA.support.code) },
+            Action(EditKind.OTHER) { it.withCommentToggled(ProgramLanguage.JAVA.support.code) },
             Action(EditKind.OTHER) { it.withLinesMovedUp() },
             Action(EditKind.OTHER) { it.withLinesMovedDown() },
             Action(EditKind.OTHER) { it.withLinesDuplicated() },
             Action(EditKind.OTHER) { it.withoutLines() },
             Action(EditKind.OTHER) { it.withWordSelected(it.selection.caret) },
-            Action(EditKind.OTHER) { it.typed("}", ProgramLanguage.JAVA) },
+            Action(EditKind.OTHER) { it.typed("}", ProgramLanguage.JAVA.support.code) },
         ),
 )

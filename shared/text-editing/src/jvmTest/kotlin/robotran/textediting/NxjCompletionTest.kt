@@ -2,16 +2,17 @@ package robotran.textediting
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
+import robotran.javacompiler.edit.BrickApi
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeTokenKind
+import robotran.languagesupport.CodeTokens
+import robotran.languagesupport.Completion
+import robotran.languagesupport.CompletionHelp
+import robotran.languagesupport.TextLines
 import robotran.nxjlibrary.NxjSources
-import robotran.textediting.api.BrickApi
-import robotran.textediting.code.CodeTokenKind
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.complete.Completion
-import robotran.textediting.complete.WordHelp
+import robotran.programs.support
 import robotran.textediting.complete.completionsAt
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
 import kotlin.test.BeforeTest
 import kotlin.test.Test
@@ -27,7 +28,8 @@ class NxjCompletionTest {
 
     private fun offered(marked: String, brick: BrickKind = BrickKind.RCX): List<Completion> {
         val draft = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
-        val list = completionsAt(draft, ProgramLanguage.JAVA, WordHelp { null }, isExplicit = true, brick)
+        val list =
+            completionsAt(draft, ProgramLanguage.JAVA.support.code, CompletionHelp { null }, isExplicit = true, brick)
         return list?.items.orEmpty()
     }
 
@@ -67,7 +69,7 @@ class NxjCompletionTest {
     fun `classes have their colour where the program has them`() {
         fun kind(text: String) = CodeTokens(
             TextLines("$text\nSensor UltrasonicSensor"),
-            ProgramLanguage.JAVA,
+            ProgramLanguage.JAVA.support.code,
             otherwise = BrickKind.RCX,
         ).of(1)
             .map { it.kind }

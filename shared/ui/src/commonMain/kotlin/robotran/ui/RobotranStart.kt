@@ -16,6 +16,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.programs.Program
 import robotran.ui.language.spoken
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.texts.ScreenTexts
@@ -26,7 +27,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
-import robotran.workshop.state.PupilProgram
 
 /**
  * The root of every platform's app: a loading message, then [RobotranApp] with [programs] or, if empty, the square.
@@ -38,7 +38,7 @@ import robotran.workshop.state.PupilProgram
  */
 @Composable
 fun RobotranStart(
-    programs: List<PupilProgram> = emptyList(),
+    programs: List<Program> = emptyList(),
     platform: Platform = remember { MemoryPlatform(pictures = DrawnWorldPictures()) },
     welcoming: Boolean = false,
     embedded: Boolean = false,

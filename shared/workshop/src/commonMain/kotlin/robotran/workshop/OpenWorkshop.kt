@@ -2,6 +2,7 @@ package robotran.workshop
 
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
+import robotran.programs.Program
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -10,7 +11,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asProject
 import robotran.workshop.settings.SettingsStateHolder
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.world.file.BuiltInWorlds
 
@@ -22,7 +22,7 @@ import robotran.world.file.BuiltInWorlds
  * @param scope lives as long as the workshop; runs on the UI thread.
  */
 suspend fun openWorkshop(
-    programs: List<PupilProgram> = emptyList(),
+    programs: List<Program> = emptyList(),
     platform: Platform = MemoryPlatform(),
     scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
     welcoming: Boolean = false,

@@ -12,6 +12,7 @@ import kotlinx.coroutines.withTimeoutOrNull
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.source.Diagnostic
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentTries
 import robotran.projects.Project
@@ -69,7 +70,6 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
 import robotran.world.RobotDescription
@@ -192,7 +192,7 @@ class Workshop(
         inputs = emptyList(),
     )
     override val savedBreakpoints: List<SavedBreakpoint> get() = programs.savedBreakpoints
-    override val shownProgram: PupilProgram get() = programs.state.program
+    override val shownProgram: Program get() = programs.state.program
     override val shownRobot: RobotPlacement get() = programs.state.robot
 
     /** The recorded inputs of the current session. */
@@ -439,7 +439,7 @@ class Workshop(
         document.projectMayHaveChanged()
     }
 
-    override fun addProgram(program: PupilProgram, replacing: Boolean) {
+    override fun addProgram(program: Program, replacing: Boolean) {
         val index = programs.state.programs.indexOfFirst { it.name == program.name }
         if (!replacing || index < 0 || program.files.size > 1) {
             handleProgram(ProgramEvent.ProgramAdded(program))
@@ -457,14 +457,14 @@ class Workshop(
         handle(ProgramEvent.ClosedMessageDismissed)
     }
 
-    override fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+    override fun removePrograms(isMeant: (Program) -> Boolean) {
         programs.removePrograms(isMeant)
         run.programsChanged()
         learning.programsChanged()
         assignment.programsChanged()
     }
 
-    override fun replacePrograms(programs: List<PupilProgram>) {
+    override fun replacePrograms(programs: List<Program>) {
         this.programs.replacePrograms(programs)
         run.programsChanged()
         learning.programsChanged()

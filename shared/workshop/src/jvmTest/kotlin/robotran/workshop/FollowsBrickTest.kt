@@ -3,7 +3,9 @@ package robotran.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.complete.WordHelp
+import robotran.languagesupport.CompletionHelp
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.textediting.complete.completionsAt
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
@@ -13,7 +15,6 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examplesFor
-import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -93,7 +94,7 @@ class FollowsBrickTest {
 
     @Test
     fun `Java that names no brick is compiled for that of the robot`() {
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Words.java", NAMES_NONE)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Words.java", NAMES_NONE)))
         compile()
         assertTrue(workshop.state.diagnostics.isNotEmpty())
         assertNull(workshop.state.programs.otherBrick)
@@ -113,7 +114,7 @@ class FollowsBrickTest {
 
     @Test
     fun `help on Java that names no brick is that for the robot`() {
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Turn.java", TURN)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Turn.java", TURN)))
         compile()
         workshop.handle(LearningEvent.HelpRequested(TURN, TURN.indexOf("rotateTo") + 1))
         assertEquals(BrickKind.RCX, workshop.state.learning.help.brick)
@@ -125,7 +126,7 @@ class FollowsBrickTest {
 
     @Test
     fun `completion in Java that names no brick offers what the robot's has`() {
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Turn.java", TURN)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Turn.java", TURN)))
         use(BrickKind.NXT)
         assertTrue("rotateTo" in offered(BrickKind.NXT))
         assertFalse("rotateTo" in offered(BrickKind.RCX))
@@ -134,7 +135,15 @@ class FollowsBrickTest {
     private fun offered(brick: BrickKind): List<String> {
         val caret = TURN.indexOf("rotateTo") + "rotate".length
         val draft = Draft(TURN.replace("rotateTo", "rotate"), TextSelection(caret))
-        return completionsAt(draft, ProgramLanguage.JAVA, WordHelp { null }, isExplicit = true, brick)
+        return completionsAt(
+            draft,
+            ProgramLanguage.JAVA.support.code,
+            CompletionHelp {
+                null
+            },
+            isExplicit = true,
+            brick,
+        )
             ?.items.orEmpty().map { it.inserted.substringBefore('(') }
     }
 

@@ -2,12 +2,12 @@ package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.projects.ProjectLimits
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -15,7 +15,7 @@ import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class LongProgramTest {
-    private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("a.robo", "beep"))) }
+    private val workshop = runBlocking { openWorkshop(listOf(Program.of("a.robo", "beep"))) }
 
     @AfterTest
     fun close() = workshop.close()

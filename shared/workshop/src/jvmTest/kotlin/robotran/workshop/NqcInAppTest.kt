@@ -5,11 +5,12 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.legofirmware.image.toBytes
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
+import robotran.programs.SourceLine
 import robotran.programs.firmwareImage
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
@@ -27,10 +28,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
-import robotran.workshop.state.SourceLine
-import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -43,16 +40,16 @@ import kotlin.test.assertTrue
 
 /** A pupil works with NQC and with what LEGO's firmware runs. */
 class NqcInAppTest {
-    private val counting = PupilProgram("counting.nqc", COUNTING)
+    private val counting = Program.of("counting.nqc", COUNTING)
 
-    private fun workshop(vararg programs: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
+    private fun workshop(vararg programs: Program, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(programs.toList())
         workshop.compilePrograms()
         check(workshop)
         workshop.close()
     }
 
-    private fun example(name: String) = PupilProgram(name, ProgramLanguage.NQC.examples.getValue(name))
+    private fun example(name: String) = Program.of(name, ProgramLanguage.NQC.examples.getValue(name))
 
     private fun lineWith(text: String) = COUNTING.lines().indexOfFirst { text in it } + 1
 
@@ -130,9 +127,9 @@ class NqcInAppTest {
 
     @Test
     fun `what it includes stops in its own file, and is renamed everywhere`() {
-        val main = ProgramFile("drive.nqc", "#include \"steps.nqh\"\n\ntask main()\n{\n    step();\n}\n")
-        val header = ProgramFile("steps.nqh", "void step()\n{\n    OnFwd(OUT_A);\n    Wait(50);\n    Off(OUT_A);\n}\n")
-        workshop(PupilProgram(listOf(main, header))) { workshop ->
+        val main = SourceFile("drive.nqc", "#include \"steps.nqh\"\n\ntask main()\n{\n    step();\n}\n")
+        val header = SourceFile("steps.nqh", "void step()\n{\n    OnFwd(OUT_A);\n    Wait(50);\n    Off(OUT_A);\n}\n")
+        workshop(Program.of(listOf(main, header))) { workshop ->
             assertEquals(emptyList(), workshop.state.diagnostics)
             workshop.handle(ProgramEvent.FileChosen(1))
             workshop.handle(ProgramEvent.BreakpointToggled(4))
@@ -167,7 +164,7 @@ class NqcInAppTest {
     fun `it is shown in assembly, line for line, and never in blocks or in Java`() = workshop(counting) { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         assertEquals(ProgramView.TEXT, workshop.state.programs.view)
-        assertEquals(listOf(TranslationKind.ASSEMBLY), workshop.state.programs.translationKinds)
+        assertEquals(listOf(ProgramLanguage.LASM), workshop.state.programs.translationKinds)
         workshop.handle(ProgramEvent.TranslationShown(true))
         val assembly = assertNotNull(workshop.state.programs.translation)
         val lines = assembly.text.lines()
@@ -176,7 +173,7 @@ class NqcInAppTest {
         val place = assembly.linesOf("counting.nqc", lineWith("Wait(100)")).single()
         assertEquals(SourceLine("counting.nqc", lineWith("Wait(100)")), assembly.originOf(place))
         // The assembly is a program of its own, which makes the same image.
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(assembly.fileName, assembly.text)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of(assembly.fileName, assembly.text)))
         assertEquals(emptyList(), workshop.state.diagnostics)
         assertContentEquals(imageOf(COUNTING), imageOf(workshop.state.program))
     }
@@ -184,7 +181,7 @@ class NqcInAppTest {
     @Test
     fun `Robolang is shown in NQC, with what is different`() = workshop { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 20\nshow \"hello\"\nbeep\n"))
-        workshop.handle(ProgramEvent.TranslationShown(true, TranslationKind.NQC))
+        workshop.handle(ProgramEvent.TranslationShown(true, ProgramLanguage.NQC))
         val translation = assertNotNull(workshop.state.programs.translation)
         assertContains(translation.text, "task main()")
         assertEquals(listOf(2), translation.remarks.map { it.line }.distinct())
@@ -193,7 +190,7 @@ class NqcInAppTest {
         val german = assertNotNull(workshop.state.programs.translation).remarks.first().message
         assertTrue(german != translation.remarks.first().message, german)
         workshop.handle(ProgramEvent.ProgramEdited("forwrd 20\n"))
-        assertEquals(TranslationKind.NQC, assertNotNull(workshop.state.programs.translation).kind)
+        assertEquals(ProgramLanguage.NQC, assertNotNull(workshop.state.programs.translation).language)
         assertEquals(false, workshop.state.programs.isTranslated)
     }
 
@@ -239,7 +236,7 @@ class NqcInAppTest {
         val machine = Machine()
         val workshop = machine.window()
         workshop.handle(ProgramEvent.ProgramEdited(""))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("log.nqc", LOGGING)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("log.nqc", LOGGING)))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
@@ -256,7 +253,7 @@ class NqcInAppTest {
 
     @Test
     fun `what the firmware does in silence is told, at its line if it has one`() =
-        workshop(PupilProgram("lost.nqc", LOSING)) { workshop ->
+        workshop(Program.of("lost.nqc", LOSING)) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
             val remarks = workshop.state.shownProgramRun.remarks
@@ -286,7 +283,7 @@ class NqcInAppTest {
             workshop.handle(LearningEvent.HelpRequested(COUNTING, COUNTING.indexOf(word) + 1))
             assertEquals(word, workshop.state.learning.help.found?.word)
         }
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("wait.lasm", "\ttask\t0\n\twait\t2, 100\n\tendt\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("wait.lasm", "\ttask\t0\n\twait\t2, 100\n\tendt\n")))
         workshop.handle(
             LearningEvent.HelpRequested(workshop.state.programText, workshop.state.programText.indexOf("wait")),
         )
@@ -299,7 +296,7 @@ class NqcInAppTest {
 
     @Test
     fun `the buttons of the brick start and stop it, and it is started with another firmware beside it`() =
-        workshop(PupilProgram("beep.robo", "repeat forever\n  beep\nend\n"), counting) { workshop ->
+        workshop(Program.of("beep.robo", "repeat forever\n  beep\nend\n"), counting) { workshop ->
             workshop.handle(ProgramEvent.ProgramChosen(1))
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(500)
@@ -317,14 +314,14 @@ class NqcInAppTest {
             assertTrue(workshop.state.running)
         }
 
-    private fun imageOf(nqc: String) = imageOf(PupilProgram("counting.nqc", nqc))
+    private fun imageOf(nqc: String) = imageOf(Program.of("counting.nqc", nqc))
 
-    private fun imageOf(program: PupilProgram): ByteArray {
+    private fun imageOf(program: Program): ByteArray {
         val files = program.files.map { SourceFile(it.name, it.text) }
         val result = ProgramCompiler(
             PENBOT_TARGET,
             language = Language.ENGLISH,
-        ).compileNow(ProgramSource.of(program.language, program.name, files))
+        ).compileNow(Program(program.name, program.language, files))
         return checkNotNull(assertIs<ProgramResult.Ready>(result).firmwareImage).toBytes()
     }
 

@@ -7,6 +7,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
@@ -22,7 +23,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examplesFor
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
@@ -41,11 +41,11 @@ import kotlin.test.assertTrue
 
 /** A pupil works with a robot that has an NXT. */
 class NxtInAppTest {
-    private val square = PupilProgram("Square.java", example("Square.java"))
+    private val square = Program.of("Square.java", example("Square.java"))
 
     private fun example(name: String) = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT).getValue(name)
 
-    private fun workshop(vararg programs: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
+    private fun workshop(vararg programs: Program, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(programs.toList())
         workshop.compilePrograms()
         check(workshop)
@@ -141,7 +141,7 @@ class NxtInAppTest {
         workshop.compilePrograms()
         workshop.handle(ProgramEvent.RobotChosen("blue"))
         assertEquals(BrickKind.NXT, workshop.brick)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", example("Hello.java"))))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", example("Hello.java"))))
         workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
         workshop.handle(ProgramEvent.RobotChosen(workshop.state.programs.robots.first().name))
@@ -165,7 +165,7 @@ class NxtInAppTest {
         val workshop = machine.window()
         workshop.use(BrickKind.NXT)
         assertTrue(machine.kit(workshop).getValue("Square/build.xml").contains("nxjupload"))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", example("Hello.java"))))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", example("Hello.java"))))
         val files = machine.kit(workshop)
         assertEquals(example("Hello.java"), files["Hello/Hello.java"])
         assertContains(files.getValue("Hello/upload.sh"), "nxjc -encoding UTF-8 -d . Hello.java")
@@ -214,7 +214,7 @@ class NxtInAppTest {
     @Test
     fun `what a program writes into files is there in the next run and in the project`() = workshop { workshop ->
         workshop.use(BrickKind.NXT)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("CountRuns.java", COUNT_RUNS)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("CountRuns.java", COUNT_RUNS)))
         workshop.compilePrograms()
         assertEquals(emptyList(), workshop.state.diagnostics)
         val counts = (1..2).map {
@@ -236,7 +236,7 @@ class NxtInAppTest {
     @Test
     fun `a file that is deleted in the menu of the brick is gone from the project`() = workshop { workshop ->
         workshop.use(BrickKind.NXT)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("CountRuns.java", COUNT_RUNS)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("CountRuns.java", COUNT_RUNS)))
         workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(3_000)

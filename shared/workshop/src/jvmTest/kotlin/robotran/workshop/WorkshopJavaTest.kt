@@ -3,14 +3,14 @@ package robotran.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Notice
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -20,7 +20,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class WorkshopJavaTest {
-    private val firstDrive = PupilProgram("FirstDrive.java", ProgramLanguage.JAVA.examples.getValue("FirstDrive.java"))
+    private val firstDrive = Program.of("FirstDrive.java", ProgramLanguage.JAVA.examples.getValue("FirstDrive.java"))
     private val sleepingLine = firstDrive.files.single().text.lines().indexOfFirst { "Thread.sleep" in it } + 1
 
     @Test
@@ -138,11 +138,11 @@ class WorkshopJavaTest {
     @Test
     fun `a program of several files tells which file it is in`() {
         val helper =
-            ProgramFile(
+            SourceFile(
                 "Helper.java",
                 "class Helper {\n    static int half(int number) {\n        return number / 0;\n    }\n}\n",
             )
-        val program = PupilProgram(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
+        val program = Program.of(mainOf("LCD.showNumber(Helper.half(8));").files + helper)
         workshop(program) { workshop ->
             workshop.compilePrograms()
             workshop.handle(RunEvent.RunPressed)
@@ -182,7 +182,7 @@ class WorkshopJavaTest {
 
     @Test
     fun `Prgm on the brick chooses among the programs, in whatever language`() =
-        workshop(PupilProgram("beep.robo", "beep"), firstDrive) { workshop ->
+        workshop(Program.of("beep.robo", "beep"), firstDrive) { workshop ->
             workshop.compilePrograms()
             tap(workshop, BrickButton.PRGM)
             tap(workshop, BrickButton.RUN)
@@ -232,7 +232,7 @@ class WorkshopJavaTest {
     private val paperSample get() = mainOf("Motor.A.forward(); Motor.C.forward();")
     private val largeDivisor get() = mainOf("int a = 70000; LCD.showNumber(200000 / a);")
 
-    private fun mainOf(body: String) = PupilProgram(
+    private fun mainOf(body: String) = Program.of(
         "Mine.java",
         "import josx.platform.rcx.*;\npublic class Mine {\n    public static void main(String[] args) {\n        " +
             "$body\n    }\n}\n",
@@ -245,7 +245,7 @@ class WorkshopJavaTest {
         workshop.advance(100)
     }
 
-    private fun workshop(vararg programs: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
+    private fun workshop(vararg programs: Program, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(programs.toList())
         check(workshop)
         workshop.close()

@@ -2,11 +2,11 @@ package robotran.workshop
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
+import robotran.programs.Program
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.sound.RecordingSpeaker
-import robotran.workshop.state.PupilProgram
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -18,7 +18,7 @@ class WorkshopSoundTest {
     private val workshop =
         runBlocking {
             openWorkshop(
-                listOf(PupilProgram("beep.robo", "beep\nwait 300 milliseconds\nbeep")),
+                listOf(Program.of("beep.robo", "beep\nwait 300 milliseconds\nbeep")),
                 MemoryPlatform(speaker),
             )
         }

@@ -1,7 +1,10 @@
 package robotran.assignments.collecting
 
 import robotran.documents.plainFileName
+import robotran.language.ProgramLanguage
 import robotran.language.decodeText
+import robotran.programs.languageOfFile
+import robotran.programs.support
 
 /**
  * A file among the collected ones or in one of their zips.
@@ -13,6 +16,15 @@ internal class FoundFile(val path: List<String>, val content: FoundContent, val 
     val name: String get() = path.last()
     val shownPath: String get() = path.joinToString("/")
     val kind: FoundKind get() = FoundKind.of(name)
+
+    /** The language of a source; null for other files. */
+    val language: ProgramLanguage? get() = languageOfFile(plainFileName(name))
+
+    /** Whether it is a source that is named like the class in it. */
+    val isNamedByContent: Boolean get() = language?.support?.files?.isNamedByContent == true
+
+    /** Whether a program can start in it. */
+    val canStart: Boolean get() = language?.support?.files?.canStart(text) == true
     val isEmptyFolder: Boolean get() = name.isEmpty()
     val isClassFile: Boolean get() = name.endsWith(CLASS, ignoreCase = true)
 
@@ -38,10 +50,8 @@ internal sealed interface FoundContent {
 
 /** What a file may hold, by its name. */
 internal enum class FoundKind(vararg val extensions: String) {
-    ROBOLANG(".robo"),
-    JAVA(".java"),
-    NQC(".nqc", ".nqh"),
-    LASM(".lasm"),
+    /** A program, or a part of one, as its author wrote it. */
+    SOURCE,
 
     /** A compiled program for LEGO's own firmware. */
     RCX_IMAGE(".rcx"),
@@ -55,6 +65,7 @@ internal enum class FoundKind(vararg val extensions: String) {
     companion object {
         fun of(name: String): FoundKind {
             val plain = plainFileName(name)
+            if (languageOfFile(plain) != null) return SOURCE
             return entries.firstOrNull { kind -> kind.extensions.any { plain.endsWith(it, ignoreCase = true) } }
                 ?: OTHER
         }

@@ -95,14 +95,16 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         direct.groupBy { it.task }.values.flatMap { groupsOfTask(it, depth, prefix, isOnly) }
 
     private fun groupsOfTask(direct: List<FoundFile>, depth: Int, prefix: String, isOnly: Boolean): List<FileGroup> {
-        val java = direct.filter { it.kind == FoundKind.JAVA }
+        val java = direct.filter { it.isNamedByContent }
         val compiled = if (java.isEmpty()) emptyList() else direct.filter { it.isClassFile }
         val isOneProgram = java.size > 1 && java.count(::startsHere) < 2
-        val nqc = NqcFiles(direct)
-        val parts = nqc.included + compiled + if (isOneProgram) java else emptyList()
+        val includes = IncludedFiles(direct)
+        val parts = includes.included + compiled + if (isOneProgram) java else emptyList()
         val single = direct.filterNot { it in parts }.map { file ->
             val name = if (isOnly) file.path[depth - 1] else stemOf(file.name)
-            val files = (listOf(file) + nqc.includedBy(file) + classesOf(file, compiled)).map { it.at(listOf(it.name)) }
+            val files = (listOf(file) + includes.includedBy(file) + classesOf(file, compiled)).map {
+                it.at(listOf(it.name))
+            }
             FileGroup(null, prefix + name, file.shownPath, files, false, isOnly)
         }
         if (!isOneProgram) return single
@@ -114,7 +116,7 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
 
     /** Those of [compiled] that the compiler has made of [source]. */
     private fun classesOf(source: FoundFile, compiled: List<FoundFile>): List<FoundFile> =
-        if (source.kind != FoundKind.JAVA) {
+        if (!source.isNamedByContent) {
             emptyList()
         } else {
             compiled.filter { stemOf(it.name).substringBefore('$') == stemOf(source.name) }
@@ -126,7 +128,7 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
         val folders = useful.filter { it.path.size > depth + 1 }.groupBy { it.path[depth] }
         if (useful.any { it.path.size == depth + 1 }) return false
         if (folders.size == 1) return holdsPupils(useful, depth + 1)
-        return folders.size > 1 && (useful.any { it.kind != FoundKind.JAVA } || most(useful.filter(::startsHere)) > 1)
+        return folders.size > 1 && (useful.any { !it.isNamedByContent } || most(useful.filter(::startsHere)) > 1)
     }
 
     /** Whether the only folder beside loose files holds the projects of several pupils, rather than the work of one. */
@@ -144,7 +146,7 @@ private class FolderGrouping(private val isNoHandIn: (FoundFile) -> Boolean) {
     /** How many of [files] there are for the assignment that has the most of them. */
     private fun most(files: List<FoundFile>): Int = files.groupBy { it.task }.values.maxOfOrNull { it.size } ?: 0
 
-    private fun startsHere(file: FoundFile): Boolean = file.kind == FoundKind.JAVA && hasMain(file.text)
+    private fun startsHere(file: FoundFile): Boolean = file.isNamedByContent && file.canStart
 
     private companion object {
         /** One pupil may leave two, such as a program and a project. */

@@ -1,9 +1,10 @@
 package robotran.assignments.collecting
 
 import robotran.language.ProgramLanguage
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
-import robotran.programs.nqcProgramsOf
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
+import robotran.programs.programsOf
+import robotran.programs.support
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectProgram
 
@@ -12,33 +13,31 @@ import robotran.projects.ProjectProgram
  * is one. All Java files are one program, or one for each that has a `main`, or for each version of a class.
  */
 internal fun programsOf(files: List<Pair<FoundFile, String>>): List<ProjectProgram> {
-    val sorted = files.sortedBy { it.first.shownPath }.distinctBy { (file, text) -> file.kind to text }
+    val sorted = files.sortedBy { it.first.shownPath }.distinctBy { (file, text) -> file.language to text }
     val isAmbiguous = sorted.groupingBy { it.first.name }.eachCount()
     val named = sorted.map { (file, text) ->
         val name = if (isAmbiguous.getValue(file.name) > 1) file.shownPath else file.name
         file to SourceFile(name.takeLast(ProjectLimits.MAXIMUM_NAME_CHARACTERS), text)
     }
-    val sources = named.groupBy({ it.first.kind }, { it.second })
-    val alone = (sources[FoundKind.ROBOLANG].orEmpty() + sources[FoundKind.LASM].orEmpty()).map { file ->
-        ProgramSource.of(checkNotNull(ProgramLanguage.ofFile(file.name)), file.name, listOf(file))
-    }
-    val java = javaPrograms(named.filter { it.first.kind == FoundKind.JAVA })
-    val all = alone + nqcProgramsOf(sources[FoundKind.NQC].orEmpty()) + java
+    val (classes, others) = named.partition { it.first.isNamedByContent }
+    val sources = others.groupBy({ it.first.language }, { it.second })
+    val all = sources.flatMap { (language, files) -> language?.let { programsOf(files, it) }.orEmpty() } +
+        programsOfClasses(classes)
     return all.mapNotNull { ProjectProgram.of(it) }.sortedBy { it.name }
 }
 
 /** @property file the name under which it was handed in. */
-private class JavaFile(val file: String, val folder: String, val source: SourceFile)
+private class ClassFile(val file: String, val folder: String, val source: SourceFile)
 
-private fun javaPrograms(files: List<Pair<FoundFile, SourceFile>>): List<ProgramSource.Java> {
+private fun programsOfClasses(files: List<Pair<FoundFile, SourceFile>>): List<Program> {
     val all = files.map { (found, source) ->
-        JavaFile(source.name, found.path.dropLast(1).joinToString("/"), namedByClass(source.copy(name = found.name)))
+        ClassFile(source.name, found.path.dropLast(1).joinToString("/"), namedByContent(source.copy(name = found.name)))
     }
     return versionsOf(all).flatMap(::startingAnywhere).distinctBy { it.files }
 }
 
 /** Sets of [all] in which no two have the same class: one for each folder, and for each version in a folder. */
-private fun versionsOf(all: List<JavaFile>): List<List<JavaFile>> {
+private fun versionsOf(all: List<ClassFile>): List<List<ClassFile>> {
     if (all.isEmpty()) return emptyList()
     val byClass = all.groupBy { it.source.name }.values
     if (byClass.all { it.size == 1 }) return listOf(all)
@@ -48,7 +47,13 @@ private fun versionsOf(all: List<JavaFile>): List<List<JavaFile>> {
 }
 
 /** A program for each file of [files] that has a `main`, or else one. */
-private fun startingAnywhere(files: List<JavaFile>): List<ProgramSource.Java> =
-    files.filter { hasMain(it.source.text) }.ifEmpty { files.take(1) }.map { first ->
-        ProgramSource.Java(first.file, listOf(first.source) + (files - first).map { it.source })
+private fun startingAnywhere(files: List<ClassFile>): List<Program> =
+    files.filter { languageOf(it).support.files.canStart(it.source.text) }.ifEmpty { files.take(1) }.map { first ->
+        Program(
+            first.file,
+            languageOf(first),
+            listOf(first.source) + (files - first).map { it.source },
+        )
     }
+
+private fun languageOf(file: ClassFile) = ProgramLanguage.ofFileOrDefault(file.source.name)

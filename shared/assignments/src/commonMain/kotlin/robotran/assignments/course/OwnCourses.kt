@@ -1,11 +1,12 @@
 package robotran.assignments.course
 
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint
@@ -66,7 +67,8 @@ object OwnCourses {
         return lesson.project(language).copy(assignment = assignment)
     }
 
-    private fun programOf(lesson: Lesson, file: SourceFile) = ProjectProgram(file.name, lesson.code, listOf(file))
+    private fun programOf(lesson: Lesson, file: SourceFile) =
+        ProjectProgram(Program(file.name, lesson.code, listOf(file)))
 
     private val SEEDS = 1..20
     private const val TRIES_BEFORE_PART = 3

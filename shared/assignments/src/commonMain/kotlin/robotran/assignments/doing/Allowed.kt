@@ -1,10 +1,11 @@
 package robotran.assignments.doing
 
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeTokenKind
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
 import robotran.robolang.RobolangWords
-import robotran.robolang.SourceTokenKind
 import robotran.robolang.robolangTokensOfLines
 
 private val SENSES = listOf(
@@ -27,13 +28,13 @@ private val SENSES = listOf(
 val wordsToAllow: List<String> = (RobolangWords.commands - "end") + SENSES + RobolangWords.functions.keys
 
 /**
- * The words that [programs] use and [assignment] does not allow, each once, in the order of [wordsToAllow]. Java has no
- * such words.
+ * The words that [programs] use and [assignment] does not allow, each once, in the order of [wordsToAllow]. Other
+ * languages than Robolang have no such words.
  */
 fun forbiddenWords(assignment: Assignment, programs: List<ProjectProgram>): List<String> {
     if (assignment.words.isEmpty()) return emptyList()
     val forbidden = wordsToAllow.toSet() - assignment.words.mapNotNull(RobolangWords::spellingOf).toSet()
-    val used = programs.filter { it.language == ProgramLanguage.ROBOLANG }
+    val used = programs.filter { it.language.support.hasBlocks }
         .flatMapTo(mutableSetOf()) { program -> program.files.flatMap { wordsOfLines(it.text).flatten() } }
     return wordsToAllow.filter { it in forbidden && it in used }
 }
@@ -57,4 +58,4 @@ internal fun wordsOfLines(program: String): List<Set<String>> {
 }
 
 private const val BYTE_ORDER_MARK = "\uFEFF"
-private val WORDS = setOf(SourceTokenKind.KEYWORD, SourceTokenKind.BUILT_IN)
+private val WORDS = setOf(CodeTokenKind.KEYWORD, CodeTokenKind.BUILT_IN)

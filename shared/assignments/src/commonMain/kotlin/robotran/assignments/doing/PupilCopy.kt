@@ -1,12 +1,13 @@
 package robotran.assignments.doing
 
 import robotran.assignments.tokens.isSameProgram
-import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.projects.givenProgram
 
 /**
  * What pupils get of the assignment in [project]: no checks, no solution, and nobody's tries. The first robot has the
@@ -34,8 +35,7 @@ val Project.firstPrograms: List<ProjectProgram>
         val first = world.robots.first()
         val own = robots.firstOrNull { it.name == first.name }?.programs.orEmpty()
         if (own.isNotEmpty()) return own
-        val name = "${first.name}${ProgramLanguage.ROBOLANG.extension}"
-        return listOfNotNull(first.program?.let { robolangProgram(name, it) })
+        return listOfNotNull(first.givenProgram?.let(ProjectProgram::of))
     }
 
 /** The same project in which the first robot has [programs]. */
@@ -67,9 +67,7 @@ fun isOfSolution(program: ProjectProgram, solution: List<ProjectProgram>): Boole
 }
 
 private fun blankFor(program: ProjectProgram): ProjectProgram {
-    val name = if (program.language == ProgramLanguage.JAVA) program.name else "program${program.language.extension}"
-    return ProjectProgram(name, program.language, listOf(SourceFile(name, "")), program.view)
+    val files = program.language.support.files
+    val name = if (files.isNamedByContent) program.name else files.nameFor("program")
+    return ProjectProgram(Program(name, program.language, ""), program.view)
 }
-
-private fun robolangProgram(name: String, text: String) =
-    ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))

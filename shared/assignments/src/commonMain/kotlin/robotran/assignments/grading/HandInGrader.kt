@@ -97,7 +97,7 @@ class HandInGrader(
         // What one run has written must not help another, so grading begins with empty flash memories.
         val robots = (listOf(robot.copy(name = own)) + assignment.robots.filter { it.name != first })
             .map { it.copy(files = emptyList()) }
-        val sources = robots.associate { it.name to it.programs.map { program -> program.source } }
+        val sources = robots.associate { it.name to it.programs.map { program -> program.program } }
         val robotsOfWorld = graded.world.robots.map { Triple(it.name, it.program, it.description.target) }
         val result = compiled.getOrPut(robot.programs to robotsOfWorld) {
             readRobotLoads(graded.world, compiler, sources.filterKeys { it in known })

@@ -6,7 +6,7 @@ import robotran.assignments.collecting.Submission
 import robotran.assignments.java
 import robotran.assignments.robolang
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -73,7 +73,7 @@ class CompareSubmissionsTest {
             "    OnFwd(OUT_A); Wait($it * 10); steps += $it; if (SENSOR_1 == $it) Off(OUT_C);"
         }
         val same = "/* mine\n */" + turn.replace("steps", "n").replace(" += ", "+=").replace("    ", "\t")
-        val nqc = { text: String -> ProjectProgram("a.nqc", ProgramLanguage.NQC, listOf(SourceFile("a.nqc", text))) }
+        val nqc = { text: String -> ProjectProgram(Program("a.nqc", ProgramLanguage.NQC, text)) }
         assertEquals(listOf(SimilarPair(0, 1, 1.0)), pairs(submission(nqc(turn)), submission(nqc(same))))
     }
 

@@ -2,7 +2,7 @@ package robotran.assignments.doing
 
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
 import robotran.projects.AssignmentTries
@@ -30,7 +30,7 @@ class DoingTest {
     private val world = BuiltInWorlds.plain
 
     private fun program(text: String, name: String = "a.robo", language: ProgramLanguage = ProgramLanguage.ROBOLANG) =
-        ProjectProgram(name, language, listOf(SourceFile(name, text)))
+        ProjectProgram(Program(name, language, text))
 
     private fun project(assignment: Assignment, vararg programs: ProjectProgram) =
         Project(world, listOf(ProjectRobot(world.robots.first().name, programs.toList())), assignment = assignment)

@@ -312,7 +312,7 @@ class ReportsTest {
     fun `lines of code are those of the program that Run starts`() = runTest {
         val usable = assertIs<Submission.Usable>(collect(file("a.robo", "beep\n")).single())
         val programs = usable.robot.programs + listOf("buzz\nbeep\nbeep\n").map { text ->
-            usable.robot.programs.single().run { copy(files = files.map { it.copy(text = text) }) }
+            usable.robot.programs.single().run { copy(program = program.withText(0, text)) }
         }
         val lines = listOf(0, 1).map { usable.copy(robot = usable.robot.copy(programs = programs, firstProgram = it)) }
         assertEquals(listOf(1, 3), lines.map { it.linesOfCode })

@@ -2,9 +2,10 @@ package robotran.assignments.doing
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.learning.hint.HintCondition
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
 import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.PENBOT_TARGET
@@ -26,7 +27,7 @@ class HintsOfAssignmentTest {
 
     private fun hintsAfter(program: String, tries: Int, vararg hints: AssignmentHint): List<String> = runBlocking {
         val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
-        val sources = mapOf(world.robots.first().name to listOf(ProgramSource.Robolang("a.robo", program)))
+        val sources = mapOf(world.robots.first().name to listOf(Program("a.robo", ProgramLanguage.ROBOLANG, program)))
         val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, compiler, sources)).loads
         val session = Session(world, loads, loadPhysicsEngine(), Language.ENGLISH)
         session.runForGoals()

@@ -11,7 +11,7 @@ import io.kotest.property.arbitrary.arbitrary
 import io.kotest.property.checkAll
 import robotran.language.Language
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentTries
@@ -101,7 +101,7 @@ private fun project(random: Random): Project {
 private fun hidden(world: World) = world.copy(title = "$SECRET world")
 
 private fun program(name: String, text: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG) =
-    ProjectProgram(name, language, listOf(SourceFile(name, text)))
+    ProjectProgram(Program(name, language, text))
 
 /** Of a brick. */
 private const val MAX_PROGRAMS = 5

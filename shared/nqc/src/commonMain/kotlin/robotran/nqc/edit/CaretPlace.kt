@@ -1,6 +1,7 @@
 package robotran.nqc.edit
 
 import robotran.language.Language
+import robotran.languagesupport.CodeTokenKind
 import robotran.nqc.diagnostic.DiagnosticSink
 import robotran.nqc.messages.NqcMessages
 import robotran.nqc.syntax.Keyword
@@ -72,8 +73,8 @@ internal class CaretPlace private constructor(
             val line = source.substring(lineStart, start)
             val tokens = nqcTokens(line, isInComment)
             val last = tokens.tokens.lastOrNull()?.takeIf { it.end == line.length } ?: return tokens.endsInComment
-            val isOpenText = last.kind == NqcTokenKind.TEXT && (last.end == last.start + 1 || !line.endsWith('"'))
-            val isLineComment = last.kind == NqcTokenKind.COMMENT && !line.endsWith("*/")
+            val isOpenText = last.kind == CodeTokenKind.TEXT && (last.end == last.start + 1 || !line.endsWith('"'))
+            val isLineComment = last.kind == CodeTokenKind.COMMENT && !line.endsWith("*/")
             return tokens.endsInComment || isOpenText || isLineComment
         }
 

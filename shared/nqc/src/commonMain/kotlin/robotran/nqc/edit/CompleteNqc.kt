@@ -1,6 +1,8 @@
 package robotran.nqc.edit
 
 import robotran.language.Language
+import robotran.languagesupport.Completion
+import robotran.languagesupport.CompletionKind
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.api.ExpectedNames
 import robotran.nqc.api.NqcApi
@@ -41,54 +43,53 @@ private class Candidates(
     private val api: Map<String, NqcApiEntry>,
     private val language: Language,
 ) {
-    fun directives(): List<NqcCompletion> = DIRECTIVES.map { NqcCompletion("#$it", NqcCompletionKind.WORD, "#$it ") }
+    fun directives(): List<Completion> = DIRECTIVES.map { Completion("#$it", CompletionKind.WORD, "#$it ") }
 
-    fun units(): List<NqcCompletion> = UNITS + words(KeywordGroup.DECLARATION) + words(KeywordGroup.UNIT) + directives()
+    fun units(): List<Completion> = UNITS + words(KeywordGroup.DECLARATION) + words(KeywordGroup.UNIT) + directives()
 
-    fun statements(): List<NqcCompletion> = calls() + entries(NqcApiKind.FUNCTION) + STATEMENTS +
+    fun statements(): List<Completion> = calls() + entries(NqcApiKind.FUNCTION) + STATEMENTS +
         until() + names(NqcNameKind.VARIABLE) + names(NqcNameKind.MACRO) +
         words(KeywordGroup.STATEMENT) + words(KeywordGroup.DECLARATION)
 
-    fun values(): List<NqcCompletion> = names(NqcNameKind.VARIABLE) + names(NqcNameKind.MACRO) +
+    fun values(): List<Completion> = names(NqcNameKind.VARIABLE) + names(NqcNameKind.MACRO) +
         entries(NqcApiKind.VALUE).filter { !it.label.startsWith(UNTIL) } + entries(NqcApiKind.CONSTANT) +
         words(KeywordGroup.VALUE)
 
     /** The constants and sensors that argument number [argument] of the function [call] is made for. */
-    fun expected(call: String?, argument: Int): List<NqcCompletion> {
+    fun expected(call: String?, argument: Int): List<Completion> {
         val entry = api[call] ?: return emptyList()
         return ExpectedNames.of(entry, argument).mapNotNull { api[it] }.map { completionOf(it) }
     }
 
-    fun names(kind: NqcNameKind): List<NqcCompletion> =
-        names.filter { it.kind == kind }.distinctBy { it.name }.map { NqcCompletion(it.name, NqcCompletionKind.NAME) }
+    fun names(kind: NqcNameKind): List<Completion> =
+        names.filter { it.kind == kind }.distinctBy { it.name }.map { Completion(it.name, CompletionKind.NAME) }
 
-    private fun calls(): List<NqcCompletion> = names
+    private fun calls(): List<Completion> = names
         .filter { it.kind == NqcNameKind.SUB || it.kind == NqcNameKind.FUNCTION }
         .distinctBy { it.name }
-        .map { NqcCompletion("${it.name}()", NqcCompletionKind.FUNCTION, "${it.name}();", it.name.length + 1) }
+        .map { Completion("${it.name}()", CompletionKind.FUNCTION, "${it.name}();", it.name.length + 1) }
 
     private fun entries(kind: NqcApiKind) =
         api.values.filter { it.kind == kind }.sortedByDescending { FIRST.indexOf(it.name) }.map { completionOf(it) }
 
     private fun until() = listOfNotNull(api[UNTIL]).map {
-        NqcCompletion(it.signature, NqcCompletionKind.WORD, "$UNTIL ();", UNTIL.length + 2, it.help(language))
+        Completion(it.signature, CompletionKind.WORD, "$UNTIL ();", UNTIL.length + 2, it.help(language))
     }
 
-    private fun completionOf(entry: NqcApiEntry): NqcCompletion {
+    private fun completionOf(entry: NqcApiEntry): Completion {
         val parameters = entry.parameters
         val kind = when (entry.kind) {
-            NqcApiKind.FUNCTION -> NqcCompletionKind.FUNCTION
-            NqcApiKind.VALUE -> NqcCompletionKind.VALUE
-            NqcApiKind.CONSTANT -> NqcCompletionKind.CONSTANT
+            NqcApiKind.FUNCTION -> CompletionKind.FUNCTION
+            NqcApiKind.VALUE, NqcApiKind.CONSTANT -> CompletionKind.FIELD
         }
         val inserted = entry.name + (if (parameters == null) "" else "()") +
             (if (entry.kind == NqcApiKind.FUNCTION) ";" else "")
         val caret = if (parameters.isNullOrEmpty()) inserted.length else entry.name.length + 1
-        return NqcCompletion(entry.signature, kind, inserted, caret, entry.help(language))
+        return Completion(entry.signature, kind, inserted, caret, entry.help(language))
     }
 
     private fun words(group: KeywordGroup) = Keyword.entries.filter { it.group == group }
-        .map { NqcCompletion(it.text, NqcCompletionKind.WORD, help = nqcHelp(it.text, language)) }
+        .map { Completion(it.text, CompletionKind.WORD, help = nqcHelp(it.text, language)) }
 
     private companion object {
         const val UNTIL = "until"
@@ -114,14 +115,14 @@ private class Candidates(
         )
 
         /** A block named [label]; the caret is at the end of [beginning]. */
-        fun block(label: String, beginning: String): NqcCompletion {
+        fun block(label: String, beginning: String): Completion {
             val text = when {
                 beginning.endsWith("\n    ") -> "$beginning\n}"
                 label.endsWith("()") -> "$beginning)\n{\n    \n}"
                 label.startsWith("for") -> "$beginning; ; )\n{\n    \n}"
                 else -> "$beginning()\n{\n    \n}"
             }
-            return NqcCompletion("$label { }", NqcCompletionKind.BLOCK, text, beginning.length)
+            return Completion("$label { }", CompletionKind.BLOCK, text, beginning.length)
         }
     }
 }

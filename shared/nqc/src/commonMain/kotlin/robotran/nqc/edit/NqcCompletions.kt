@@ -1,22 +1,6 @@
 package robotran.nqc.edit
 
-/**
- * One entry of a list of completions.
- *
- * @property label the text in the list.
- * @property inserted the inserted text; its further lines lack the indentation of the current line.
- * @property caret the offset of the caret in [inserted] afterwards.
- * @property help a sentence in the pupil's language; null if there is none.
- */
-data class NqcCompletion(
-    val label: String,
-    val kind: NqcCompletionKind,
-    val inserted: String = label,
-    val caret: Int = inserted.length,
-    val help: String? = null,
-)
-
-enum class NqcCompletionKind { WORD, BLOCK, NAME, FUNCTION, VALUE, CONSTANT }
+import robotran.languagesupport.Completion
 
 /**
  * The completions at a place of a program.
@@ -25,4 +9,4 @@ enum class NqcCompletionKind { WORD, BLOCK, NAME, FUNCTION, VALUE, CONSTANT }
  * @property typed the part of the word that is written.
  * @property items what can be there, the likeliest first, whether or not it begins with [typed].
  */
-data class NqcCompletions(val start: Int, val typed: String, val items: List<NqcCompletion>)
+data class NqcCompletions(val start: Int, val typed: String, val items: List<Completion>)

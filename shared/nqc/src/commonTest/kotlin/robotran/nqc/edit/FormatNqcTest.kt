@@ -43,14 +43,14 @@ class FormatNqcTest {
             |}
             |
         """.trimMargin()
-        assertEquals(expected, formatNqc(source))
+        assertEquals(expected, NqcSyntax.format(source))
     }
 
     @Test
     fun `formatting twice changes nothing, and programs stay the same`() {
         for ((name, source) in Vectors.programs) {
-            val formatted = formatNqc(source)
-            assertEquals(formatted, formatNqc(formatted), name)
+            val formatted = NqcSyntax.format(source)
+            assertEquals(formatted, NqcSyntax.format(formatted), name)
             assertEquals(codeOf(source), codeOf(formatted), name)
         }
     }

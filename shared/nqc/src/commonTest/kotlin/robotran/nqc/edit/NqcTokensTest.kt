@@ -1,5 +1,8 @@
 package robotran.nqc.edit
 
+import robotran.languagesupport.BlockEffect
+import robotran.languagesupport.CodeToken
+import robotran.languagesupport.CodeTokenKind
 import robotran.nqc.Vectors
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -10,11 +13,11 @@ class NqcTokensTest {
     fun `words and signs have their kinds`() {
         val line = "  #define GO(x) OnFwd(x); // go"
         assertEquals(
-            "DIRECTIVE:#define NAME:GO SIGN:( NAME:x SIGN:) BUILT_IN:OnFwd SIGN:( NAME:x SIGN:) SIGN:; COMMENT:// go",
+            "KEYWORD:#define NAME:GO SIGN:( NAME:x SIGN:) BUILT_IN:OnFwd SIGN:( NAME:x SIGN:) SIGN:; COMMENT:// go",
             shown(line),
         )
         assertEquals("KEYWORD:if SIGN:( BUILT_IN:SENSOR_1 SIGN:!= NUMBER:0x1f SIGN:)", shown("if (SENSOR_1 != 0x1f)"))
-        assertEquals("DIRECTIVE:#include TEXT:\"a.nqh\"", shown("#include \"a.nqh\""))
+        assertEquals("KEYWORD:#include TEXT:\"a.nqh\"", shown("#include \"a.nqh\""))
     }
 
     @Test
@@ -22,7 +25,7 @@ class NqcTokensTest {
         val first = nqcTokens("int x; /* begins", startsInComment = false)
         assertTrue(first.endsInComment)
         val second = nqcTokens("ends */ int y;", first.endsInComment)
-        assertEquals(NqcToken(NqcTokenKind.COMMENT, 0, 7), second.tokens.first())
+        assertEquals(CodeToken(CodeTokenKind.COMMENT, 0, 7), second.tokens.first())
         assertEquals(4, second.tokens.size)
         assertTrue(!second.endsInComment)
     }
@@ -41,9 +44,9 @@ class NqcTokensTest {
 
     @Test
     fun `braces indent`() {
-        assertEquals(NqcBlockEffect(closes = false, opens = true), nqcBlockEffect("task main() {"))
-        assertEquals(NqcBlockEffect(closes = true, opens = true), nqcBlockEffect("  } else {"))
-        assertEquals(NqcBlockEffect(closes = false, opens = false), nqcBlockEffect("void f() { } // {"))
+        assertEquals(BlockEffect(closes = false, opens = true), NqcSyntax.blockEffect("task main() {"))
+        assertEquals(BlockEffect(closes = true, opens = true), NqcSyntax.blockEffect("  } else {"))
+        assertEquals(BlockEffect(closes = false, opens = false), NqcSyntax.blockEffect("void f() { } // {"))
     }
 
     private fun shown(line: String) = nqcTokens(line, startsInComment = false).tokens

@@ -1,5 +1,7 @@
 package robotran.textediting.text
 
+import robotran.languagesupport.TextLines
+
 /**
  * The text that the pupil edits, with the caret and the selection.
  *

@@ -28,8 +28,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
-import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
+import robotran.programs.support
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.RobotLoads
@@ -128,12 +128,12 @@ private fun SheetPicture(work: ProjectListEntry) {
 }
 
 /**
- * The programs of [project] for its picture; empty if they have errors, or if one is in Java, whose compiler would have
- * to be fetched for a picture.
+ * The programs of [project] for its picture; empty if they have errors, or if the compiler of one would have to be
+ * fetched for a picture.
  */
 private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
-    val isJava = project.robots.any { robot -> robot.programs.any { it.language == ProgramLanguage.JAVA } }
-    if (isJava) return emptyList()
+    val isSlow = project.robots.any { robot -> robot.programs.any { it.language.support.hasSlowCompiler } }
+    if (isSlow) return emptyList()
     return (readRobotLoads(project, reader) as? RobotLoads.Ready)?.loads.orEmpty()
 }
 

@@ -27,9 +27,10 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.CodeTokens
+import robotran.languagesupport.TextLines
+import robotran.programs.support
 import robotran.projects.ProjectProgram
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.text.TextLines
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
 import robotran.ui.theme.LocalRobotranColours
@@ -117,7 +118,7 @@ private fun barColour(colours: RobotranColours): Color = colours.onPane
 
 private fun coloured(text: String, language: ProgramLanguage, colours: CodeColours): List<AnnotatedString> {
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, language, BrickKind.DEFAULT)
+    val tokens = CodeTokens(lines, language.support.code, BrickKind.DEFAULT)
     return (0..<minOf(lines.count, MAX_LINES)).map { index ->
         buildAnnotatedString {
             append(lines.line(index))

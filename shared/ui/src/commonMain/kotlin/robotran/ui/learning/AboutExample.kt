@@ -1,7 +1,7 @@
 package robotran.ui.learning
 
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.texts.ExampleTexts
 
 /**
@@ -11,18 +11,8 @@ import robotran.ui.texts.ExampleTexts
  */
 internal fun aboutExample(set: ExampleSet, name: String, language: Language): String {
     val stem = name.removeSuffix(set.language.extension)
-    val words = if (set.language == ProgramLanguage.JAVA) {
-        stem.replace(CAPITAL_INSIDE) { "_${it.value}" }
-    } else {
-        stem.replace('-', '_')
-    }
-    val example = words.lowercase()
-    val own = when (set) {
-        ExampleSet.ROBOLANG -> ""
-        ExampleSet.LEJOS -> ExampleTexts.about(language, "${example}_java")
-        ExampleSet.NQC -> ExampleTexts.about(language, "${example}_nqc")
-        ExampleSet.NXJ -> ExampleTexts.about(language, "${example}_nxj")
-    }
+    val example = stem.replace('-', '_').replace(CAPITAL_INSIDE) { "_${it.value}" }.lowercase()
+    val own = if (set.ending.isEmpty()) "" else ExampleTexts.about(language, example + set.ending)
     return own.ifEmpty { ExampleTexts.about(language, example) }
 }
 

@@ -4,14 +4,14 @@ import androidx.compose.ui.graphics.ImageBitmap
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.programs.TimedCompilation
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.penbotTarget
 import robotran.simulation.RobotLoad
+import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetPictures
@@ -40,7 +40,7 @@ internal object ExamplePictures : CardPictures<String> {
 
     private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
         val text = set.programs[name] ?: return null
-        val source = ProgramSource.of(set.language, name, listOf(SourceFile(name, text)))
+        val source = Program(name, set.language, text)
         val compiled = reader.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
         return (compiled?.result as? ProgramResult.Ready)?.program
     }

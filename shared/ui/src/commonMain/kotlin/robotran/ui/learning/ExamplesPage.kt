@@ -24,6 +24,7 @@ import robotran.language.ProgramLanguage
 import robotran.ui.language.spoken
 import robotran.ui.parts.Page
 import robotran.ui.parts.scrolledByReaders
+import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.texts.LearningTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours

@@ -24,9 +24,9 @@ import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
-import robotran.language.ProgramLanguage
+import robotran.programs.blockLanguage
+import robotran.programs.support
 import robotran.robolang.words.BlockGroup
-import robotran.textediting.code.tokensOf
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.rememberBlockLooks
@@ -94,7 +94,7 @@ internal fun TextPicture() {
 
 private fun coloured(line: String, colours: CodeColours): AnnotatedString = buildAnnotatedString {
     append(line)
-    for (token in tokensOf(line, ProgramLanguage.ROBOLANG, startsInComment = false, BrickKind.DEFAULT)) {
+    for (token in blockLanguage.support.code.tokens(line, startsInComment = false, BrickKind.DEFAULT).tokens) {
         addStyle(SpanStyle(color = colours.of(token.kind)), token.start, token.end)
     }
 }

@@ -25,9 +25,10 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.programs.support
 import robotran.ui.language.spoken
 import robotran.ui.parts.RadioMark
-import robotran.ui.texts.BrickLabels
+import robotran.ui.programlanguages.texts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -55,8 +56,8 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
     val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
-        // Nobody else asks for assembly.
-        for (language in ProgramLanguage.entries.filter { it != ProgramLanguage.LASM || it == chosen }) {
+        // Nobody else asks for what is for experts.
+        for (language in ProgramLanguage.entries.filter { !it.support.isForExperts || it == chosen }) {
             val selected = language == chosen
             Row(
                 Modifier
@@ -68,11 +69,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
-                val name = if (language == ProgramLanguage.JAVA) {
-                    BrickLabels.of(brick).javaWords(spoken)
-                } else {
-                    language.ownName
-                }
+                val name = language.texts.helpName[brick]?.invoke(spoken) ?: language.ownName
                 Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
             }
         }

@@ -2,17 +2,18 @@ package robotran.ui.poster
 
 import androidx.compose.ui.graphics.Color
 import robotran.brick.kind.BrickKind
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.text.TextLines
+import robotran.languagesupport.CodeTokens
+import robotran.languagesupport.TextLines
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.ui.program.editor.codeColoursFor
 import robotran.ui.theme.RobotranColours
-import robotran.workshop.state.PupilProgram
 
 /** The lines of [program] in the colours of the editor; a program of several files has their names between them. */
-internal fun codeLines(program: PupilProgram): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->
+internal fun codeLines(program: Program): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->
     val text = file.text.trimEnd()
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, program.language, BrickKind.DEFAULT)
+    val tokens = CodeTokens(lines, program.language.support.code, BrickKind.DEFAULT)
     val heading = if (program.files.size == 1) emptyList() else headingOf(file.name, isFirst = index == 0)
     heading + (0..<lines.count).map { line -> runsOf(lines.line(line), tokens, line) }
 }

@@ -19,10 +19,12 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Plus
 import robotran.ui.parts.RoundButton
+import robotran.ui.programlanguages.texts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions
@@ -50,11 +52,9 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
             modifier = Modifier.widthIn(min = 300.dp),
         ) {
             if (state.hasRoom) NewPrograms(state.brick, choose) else Note(ScreenTexts.programNoRoom(spoken))
-            when (state.program.language) {
-                ProgramLanguage.JAVA -> ScreenTexts::programNewClass
-                ProgramLanguage.NQC -> NqcTexts::programNewFile
-                ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> null
-            }?.let { words -> Choice(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) } }
+            state.program.language.texts.newFile?.let { words ->
+                Choice(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) }
+            }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
                 Choice(ScreenTexts.programReopenNamed(spoken, closed), "reopen-closed") {
                     choose(ProgramEvent.ProgramReopened)
@@ -73,32 +73,22 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
 /** The languages in which an assignment lets pupils write; null for all. */
 internal val LocalAllowedLanguages = staticCompositionLocalOf<List<ProgramLanguage>?> { null }
 
-/** Only an RCX has a firmware of LEGO's; its assembly is for the few who ask for more. */
+/** What is for experts is for the few who ask for more. */
 @Composable
 private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     var hasMore by remember { mutableStateOf(false) }
     val allowed = LocalAllowedLanguages.current ?: ProgramLanguage.entries
-    val languages = allowed.filter { brick.hasLegoFirmware || it !in OF_LEGO_FIRMWARE }
-    for ((language, words) in WORDS_OF_NEW.filterKeys { it in languages }) {
-        if (language == ProgramLanguage.LASM && languages.size > 1 && !hasMore) {
+    val languages = ProgramLanguage.entries.filter { it in allowed && brick in it.support.bricks }
+    for (language in languages) {
+        if (language.support.isForExperts && languages.size > 1 && !hasMore) {
             Choice(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }
         } else {
-            Choice(words(spoken), "new-${language.name.lowercase()}") {
+            Choice(language.texts.newProgram(spoken), "new-${language.name.lowercase()}") {
                 onEvent(ProgramEvent.NewProgramRequested(language))
             }
         }
     }
 }
-
-private val OF_LEGO_FIRMWARE = setOf(ProgramLanguage.NQC, ProgramLanguage.LASM)
-
-/** In the order in which they are offered. */
-private val WORDS_OF_NEW = mapOf(
-    ProgramLanguage.ROBOLANG to ScreenTexts::programNewRobolang,
-    ProgramLanguage.JAVA to ScreenTexts::programNewJava,
-    ProgramLanguage.NQC to NqcTexts::programNewNqc,
-    ProgramLanguage.LASM to NqcTexts::programNewLasm,
-)
 
 @Composable
 private fun Note(text: String) {

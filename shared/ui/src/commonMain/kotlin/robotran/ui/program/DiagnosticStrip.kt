@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.language.source.Diagnostic
+import robotran.programs.Program
 import robotran.ui.language.spoken
 import robotran.ui.program.editor.FixButton
 import robotran.ui.texts.EditorTexts
@@ -27,7 +28,6 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.state.PupilProgram
 
 /**
  * Below the text: the number of errors, with a button that jumps to the next, and the errors without a line in the
@@ -38,7 +38,7 @@ import robotran.workshop.state.PupilProgram
  */
 @Composable
 internal fun DiagnosticStrip(
-    program: PupilProgram,
+    program: Program,
     diagnostics: List<Diagnostic>,
     file: String,
     max: Int,
@@ -84,7 +84,7 @@ internal fun DiagnosticStrip(
 }
 
 @Composable
-private fun Elsewhere(diagnostic: Diagnostic, program: PupilProgram, onFix: (Diagnostic) -> Unit) {
+private fun Elsewhere(diagnostic: Diagnostic, program: Program, onFix: (Diagnostic) -> Unit) {
     val line = diagnostic.range?.line
     val words = when {
         diagnostic.file.isEmpty() -> diagnostic.message

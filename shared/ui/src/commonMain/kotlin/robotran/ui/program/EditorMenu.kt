@@ -16,17 +16,18 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import robotran.language.ProgramLanguage
 import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
+import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.Label
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
-import robotran.workshop.state.TranslationKind
 
 /**
  * The menu of the program's tools.
@@ -46,9 +47,9 @@ internal fun EditorMenu(
     sendWords: Label,
     onSend: (() -> Unit)?,
     hasLayout: Boolean,
-    translations: List<TranslationKind>,
-    shown: TranslationKind?,
-    onTranslation: (TranslationKind) -> Unit,
+    translations: List<ProgramLanguage>,
+    shown: ProgramLanguage?,
+    onTranslation: (ProgramLanguage) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     var open by remember { mutableStateOf(false) }
@@ -72,7 +73,7 @@ internal fun EditorMenu(
             }
             for (kind in translations) {
                 val tag = if (kind == shown) "translation-switch" else "translation-${kind.name.lowercase()}"
-                WordsItem(kind.words, tag) {
+                WordsItem(kind.translationTexts.switch, tag) {
                     open = false
                     onTranslation(kind)
                 }

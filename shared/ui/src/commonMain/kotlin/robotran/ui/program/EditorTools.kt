@@ -13,32 +13,33 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.texts.BrickLabels
+import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.ProgramsState
-import robotran.workshop.state.TranslationKind
 
 /** A slim row above the program: frequent actions, and a menu with the rest and with what has no room in the row. */
 @Composable
 internal fun EditorTools(
     state: ProgramsState,
-    onTranslation: (Boolean, TranslationKind) -> Unit,
+    onTranslation: (Boolean, ProgramLanguage) -> Unit,
     onView: (ProgramView) -> Unit,
     onSend: () -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
-    val isRobolang = state.program.language == ProgramLanguage.ROBOLANG
+    val support = state.program.language.support
     val send = BrickLabels.of(state.brick).send
     val translation = state.translationKind
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
-        val places = toolPlaces(maxWidth, isRobolang, translation?.words, send)
+        val places = toolPlaces(maxWidth, support.hasBlocks, translation?.translationTexts?.switch, send)
         Row(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
@@ -55,12 +56,12 @@ internal fun EditorTools(
                 }
             }
             Spacer(Modifier.weight(1f))
-            if (isRobolang) {
+            if (support.hasBlocks) {
                 ViewSwitch(state.view, onView)
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (translation != null && places.hasTranslation) {
-                PaneChip(translation.words(spoken), "translation-switch", state.translationShown) {
+                PaneChip(translation.translationTexts.switch(spoken), "translation-switch", state.translationShown) {
                     onTranslation(!state.translationShown, translation)
                 }
                 Spacer(Modifier.width(ToolSizes.GAP))
@@ -71,7 +72,7 @@ internal fun EditorTools(
                 hasFind = !places.hasFind,
                 sendWords = send,
                 onSend = onSend.takeIf { places.send == SendPlace.MENU },
-                hasLayout = state.program.language != ProgramLanguage.LASM,
+                hasLayout = support.code.hasFormat,
                 translations = state.translationKinds.filter { it != translation || !places.hasTranslation },
                 shown = translation,
                 onTranslation = { onTranslation(it != translation || !state.translationShown, it) },

@@ -21,9 +21,9 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
-import robotran.language.ProgramLanguage
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.ProgramView
-import robotran.textediting.code.brickOfJava
 import robotran.textediting.text.Draft
 import robotran.ui.language.spoken
 import robotran.ui.program.blocks.FoundLines
@@ -36,9 +36,7 @@ import robotran.ui.program.editor.EditorControl
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorView
 import robotran.ui.program.editor.KeyRow
-import robotran.ui.texts.Label
-import robotran.ui.texts.NqcTexts
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.programlanguages.texts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
@@ -49,10 +47,9 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.ProgramsState
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.ShownProgramRun
-import robotran.workshop.state.TranslationKind
+import robotran.workshop.state.hasRoomFor
 import robotran.workshop.state.noteOf
 
 /**
@@ -165,7 +162,11 @@ private fun ShownFile(
             event(ProgramEvent.DraftChanged(draft, kind))
         }
     }
-    control.help = rememberWordHelp(state.program.language, brickOfJava(state.draft.lines, state.brick))
+    control.help =
+        rememberWordHelp(
+            state.program.language,
+            state.program.language.support.code.brickOf(state.draft.lines) ?: state.brick,
+        )
     control.brick = state.brick
     // The commands of the menu work on the text, also while it is shown in blocks only.
     control.follow(state.draft)
@@ -258,7 +259,7 @@ private fun ShownFile(
                                 control = control,
                                 view = view,
                                 draft = state.draft,
-                                hint = hintFor(state.program.language)(spoken),
+                                hint = state.program.language.texts.hint(spoken),
                                 marks = marks,
                                 notes = notes,
                                 pointedOut = state.errorPointedOut,
@@ -277,7 +278,7 @@ private fun ShownFile(
             { part ->
                 TranslationPane(
                     translation = state.translation,
-                    kind = state.translationKind ?: TranslationKind.JAVA,
+                    kind = state.translationKind ?: state.program.language,
                     isNow = state.isTranslated,
                     lit = lit?.linesOf(state.file.name, line)?.toSet().orEmpty(),
                     running = lit?.linesOf(state.file.name, runningLine)?.toSet().orEmpty(),
@@ -289,7 +290,7 @@ private fun ShownFile(
                     onRemark = { actions.goToLine(it.line) },
                     onZoom = actions::zoom,
                     onKeep = lit?.takeIf { state.hasRoom }?.let { kept ->
-                        { onEvent(ProgramEvent.ProgramAdded(PupilProgram(kept.fileName, kept.text))) }
+                        { onEvent(ProgramEvent.ProgramAdded(Program.of(kept.fileName, kept.text))) }
                     },
                     modifier = part,
                 )
@@ -326,11 +327,4 @@ private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>):
         breakpoints = state.breakpoints,
         partners = partners,
     )
-}
-
-private fun hintFor(language: ProgramLanguage): Label = when (language) {
-    ProgramLanguage.ROBOLANG -> ScreenTexts::programHint
-    ProgramLanguage.JAVA -> ScreenTexts::programHintJava
-    ProgramLanguage.NQC -> NqcTexts::programHintNqc
-    ProgramLanguage.LASM -> NqcTexts::programHintLasm
 }

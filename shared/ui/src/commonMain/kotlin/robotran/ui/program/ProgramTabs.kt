@@ -21,6 +21,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.layout.onPlaced
 import androidx.compose.ui.layout.positionInParent
 import androidx.compose.ui.platform.LocalDensity
+import robotran.languagesupport.SourceFile
 import robotran.ui.language.spoken
 import robotran.ui.parts.Cross
 import robotran.ui.parts.RoundButton
@@ -31,7 +32,6 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.ProgramFile
 import robotran.workshop.state.ProgramsState
 import kotlin.math.roundToInt
 
@@ -107,7 +107,7 @@ private fun Modifier.keptInSight(shown: Boolean, neighbours: Int, scroll: Scroll
 /** The files of one program, if it has several. [onRename] is called to rename or remove the current one. */
 @Composable
 internal fun FileTabs(
-    files: List<ProgramFile>,
+    files: List<SourceFile>,
     shown: Int,
     onChoose: (Int) -> Unit,
     onRename: () -> Unit,

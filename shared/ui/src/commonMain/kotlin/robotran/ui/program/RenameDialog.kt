@@ -20,13 +20,12 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import robotran.language.ProgramLanguage
 import robotran.ui.documents.DialogFrame
 import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
+import robotran.ui.programlanguages.texts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.Label
-import robotran.ui.texts.NqcTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -69,8 +68,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
             colors = fieldColours(),
         )
         if (state.program.files.size > 1) {
-            val isJava = state.program.language == ProgramLanguage.JAVA
-            val remove = if (isJava) EditorTexts::removeClass else NqcTexts::editorRemoveFile
+            val remove = state.program.language.texts.removeFile
             DialogButton(remove(spoken), "remove-class", true, onRemove)
         }
     }

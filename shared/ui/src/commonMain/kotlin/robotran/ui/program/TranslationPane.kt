@@ -31,8 +31,10 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.code.brickOfJava
+import robotran.languagesupport.CodeTokens
+import robotran.programs.ProgramTranslation
+import robotran.programs.TranslationRemark
+import robotran.programs.support
 import robotran.textediting.text.Draft
 import robotran.ui.language.spoken
 import robotran.ui.program.editor.EditorMarks
@@ -44,14 +46,12 @@ import robotran.ui.program.editor.listenFor
 import robotran.ui.program.editor.listenForZoom
 import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
+import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.state.ProgramTranslation
-import robotran.workshop.state.TranslationKind
-import robotran.workshop.state.TranslationRemark
 
 /**
  * A program as another text.
@@ -68,7 +68,7 @@ import robotran.workshop.state.TranslationRemark
 @Composable
 internal fun TranslationPane(
     translation: ProgramTranslation?,
-    kind: TranslationKind,
+    kind: ProgramLanguage,
     isNow: Boolean,
     lit: Set<Int>,
     running: Set<Int>,
@@ -90,7 +90,7 @@ internal fun TranslationPane(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val title = when {
-                translation == null -> kind.noneYet(spoken)
+                translation == null -> kind.translationTexts.noneYet(spoken)
                 isNow -> translation.fileName
                 else -> EditorTexts.translationOld(spoken)
             }
@@ -138,15 +138,15 @@ private fun TranslatedText(
     onZoom: (Float) -> Unit,
     modifier: Modifier,
 ) {
-    val label = translation.kind.label(spoken)
+    val label = translation.language.translationTexts.label(spoken)
     val view = remember { EditorView() }
     val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
     val language = translation.language
     val brick = remember(draft) {
-        if (language == ProgramLanguage.JAVA) brickOfJava(draft.lines, BrickKind.DEFAULT) else BrickKind.DEFAULT
+        language.support.code.brickOf(draft.lines) ?: BrickKind.DEFAULT
     }
     val layouts = rememberLineLayouts(language, brick, codeSize)
-    val pieces = remember(draft) { CodeTokens(draft.lines, language, brick) }
+    val pieces = remember(draft) { CodeTokens(draft.lines, language.support.code, brick) }
     val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)

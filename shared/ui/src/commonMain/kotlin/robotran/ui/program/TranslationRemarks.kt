@@ -19,6 +19,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
+import robotran.programs.TranslationRemark
 import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
 import robotran.ui.texts.ScreenTexts
@@ -27,7 +28,6 @@ import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.state.TranslationRemark
 
 /** What is lost or changed in a translation, above it; a tap leads to the line of the program. Empty without remarks. */
 @Composable

@@ -13,7 +13,6 @@ import robotran.language.Language
  * @property off what its picture says while it is off.
  * @property log the calls of its programs.
  * @property noCalls what is shown while there are none.
- * @property javaWords the words of Java on it.
  * @property forgivingJava what Java forgives that a real one does not.
  */
 internal class BrickLabels private constructor(
@@ -24,7 +23,6 @@ internal class BrickLabels private constructor(
     val off: Label,
     val log: Label,
     val noCalls: Label,
-    val javaWords: Label,
     val forgivingJava: Label,
 ) {
     companion object {
@@ -36,7 +34,6 @@ internal class BrickLabels private constructor(
             off = ScreenTexts::brickOff,
             log = RunTexts::tabLog,
             noCalls = RunTexts::logEmpty,
-            javaWords = LearningTexts::helpJava,
             forgivingJava = RunTexts::javaForgivingHelp,
         )
         private val NXT = BrickLabels(
@@ -47,7 +44,6 @@ internal class BrickLabels private constructor(
             off = NxtTexts::off,
             log = NxtTexts::runTabCalls,
             noCalls = NxtTexts::runLogEmptyCalls,
-            javaWords = NxtTexts::learningHelpNxj,
             forgivingJava = RunTexts::javaForgivingHelpNxt,
         )
 

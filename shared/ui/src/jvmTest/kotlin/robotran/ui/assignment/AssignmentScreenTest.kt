@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performTextInput
 import robotran.assignments.doing.pupilCopy
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -33,7 +34,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -199,8 +199,8 @@ class AssignmentScreenTest {
     @Test
     fun `the tab of the shown program stays whole when the pane becomes narrower`() = on(1024 to 768) { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("corridor.robo", "forward 5\n")))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("solution.robo", "forward 5\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("corridor.robo", "forward 5\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("solution.robo", "forward 5\n")))
         pass(SETTLED)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
         pass(SETTLED)

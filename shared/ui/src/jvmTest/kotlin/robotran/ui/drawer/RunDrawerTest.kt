@@ -17,6 +17,7 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTextInput
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.runcontrol.ChartLane
@@ -28,7 +29,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.PupilProgram
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength
 import robotran.world.PortSensor
@@ -45,7 +45,7 @@ class RunDrawerTest {
         openProject(
             Project(
                 world,
-                listOf(ProjectRobot(world.robots.first().name, listOf(PupilProgram("a.robo", source).asProject()))),
+                listOf(ProjectRobot(world.robots.first().name, listOf(Program.of("a.robo", source).asProject()))),
             ),
         )
     }

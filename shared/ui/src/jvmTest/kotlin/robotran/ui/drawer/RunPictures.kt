@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.ui.screen.keepAs
@@ -14,7 +15,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength
@@ -47,7 +47,7 @@ class RunPictures {
             val goals = listOf(Goal(InkLength(40.0, null)), Goal(NeverTouch()), Goal(InkLength(400.0, null)))
             val world = on.copy(goals = goals, realism = 0.6)
             val isNxt = on.robots.first().description.brick == BrickKind.NXT
-            val program = PupilProgram("rounds.robo", if (isNxt) SENSING + SOURCE else SOURCE).asProject()
+            val program = Program.of("rounds.robo", if (isNxt) SENSING + SOURCE else SOURCE).asProject()
             openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
             handle(SettingsEvent.SettingsChanged(settings))
             handle(RunEvent.RunPressed)

@@ -11,6 +11,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.sheet.PictureBounds

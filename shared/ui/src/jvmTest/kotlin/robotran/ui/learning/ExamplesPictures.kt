@@ -2,6 +2,8 @@ package robotran.ui.learning
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
+import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureBounds
@@ -11,7 +13,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
 /** Pictures of the page with the examples. */
@@ -45,7 +46,7 @@ class ExamplesPictures {
         }
     }
 
-    private fun newJava() = PupilProgram("Square.java", ProgramLanguage.JAVA.examples.getValue("Square.java"))
+    private fun newJava() = Program.of("Square.java", ProgramLanguage.JAVA.examples.getValue("Square.java"))
 
     private companion object {
         val ROOM = PictureBounds.of(320, 240, density = 1f)

@@ -4,10 +4,10 @@ import org.w3c.dom.Document
 import org.w3c.dom.Element
 import org.xml.sax.InputSource
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.ui.sheet.SheetScenes
 import robotran.workshop.state.Poster
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 import robotran.world.Paper
 import java.io.StringReader
 import javax.xml.parsers.DocumentBuilderFactory
@@ -77,7 +77,7 @@ class PosterTest {
 
     @Test
     fun `several files have their names between them`() {
-        val program = PupilProgram(listOf(ProgramFile("A.java", "class A {}"), ProgramFile("B.java", "class B {}")))
+        val program = Program.of(listOf(SourceFile("A.java", "class A {}"), SourceFile("B.java", "class B {}")))
         assertEquals(
             listOf("// A.java", "class A {}", "", "// B.java", "class B {}"),
             codeLines(program).map { line -> line.joinToString("") { it.words } },
@@ -121,7 +121,7 @@ class PosterTest {
         date = "24 November",
         world = SheetScenes.everything.copy(paper = paper),
         session = SheetScenes.everythingLater,
-        program = PupilProgram("stars.robo", text),
+        program = Program.of("stars.robo", text),
         language = Language.ENGLISH,
     )
 

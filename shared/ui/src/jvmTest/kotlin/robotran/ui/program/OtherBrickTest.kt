@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -16,7 +17,6 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.examplesFor
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.state.PupilProgram
 import robotran.world.ReadyRobots
 import robotran.world.file.writeRobot
 import kotlin.test.Test
@@ -27,7 +27,7 @@ class OtherBrickTest {
     @Test
     fun `a program for an NXT offers a robot with one, and that has a kit instead of sending`() = onTablet { workshop ->
         val text = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT).getValue("Hello.java")
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", text)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", text)))
         runBlocking { workshop.compilePrograms() }
         pass(300)
         onNodeWithText("This program is for an NXT; the robot yellow has an RCX.").assertIsDisplayed()
@@ -51,12 +51,12 @@ class OtherBrickTest {
     @Test
     fun `a program in NQC on an NXT is told once, with what helps`() = onTablet { workshop ->
         val hello = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT).getValue("Hello.java")
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Hello.java", hello)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", hello)))
         runBlocking { workshop.compilePrograms() }
         pass(300)
         onNodeWithTag("use-other-brick").performClick()
         runBlocking { workshop.compilePrograms() }
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", "task main()\n{\n    Wait(10);\n}\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.nqc", "task main()\n{\n    Wait(10);\n}\n")))
         runBlocking { workshop.compilePrograms() }
         pass(300)
         onNodeWithText("This program is for an RCX; the robot yellow has an NXT.").assertIsDisplayed()

@@ -8,6 +8,7 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.ui.screen.onPhone
@@ -20,7 +21,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.world.PortSensor
 import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
@@ -41,7 +41,7 @@ class PlugInTest {
     private fun ComposeUiTest.runWith(workshop: Workshop, ports: List<List<PortSensor>>) {
         val plain = BuiltInWorlds.plain
         val robots = plain.robots.map { it.withPorts(ports) }
-        val program = PupilProgram("feel.robo", "if left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n")
+        val program = Program.of("feel.robo", "if left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n")
         workshop.openProject(
             Project(
                 plain.copy(robots = robots),

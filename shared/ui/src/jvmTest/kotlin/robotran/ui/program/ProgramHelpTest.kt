@@ -14,6 +14,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import kotlinx.coroutines.runBlocking
+import robotran.programs.Program
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -21,7 +22,6 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -103,7 +103,7 @@ class ProgramHelpTest {
     fun `an exception of Java is marked, too`() = onTablet { workshop ->
         val body = "int x = 0;\n        x = 1 / x;"
         val text = "public class A {\n    public static void main(String[] args) {\n        $body\n    }\n}\n"
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", text)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("A.java", text)))
         runBlocking { workshop.compilePrograms() }
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)

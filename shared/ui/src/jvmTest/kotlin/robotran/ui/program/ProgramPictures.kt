@@ -8,6 +8,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.screen.keepAs
@@ -20,7 +21,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
 /** Writes pictures of the program pane to build/pictures for review. */
@@ -47,7 +47,7 @@ class ProgramPictures {
     @Test
     fun `what is offered can be photographed`() = photograph("offered", List(12) { Key.Tab }) { workshop ->
         val text = ProgramLanguage.JAVA.examples.getValue("WallBouncer.java")
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("WallBouncer.java", text)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("WallBouncer.java", text)))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
         workshop.handle(ProgramEvent.DraftChanged(Draft(draft.text).withCaret(place), EditKind.OTHER))

@@ -10,13 +10,13 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -104,7 +104,7 @@ class ProgramToolsTest {
         onNodeWithTag("tool-format").performClick()
         pass(500)
         assertEquals("repeat forever\n  beep\nend\n", workshop.text)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("A.java", "class A {\nint a;\n}")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("A.java", "class A {\nint a;\n}")))
         workshop.handle(ProgramEvent.Formatted)
         assertEquals("class A {\n    int a;\n}\n", workshop.text)
     }

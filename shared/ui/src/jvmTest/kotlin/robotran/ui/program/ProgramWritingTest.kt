@@ -14,10 +14,10 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
+import robotran.programs.Program
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -140,7 +140,7 @@ class ProgramWritingTest {
 
     @Test
     fun `the methods of a motor are offered behind its point`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Mine.java", "Motor.A")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Mine.java", "Motor.A")))
         workshop.write("Motor.A")
         pass(100)
         focusProgram()

@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
 import robotran.ui.program.focusProgram
@@ -22,7 +23,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import robotran.workshop.text
 import kotlin.test.Test
@@ -66,7 +66,7 @@ class NqcOnScreenTest {
     fun `a mistake is told under its line and mended, and the program stops at its breakpoint`() {
         for (show in listOf(::onTablet, ::onPhone)) {
             show { workshop ->
-                workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+                workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 workshop.write(COUNTING.replace("OnFwd(", "OnForward("))
                 pass(1_500)
@@ -90,7 +90,7 @@ class NqcOnScreenTest {
 
     @Test
     fun `the assembly is beside it, and a line there leads to its own`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
         pressTool("translation-switch")
         pass(300)
         onNodeWithTag("translation-text").assertTextContains("wait\t2, 100", substring = true)
@@ -117,7 +117,7 @@ class NqcOnScreenTest {
 
     @Test
     fun `a comment in assembly begins with a semicolon`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("beep.lasm", "\ttask\t0\n\tplays\t3\n\tendt\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("beep.lasm", "\ttask\t0\n\tplays\t3\n\tendt\n")))
         val draft = workshop.state.programs.draft
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("plays")), EditKind.OTHER))
         pass(100)
@@ -133,7 +133,7 @@ class NqcOnScreenTest {
     @Test
     fun `the brick shows what NQC shows, and its datalog is a table that can be saved`() = onTablet { workshop ->
         val name = "data-logger.nqc"
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(name, ProgramLanguage.NQC.examples.getValue(name))))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of(name, ProgramLanguage.NQC.examples.getValue(name))))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(8_000)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
@@ -148,7 +148,7 @@ class NqcOnScreenTest {
     @Test
     fun `after the program its variables are still there, and the datalog names them`() = onTablet { workshop ->
         val log = "int rounds = 7;\ntask main()\n{\n    CreateDatalog(2);\n    AddToDatalog(rounds);\n}\n"
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("log.nqc", log)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("log.nqc", log)))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
@@ -159,7 +159,7 @@ class NqcOnScreenTest {
 
     @Test
     fun `the menu saves it for LEGO's firmware instead of a kit`() = onTablet { workshop ->
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("count.nqc", COUNTING)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
         pass(300)
         onNodeWithTag("work-menu").performClick()
         pass(300)

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.ui.learning.ExamplePictures
 import robotran.ui.sheet.PictureBounds
@@ -22,9 +23,7 @@ import robotran.workshop.state.AppTheme
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
-import robotran.workshop.state.TranslationKind
 import kotlin.test.Test
 
 /** Writes pictures of work with NQC and LEGO's firmware to build/pictures for review. */
@@ -74,7 +73,7 @@ class NqcPictures {
 
     @Test
     fun `the command that runs can be photographed`() = inEverySize { settings, keep ->
-        val workshop = open(PupilProgram("turn.nqc", TURNING), settings)
+        val workshop = open(Program.of("turn.nqc", TURNING), settings)
         workshop.handle(ProgramEvent.TranslationShown(true))
         val draft = workshop.state.programs.draft
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("OnRev")), EditKind.OTHER))
@@ -88,7 +87,7 @@ class NqcPictures {
 
     @Test
     fun `what the firmware does in silence can be photographed`() = inEverySize { settings, keep ->
-        val workshop = open(PupilProgram("lost.nqc", LOSING), settings)
+        val workshop = open(Program.of("lost.nqc", LOSING), settings)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1_000)
         keep(workshop, "ended")
@@ -103,7 +102,7 @@ class NqcPictures {
         workshop.handle(ProgramEvent.TranslationShown(true))
         val assembly = checkNotNull(workshop.state.programs.translation)
         workshop.handle(ProgramEvent.TranslationShown(false))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram(assembly.fileName, assembly.text)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of(assembly.fileName, assembly.text)))
         compile(workshop)
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "lasm")
@@ -112,9 +111,9 @@ class NqcPictures {
         workshop.handle(LearningEvent.WordChosen(null))
         keep(workshop, "lasm-words")
         workshop.handle(LearningEvent.PageClosed)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("hello.robo", ROBOLANG)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("hello.robo", ROBOLANG)))
         compile(workshop)
-        workshop.handle(ProgramEvent.TranslationShown(true, TranslationKind.NQC))
+        workshop.handle(ProgramEvent.TranslationShown(true, ProgramLanguage.NQC))
         val draft = workshop.state.programs.draft
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
         keep(workshop, "translation")
@@ -144,14 +143,14 @@ class NqcPictures {
 
     private fun open(program: String, settings: Settings) = open(example(program), settings)
 
-    private fun open(program: PupilProgram, settings: Settings): Workshop {
+    private fun open(program: Program, settings: Settings): Workshop {
         val workshop = runBlocking { openWorkshop(listOf(program)) }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         compile(workshop)
         return workshop
     }
 
-    private fun example(name: String) = PupilProgram(name, ProgramLanguage.NQC.examples.getValue(name))
+    private fun example(name: String) = Program.of(name, ProgramLanguage.NQC.examples.getValue(name))
 
     private fun compile(workshop: Workshop) = runBlocking { workshop.compilePrograms() }
 

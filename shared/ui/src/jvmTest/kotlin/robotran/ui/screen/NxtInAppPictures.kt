@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.projects.ProgramView
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockSheet
@@ -20,7 +21,6 @@ import robotran.workshop.state.AppTheme
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.worldediting.Edit
 import robotran.worldediting.ElementKind
@@ -80,7 +80,7 @@ class NxtInAppPictures {
 
     private fun open(program: String, settings: Settings): Workshop {
         val example = ProgramLanguage.JAVA.examplesFor(BrickKind.NXT)[program]
-        val shown = if (example == null) PupilProgram("Longs.java", program) else PupilProgram(program, example)
+        val shown = if (example == null) Program.of("Longs.java", program) else Program.of(program, example)
         val workshop = runBlocking { openWorkshop(listOf(shown)) }
         workshop.handle(SettingsEvent.SettingsChanged(settings))
         compile(workshop)

@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
@@ -21,7 +22,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.Goal
@@ -46,7 +46,7 @@ class OutcomeCardTest {
             goals = listOf(Goal(Reach(Shape.Circle(Point(70.0, 30.0), 5.0), stays = stays))),
             timeLimit = timeLimit,
         )
-        val program = PupilProgram("a.robo", source).asProject()
+        val program = Program.of("a.robo", source).asProject()
         openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
         handle(RunEvent.RunPressed)
         advance(milliseconds)

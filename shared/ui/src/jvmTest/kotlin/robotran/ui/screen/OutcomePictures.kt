@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
@@ -12,7 +13,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.Settings
 import robotran.world.Goal
 import robotran.world.GoalCondition.DrawTemplate
@@ -85,7 +85,7 @@ class OutcomePictures {
             Goal(NeverTouch()),
         )
         val world = BuiltInWorlds.plain.copy(goals = goals, template = Template(listOf(square + square.first())))
-        val program = PupilProgram("square.robo", "pen down\nforward 20\nturn left 60\nforward 45\n").asProject()
+        val program = Program.of("square.robo", "pen down\nforward 20\nturn left 60\nforward 45\n").asProject()
         openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
         handle(RunEvent.RunPressed)
         advance(20_000)

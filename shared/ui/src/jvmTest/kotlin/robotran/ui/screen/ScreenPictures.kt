@@ -5,6 +5,7 @@ import org.jetbrains.skia.Image
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.Program
 import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
@@ -15,7 +16,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 
 /** Writes pictures of the screen to build/pictures for review. */
@@ -90,7 +90,7 @@ class ScreenPictures {
                 val workshop = newWorkshop()
                 val example = "WallBouncer.java"
                 workshop.handle(
-                    ProgramEvent.ProgramAdded(PupilProgram(example, ProgramLanguage.JAVA.examples.getValue(example))),
+                    ProgramEvent.ProgramAdded(Program.of(example, ProgramLanguage.JAVA.examples.getValue(example))),
                 )
                 workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
                 workshop.handle(ProgramEvent.FileAdded)

@@ -10,6 +10,7 @@ import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.notAllowedIn
 import robotran.assignments.doing.with
 import robotran.learning.Hint
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentTries
 import robotran.projects.BestTry
@@ -31,7 +32,6 @@ import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PupilProgram
 
 /**
  * Holds what pupils do at an assignment, and what its author makes.
@@ -70,7 +70,7 @@ class AssignmentStateHolder(
     private var lastTry: EndedTry? = null
 
     /** The programs before they were begun again; null once that was undone, or others were written since. */
-    private var replaced: List<PupilProgram>? = null
+    private var replaced: List<Program>? = null
     private var checked: Checked? = null
 
     /** Whether the programs can be brought back that [AssignmentEvent.BegunAgain] has replaced. */

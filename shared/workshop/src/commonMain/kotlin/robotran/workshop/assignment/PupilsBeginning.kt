@@ -4,7 +4,8 @@ import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.isOfSolution
 import robotran.assignments.doing.pupilCopy
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -57,12 +58,12 @@ private fun isStandIn(program: ProjectProgram) = isBlank(program) && program.nam
 private fun languageOf(assignment: Assignment): ProgramLanguage {
     val allowed = assignment.languages
     val solution = assignment.solution.firstOrNull()?.language?.takeIf { allowed.isEmpty() || it in allowed }
-    return solution ?: allowed.firstOrNull() ?: ProgramLanguage.ROBOLANG
+    return solution ?: allowed.firstOrNull() ?: ProgramLanguage.default
 }
 
 private fun emptyProgram(language: ProgramLanguage): ProjectProgram {
-    val name = (if (language == ProgramLanguage.JAVA) "Program" else "program") + language.extension
-    return ProjectProgram(name, language, listOf(SourceFile(name, "")))
+    val name = language.support.files.nameFor("program")
+    return ProjectProgram(Program(name, language, ""))
 }
 
 /** Asks before pupils get a program that solves the task, once for each such program. */

@@ -4,8 +4,8 @@ import robotran.assignments.doing.forbiddenWords
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
 import robotran.brick.kind.BrickKind
-import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
+import robotran.programs.blockLanguage
 import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
 import robotran.robolang.words.BlockGroup
@@ -29,5 +29,4 @@ private val WORDS: Map<BlockGroup, Set<String>> by lazy {
     }
 }
 
-private fun programOf(block: PaletteBlock) =
-    ProjectProgram("", ProgramLanguage.ROBOLANG, listOf(SourceFile("", block.template)))
+private fun programOf(block: PaletteBlock) = ProjectProgram(Program("", blockLanguage, block.template))

@@ -1,8 +1,8 @@
 package robotran.workshop.blocks
 
 import robotran.blockediting.palette.introductions
-import robotran.language.ProgramLanguage
 import robotran.learning.Lessons
+import robotran.programs.support
 
 /**
  * The ids of the palette's blocks that the programs of the tutorial have used up to the step with the index [step].
@@ -13,7 +13,7 @@ fun blocksIntroducedBy(step: Int): Set<String> = INTRODUCTIONS.filterValues { it
 private val INTRODUCTIONS: Map<String, Int> by lazy {
     introductions(
         Lessons.all.map { step ->
-            if (step.code == ProgramLanguage.ROBOLANG) listOf(step.program.text, step.solution.text) else emptyList()
+            if (step.code.support.hasBlocks) listOf(step.program.text, step.solution.text) else emptyList()
         },
     )
 }

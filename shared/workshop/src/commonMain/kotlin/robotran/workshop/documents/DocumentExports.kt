@@ -7,8 +7,9 @@ import robotran.documents.fileKind
 import robotran.documents.fileNameFor
 import robotran.documents.projectFile
 import robotran.documents.zipOf
-import robotran.language.ProgramLanguage
+import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
@@ -18,8 +19,7 @@ import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
 import robotran.projects.target
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
+import robotran.robolang.RobolangProgram
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -33,7 +33,6 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PupilProgram
 
 /** Exports the project: as a link, a replay, or programs for other tools. */
 internal class DocumentExports(
@@ -100,38 +99,12 @@ internal class DocumentExports(
         }
     }
 
+    /** Saves what a real brick needs to run the shown program: an image for LEGO's firmware, or a kit for leJOS. */
     suspend fun saveKit() {
         val program = current.shownProgram
-        when (program.language) {
-            ProgramLanguage.ROBOLANG -> saveRobolangKit(program)
-            ProgramLanguage.JAVA -> saveJavaKit(program)
-            ProgramLanguage.NQC, ProgramLanguage.LASM -> saveFirmwareImage(program)
-        }
-    }
-
-    private suspend fun saveRobolangKit(program: PupilProgram) {
-        val text = program.files.single().text
-        when (val result = compileRobolang(program.name, text, targetOf(program))) {
-            is RobolangResult.HasErrors -> {
-                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
-            }
-
-            is RobolangResult.Ready -> saveKit(program, kitFiles(translateRobolang(result.program), program.name, text))
-        }
-    }
-
-    /** The shown robot, or the penbot with the brick that [program] names. */
-    private fun targetOf(program: PupilProgram): RobotTarget {
-        val robot = current.shownRobot.description
-        val brick = brickOf(program.source()) ?: robot.brick
-        return if (brick == robot.brick) robot.target else brick.penbotTarget
-    }
-
-    private suspend fun saveJavaKit(program: PupilProgram) {
-        val source = program.source()
         val target = targetOf(program)
-        val reader = ProgramCompiler(target, language = preferences.language)
-        val compiled = withContext(platform.background) { reader.compile(source) }
+        val compiler = ProgramCompiler(target, language = preferences.language)
+        val compiled = withContext(platform.background) { compiler.compile(program) }
         val result = (compiled as? TimedCompilation.Compiled)?.result ?: return notices.show(Notice.CompilerMissing)
         when (result) {
             is ProgramResult.HasErrors -> {
@@ -139,37 +112,34 @@ internal class DocumentExports(
             }
 
             is ProgramResult.Ready -> {
-                saveKit(
-                    program,
-                    javaKitFiles(
-                        checkNotNull(result.mainClass),
-                        program.files.map {
-                            KitFile(it.name, it.text)
-                        },
-                        target.kind,
-                    ),
-                )
+                val image = result.firmwareImage
+                if (image == null) saveKit(program, kitOf(program, result, target)) else saveImage(program, image)
             }
         }
     }
 
-    /** What a real brick with LEGO's firmware runs. */
-    private suspend fun saveFirmwareImage(program: PupilProgram) {
-        val compiler = ProgramCompiler(targetOf(program), language = preferences.language)
-        when (val result = withContext(platform.background) { compiler.compileNow(program.source()) }) {
-            is ProgramResult.HasErrors -> {
-                notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
-            }
+    private fun kitOf(program: Program, compiled: ProgramResult.Ready, target: RobotTarget): List<KitFile> =
+        when (val runnable = compiled.program) {
+            is RobolangProgram -> kitFiles(translateRobolang(runnable), program.name, program.text)
 
-            is ProgramResult.Ready -> {
-                val image = checkNotNull(result.firmwareImage) { "${program.name} is not for LEGO's firmware." }
-                val name = program.name.removeSuffix(program.language.extension)
-                save(name, FileKind.RCX_IMAGE, image.toBytes())
-            }
+            else -> javaKitFiles(
+                checkNotNull(compiled.mainClass),
+                program.files.map { KitFile(it.name, it.text) },
+                target.kind,
+            )
         }
+
+    /** The shown robot, or the penbot with the brick that [program] names. */
+    private fun targetOf(program: Program): RobotTarget {
+        val robot = current.shownRobot.description
+        val brick = brickOf(program) ?: robot.brick
+        return if (brick == robot.brick) robot.target else brick.penbotTarget
     }
 
-    private suspend fun saveKit(program: PupilProgram, files: List<KitFile>) = save(
+    private suspend fun saveImage(program: Program, image: RcxImage) =
+        save(program.name.removeSuffix(program.language.extension), FileKind.RCX_IMAGE, image.toBytes())
+
+    private suspend fun saveKit(program: Program, files: List<KitFile>) = save(
         program.name,
         FileKind.ZIP,
         zipOf(

@@ -16,6 +16,8 @@ import robotran.documents.openFiles
 import robotran.documents.openLinkText
 import robotran.documents.projectNameOfFile
 import robotran.documents.validProjectName
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.platform.FileKind
@@ -30,8 +32,6 @@ import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.StoppedWork
 import robotran.world.RobotDescription
 
@@ -257,7 +257,7 @@ internal class FileOpener(
 
     private fun addPrograms(opened: OpenFilesResult.Opened) {
         opened.programs.forEach { program ->
-            tabs.addProgram(PupilProgram(program.files.map { ProgramFile(it.name, it.text) }), replacing = true)
+            tabs.addProgram(Program.of(program.files.map { SourceFile(it.name, it.text) }), replacing = true)
         }
         val names = current.project.robots.firstOrNull()?.programs.orEmpty().map { it.name }
         val missing = opened.programs.filterNot { it.name in names }
@@ -290,16 +290,7 @@ internal class FileOpener(
 
     private companion object {
         val KINDS =
-            listOf(
-                FileKind.PROJECT,
-                FileKind.WORLD,
-                FileKind.ROBOT,
-                FileKind.COURSE,
-                FileKind.ROBOLANG,
-                FileKind.JAVA,
-                FileKind.NQC,
-                FileKind.NQC_HEADER,
-                FileKind.LASM,
+            listOf(FileKind.PROJECT, FileKind.WORLD, FileKind.ROBOT, FileKind.COURSE) + FileKind.sources + listOf(
                 FileKind.RCX_IMAGE,
                 FileKind.ZIP,
                 // Windows and mail programs put .txt behind the name of a program, and links come in mails.

@@ -2,10 +2,9 @@ package robotran.workshop.event
 
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
+import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.textediting.text.Draft
-import robotran.workshop.state.PupilProgram
-import robotran.workshop.state.TranslationKind
 
 /** A user action on the programs. */
 sealed interface ProgramEvent : WorkshopEvent {
@@ -36,7 +35,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class FixApplied(val diagnostic: Diagnostic) : ProgramEvent
 
     /** Shows or hides the current program as another text; of several, [kind], or the one shown last for null. */
-    data class TranslationShown(val shown: Boolean, val kind: TranslationKind? = null) : ProgramEvent
+    data class TranslationShown(val shown: Boolean, val kind: ProgramLanguage? = null) : ProgramEvent
 
     /** Shows the programs of the robot [name]. */
     data class RobotChosen(val name: String) : ProgramEvent
@@ -48,7 +47,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class FileChosen(val index: Int) : ProgramEvent
 
     /** Appends [program] and shows it. */
-    data class ProgramAdded(val program: PupilProgram) : ProgramEvent
+    data class ProgramAdded(val program: Program) : ProgramEvent
 
     /** Creates an empty program in [language]. */
     data class NewProgramRequested(val language: ProgramLanguage) : ProgramEvent

@@ -11,21 +11,24 @@ val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.
  * The built-in example programs in this language for a [brick], text by name. Those in Robolang are for every one; what
  * an NXT cannot do in one of them is a mistake there, which names the RCX.
  */
-fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = when (this) {
-    ProgramLanguage.ROBOLANG -> when (brick) {
-        BrickKind.RCX -> exampleTexts
-        BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
-    }
+fun ProgramLanguage.examplesFor(brick: BrickKind): Map<String, String> = EXAMPLES[this]?.invoke(brick).orEmpty()
 
-    ProgramLanguage.JAVA -> when (brick.java) {
-        JavaPlatform.LEJOS -> lejosExampleTexts
-        JavaPlatform.NXJ -> nxjExampleTexts
-        null -> emptyMap()
-    }
-
-    ProgramLanguage.NQC -> if (brick.hasLegoFirmware) nqcExampleTexts else emptyMap()
-    ProgramLanguage.LASM -> emptyMap()
-}
+private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> = mapOf(
+    ProgramLanguage.ROBOLANG to { brick ->
+        when (brick) {
+            BrickKind.RCX -> exampleTexts
+            BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
+        }
+    },
+    ProgramLanguage.JAVA to { brick ->
+        when (brick.java) {
+            JavaPlatform.LEJOS -> lejosExampleTexts
+            JavaPlatform.NXJ -> nxjExampleTexts
+            null -> emptyMap()
+        }
+    },
+    ProgramLanguage.NQC to { brick -> if (brick.hasLegoFirmware) nqcExampleTexts else emptyMap() },
+)
 
 /**
  * A program in Robolang with the ports and buttons of the NXT penbot. Its light sensor cannot be turned ahead, so what

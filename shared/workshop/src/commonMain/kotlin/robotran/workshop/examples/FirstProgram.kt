@@ -1,8 +1,8 @@
 package robotran.workshop.examples
 
-import robotran.workshop.state.PupilProgram
+import robotran.programs.Program
 
 /** The square program, the initial program of a new project. */
-fun firstProgram(): PupilProgram = PupilProgram(NAME, exampleTexts.getValue(NAME))
+fun firstProgram(): Program = Program.of(NAME, exampleTexts.getValue(NAME))
 
 private const val NAME = "square.robo"

@@ -329,14 +329,7 @@ class HandInsStateHolder internal constructor(
     }
 
     private companion object {
-        val KINDS = listOf(
-            FileKind.PROJECT,
-            FileKind.ZIP,
-            FileKind.ROBOLANG,
-            FileKind.JAVA,
-            FileKind.NQC,
-            FileKind.NQC_HEADER,
-            FileKind.LASM,
+        val KINDS = listOf(FileKind.PROJECT, FileKind.ZIP) + FileKind.sources + listOf(
             FileKind.RCX_IMAGE,
             FileKind.TEXT,
             FileKind.MAIL,

@@ -3,28 +3,28 @@ package robotran.workshop.learning
 import robotran.language.ProgramLanguage
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
-import robotran.workshop.state.PupilProgram
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.world.World
 
 /** Whether a world of the gallery brought this program, and the pupil has changed nothing in it. */
-internal val PupilProgram.isGiven: Boolean
+internal val Program.isGiven: Boolean
     get() = files.size == 1 && (WorldGallery.isGiven(name, files.single().text) || NqcVersions().has(this))
 
 /**
  * The programs that leave when [world] is opened: those that other worlds brought and the pupil has not changed. The
  * program to begin with of [world] itself stays.
  */
-internal fun programsLeftBehind(world: World): (PupilProgram) -> Boolean {
+internal fun programsLeftBehind(world: World): (Program) -> Boolean {
     val task by lazy { WorldGallery.find(world)?.lesson }
     val starts by lazy {
-        listOfNotNull(task?.program?.let { PupilProgram(it.name, it.text) }, task?.let { NqcVersions().start(it) })
+        listOfNotNull(task?.program?.let { Program.of(it.name, it.text) }, task?.let { NqcVersions().start(it) })
     }
     return { program -> program.isGiven && program !in starts }
 }
 
 /** What "Show me" puts into tabs for [task], one program for each of its languages. */
-internal fun solutionsOf(task: Lesson): List<PupilProgram> = task.solutions.map {
+internal fun solutionsOf(task: Lesson): List<Program> = task.solutions.map {
     val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
-    val name = if (language == ProgramLanguage.JAVA) "Solution" else "solution"
-    PupilProgram(name + language.extension, it.text)
+    Program(language.support.files.nameFor("solution"), language, it.text)
 }

@@ -2,16 +2,16 @@ package robotran.workshop.learning
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.TextLines
 import robotran.learning.WordHelp
-import robotran.learning.brickOfImports
 import robotran.learning.helpOn
 import robotran.learning.wordAt
-import robotran.learning.wrapJavaExample
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.workshop.examples.examplesFor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.HelpState
-import robotran.workshop.state.PupilProgram
 
 /** Finds help on words and opens their examples. */
 internal class HelpFinder(
@@ -27,12 +27,10 @@ internal class HelpFinder(
 
     /** The help on the word at [offset] of the program [text]. */
     fun at(text: String, offset: Int): HelpState {
-        val code = when {
-            JAVA_CLASS.containsMatchIn(text) -> ProgramLanguage.JAVA
-            current.shownProgram.isForLegoFirmware -> shownCode
-            else -> ProgramLanguage.ROBOLANG
-        }
-        val brick = brickOfImports(text) ?: shownBrick
+        val code = ProgramLanguage.entries.find { it.support.code.isRecognised(text) }
+            ?: shownCode.takeIf { current.shownProgram.isForLegoFirmware }
+            ?: ProgramLanguage.default
+        val brick = code.support.code.brickOf(TextLines(text)) ?: shownBrick
         return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset, brick), brick)
     }
 
@@ -46,11 +44,9 @@ internal class HelpFinder(
      */
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
-        val program = when (help.code) {
-            ProgramLanguage.JAVA -> PupilProgram("Try.java", wrapJavaExample(example, help.brick))
-            else -> PupilProgram("try${help.code.extension}", example)
-        }
-        return newTabs.add(program, replacing = true)
+        val files = help.code.support.files
+        val name = files.nameFor("try")
+        return newTabs.add(Program(name, help.code, files.wrapped(example, name, help.brick)), replacing = true)
     }
 
     /**
@@ -58,14 +54,9 @@ internal class HelpFinder(
      * message and returns false.
      */
     fun addExample(language: ProgramLanguage, name: String, brick: BrickKind): Boolean {
-        val itsBrick = if (language == ProgramLanguage.ROBOLANG) shownBrick else brick
-        val program = PupilProgram(name, language.examplesFor(itsBrick)[name] ?: return false)
+        val itsBrick = if (language.support.hasBlocks) shownBrick else brick
+        val program = Program.of(name, language.examplesFor(itsBrick)[name] ?: return false)
         // The unchanged example may already be open.
         return newTabs.choose { it == program } || newTabs.add(program)
-    }
-
-    private companion object {
-        /** Matches Java only; Robolang has no braces, and NQC no classes. */
-        val JAVA_CLASS = Regex("\\b(class|interface)\\s+\\w+[^\\n]*\\{")
     }
 }

@@ -12,6 +12,7 @@ import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.programs.Program
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -33,7 +34,6 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
@@ -118,7 +118,7 @@ class LearningStateHolder(
      * Called with each new state of the run. The task is completed once all goals are met, and solved once the run is
      * over. Returns whether it has just been solved.
      */
-    fun runChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram): Boolean {
+    fun runChanged(session: SessionState, outcome: RunOutcome, program: Program): Boolean {
         if (outcome.finished == null && session.milliseconds < START_MILLISECONDS) isSolutionRun = isSolutionShown
         goalsChanged(session)
         tryChanged(session, outcome, program)
@@ -135,7 +135,7 @@ class LearningStateHolder(
     private val isSolutionShown: Boolean
         get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
 
-    private fun solve(milliseconds: Long, program: PupilProgram): SolvedTask {
+    private fun solve(milliseconds: Long, program: Program): SolvedTask {
         val step = tutorial.loadedStep()
         val world = worldTask.loadedWorld()
         val name = step?.name ?: world?.let { "world/${it.name}" }
@@ -175,7 +175,7 @@ class LearningStateHolder(
     }
 
     /** Once a try is over and has failed, shows the hint that fits, also for a task that was done before. */
-    private fun tryChanged(session: SessionState, outcome: RunOutcome, program: PupilProgram) {
+    private fun tryChanged(session: SessionState, outcome: RunOutcome, program: Program) {
         val wasOver = isTryOver
         isTryOver = outcome.finished != null
         if (wasOver || !isTryOver || outcome.isSolved) return
@@ -367,4 +367,4 @@ class LearningStateHolder(
 
 /** Before [LearningStateHolder.start] knows better. */
 private val BEFORE_START =
-    LearningState(Language.ENGLISH, HelpState(ProgramLanguage.ROBOLANG, word = null, found = null, BrickKind.DEFAULT))
+    LearningState(Language.ENGLISH, HelpState(ProgramLanguage.default, word = null, found = null, BrickKind.DEFAULT))

@@ -1,6 +1,7 @@
 package robotran.workshop.learning
 
 import robotran.brick.program.BrickProgram
+import robotran.programs.Program
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
@@ -8,7 +9,6 @@ import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 
 /** Puts programs that come with the app into tabs beside the pupil's own. */
 internal class NewTabs(
@@ -18,7 +18,7 @@ internal class NewTabs(
     private val notices: Notices,
 ) {
     /** Shows the first program that [isMeant]. Returns false if there is none. */
-    fun choose(isMeant: (PupilProgram) -> Boolean): Boolean {
+    fun choose(isMeant: (Program) -> Boolean): Boolean {
         val index = current.project.pupilPrograms.indexOfFirst(isMeant)
         if (index < 0) return false
         tabs.chooseProgram(index)
@@ -30,7 +30,7 @@ internal class NewTabs(
      * Adds [program] and shows it, in the place of one with its name if [replacing]. If there is no room, shows a message
      * and returns false.
      */
-    fun add(program: PupilProgram, replacing: Boolean = false): Boolean {
+    fun add(program: Program, replacing: Boolean = false): Boolean {
         val programs = current.project.pupilPrograms
         if (programs.size >= BrickProgram.MAX_PROGRAMS && !(replacing && programs.any { it.name == program.name })) {
             notices.show(Notice.NoSlotForExample)
@@ -45,7 +45,7 @@ internal class NewTabs(
      * Adds [program], which comes with a world, and shows it. An unchanged program that a world brought makes room for
      * it, also one of the same name. If there is still no room, shows a message and returns false.
      */
-    fun addGiven(program: PupilProgram): Boolean {
+    fun addGiven(program: Program): Boolean {
         val programs = current.project.pupilPrograms
         val isFull = programs.size >= BrickProgram.MAX_PROGRAMS
         val given = programs.filter { it.isGiven }
@@ -63,7 +63,7 @@ internal class NewTabs(
     }
 
     /** Removes the first program that [isMeant], if there is one. */
-    fun remove(isMeant: (PupilProgram) -> Boolean) {
+    fun remove(isMeant: (Program) -> Boolean) {
         val index = current.project.pupilPrograms.indexOfFirst(isMeant)
         if (index >= 0) tabs.removeProgram(index)
     }

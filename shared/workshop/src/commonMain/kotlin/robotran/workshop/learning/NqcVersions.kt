@@ -2,34 +2,42 @@ package robotran.workshop.learning
 
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
+import robotran.nqc.support.NqcSupport
+import robotran.programs.Program
+import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
+import robotran.programs.support
+import robotran.programs.translated
 import robotran.projects.PENBOT_TARGET
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
-import robotran.workshop.programs.asNqc
-import robotran.workshop.state.PupilProgram
 
 /** The programs that come with the tasks of worlds, in NQC. Programs in Robolang are translated. */
 internal class NqcVersions {
+    private val language = NqcSupport.language
+
+    private val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
+
     /** By name and text of the original; null for those that NQC cannot do. */
-    private val translated = HashMap<SourceFile, PupilProgram?>()
+    private val translated = HashMap<SourceFile, Program?>()
 
     /** The program to begin with of [task] in NQC; null if NQC cannot do all of it. */
-    fun start(task: Lesson): PupilProgram? = nqcOf(task, task.program, nqcName(task.program.name))
+    fun start(task: Lesson): Program? = nqcOf(task, task.program, nqcName(task.program.name))
 
     /**
      * The solution of [task] in NQC, which a person or the translation has written; null as for [start], and where the
      * translation does not always reach the goals.
      */
-    fun solution(task: Lesson): PupilProgram? =
-        task.solutions.find { ProgramLanguage.ofFile(it.name) == ProgramLanguage.NQC }
-            ?.let { PupilProgram(SOLUTION, it.text) }
-            ?: if (task.name in TOO_SLOW) null else nqcOf(task, task.solution, SOLUTION)
+    fun solution(task: Lesson): Program? = task.solutions.find { ProgramLanguage.ofFile(it.name) == language }
+        ?.let { Program.of(SOLUTION, it.text) }
+        ?: if (task.name in TOO_SLOW) null else nqcOf(task, task.solution, SOLUTION)
+
+    /** Whether [program] is one in NQC. */
+    fun isIn(program: Program): Boolean = program.language == language
 
     /** Whether [program] comes with a world. */
-    fun has(program: PupilProgram): Boolean = program.language == ProgramLanguage.NQC &&
+    fun has(program: Program): Boolean = isIn(program) &&
         WorldGallery.worlds.asSequence().flatMap { listOf(it) + it.harder }.mapNotNull { it.lesson }.any { task ->
             when (program.name) {
                 SOLUTION -> solution(task) == program
@@ -38,16 +46,17 @@ internal class NqcVersions {
             }
         }
 
-    private fun nqcOf(task: Lesson, file: SourceFile, name: String): PupilProgram? {
+    private fun nqcOf(task: Lesson, file: SourceFile, name: String): Program? {
         if (file !in translated) translated[file] = translation(task, file, name)
         return translated[file]
     }
 
-    private fun translation(task: Lesson, file: SourceFile, name: String): PupilProgram? {
-        val isForRcx = task.brick.hasLegoFirmware && ProgramLanguage.ofFile(file.name) == ProgramLanguage.ROBOLANG
-        val read = if (isForRcx) compileRobolang(file.name, file.text, PENBOT_TARGET) as? RobolangResult.Ready else null
-        return read?.program?.asNqc(file.name, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
-            ?.let { PupilProgram(name, it.text) }
+    private fun translation(task: Lesson, file: SourceFile, name: String): Program? {
+        val written = Program.of(file.name, file.text)
+        if (language !in written.language.support.translations(task.brick)) return null
+        val compiled = compiler.compileNow(written) as? ProgramResult.Ready ?: return null
+        return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
+            ?.let { Program.of(name, it.text) }
     }
 
     companion object {
@@ -63,6 +72,6 @@ internal class NqcVersions {
             .map { "world/$it" }
 
         /** The name of the version in NQC of the program [name]. */
-        fun nqcName(name: String): String = name.substringBeforeLast('.') + ProgramLanguage.NQC.extension
+        fun nqcName(name: String): String = name.substringBeforeLast('.') + NqcSupport.language.extension
     }
 }

@@ -1,7 +1,7 @@
 package robotran.workshop.learning
 
 import kotlinx.serialization.Serializable
-import robotran.workshop.state.PupilProgram
+import robotran.programs.Program
 
 /**
  * The pupil's own best results for a task on this device.
@@ -16,7 +16,7 @@ internal data class TaskRecord(val milliseconds: Long, val lines: Int) {
 }
 
 /** The lines of a program that are neither empty nor only a comment. */
-internal fun linesOf(program: PupilProgram): Int = program.files.sumOf { file ->
+internal fun linesOf(program: Program): Int = program.files.sumOf { file ->
     file.text.lines().map { it.trim() }.count { line -> line.isNotEmpty() && COMMENTS.none { line.startsWith(it) } }
 }
 

@@ -4,10 +4,10 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.brick.kind.BrickKind
 import robotran.documents.tutorialProjectName
+import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.hint.Attempt
-import robotran.programs.SourceFile
 import robotran.simulation.state.SessionState
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject

@@ -1,15 +1,14 @@
 package robotran.workshop.learning
 
-import robotran.language.ProgramLanguage
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
+import robotran.programs.Program
 import robotran.simulation.state.SessionState
 import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.RunControls
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.WorldTaskState
 import robotran.world.World
@@ -27,7 +26,7 @@ internal class WorldTaskController(
 ) {
     private val nqc = NqcVersions()
 
-    private val isInNqc: Boolean get() = current.shownProgram.language == ProgramLanguage.NQC
+    private val isInNqc: Boolean get() = nqc.isIn(current.shownProgram)
 
     private var seenWorld: World? = null
     private var seen: GalleryWorld? = null
@@ -60,7 +59,7 @@ internal class WorldTaskController(
     }
 
     /** Whether [program] is what a pupil who writes NQC begins with. */
-    private fun isStartInNqc(program: PupilProgram, task: Lesson): Boolean =
+    private fun isStartInNqc(program: Program, task: Lesson): Boolean =
         isInNqc && program.name == NqcVersions.nqcName(task.program.name)
 
     /**
@@ -68,7 +67,7 @@ internal class WorldTaskController(
      * there is no room.
      */
     fun putProgram(state: WorldTaskState): Boolean {
-        val given = PupilProgram(state.task.program.name, state.task.program.text)
+        val given = Program.of(state.task.program.name, state.task.program.text)
         val program = nqc.start(state.task)?.takeIf { isInNqc } ?: given
         return newTabs.choose { it.name == program.name } || newTabs.addGiven(program)
     }
@@ -78,7 +77,7 @@ internal class WorldTaskController(
         state.copy(help = hints.next(state.task, state.help, shown, preferences.language))
 
     /** The [state] after the run of [program] that ended in [session] and failed. */
-    fun afterTry(state: WorldTaskState, program: PupilProgram, session: SessionState): WorldTaskState {
+    fun afterTry(state: WorldTaskState, program: Program, session: SessionState): WorldTaskState {
         if (state.help.solutionShown) return state
         // Programs in two languages have no lines in common.
         val isComparable = program.language == state.task.code && program.files.size == 1
@@ -103,9 +102,9 @@ internal class WorldTaskController(
     }
 
     /** The solutions of [task]; one translated to NQC only for who writes that, or has had it shown. */
-    private fun solutionsToShow(task: Lesson): List<PupilProgram> {
+    private fun solutionsToShow(task: Lesson): List<Program> {
         val written = solutionsOf(task)
-        val hasNqc = current.project.pupilPrograms.any { it.language == ProgramLanguage.NQC }
+        val hasNqc = current.project.pupilPrograms.any(nqc::isIn)
         return if (hasNqc) (written + listOfNotNull(nqc.solution(task))).distinct() else written
     }
 }

@@ -1,6 +1,7 @@
 package robotran.workshop.programs
 
-import robotran.workshop.state.ProgramFile
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 
 /** A removed program or file that the pupil can restore. */
 internal sealed interface ClosedFile {
@@ -11,7 +12,7 @@ internal sealed interface ClosedFile {
     }
 
     /** A class of the Java program in [slot] that was its file at the index [index]. */
-    class OfProgram(val slot: Int, val index: Int, val file: ProgramFile, val memory: ProgramFileMemory) : ClosedFile {
+    class OfProgram(val slot: Int, val index: Int, val file: SourceFile, val memory: ProgramFileMemory) : ClosedFile {
         override val name: String get() = file.name
 
         fun inSlot(slot: Int) = OfProgram(slot, index, file, memory)

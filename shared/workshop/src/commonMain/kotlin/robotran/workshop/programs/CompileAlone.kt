@@ -4,9 +4,10 @@ import robotran.blockediting.BlockEditError
 import robotran.blockediting.TrialResult
 import robotran.blockediting.trialOf
 import robotran.brick.program.BrickProgram
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.programs.ProgramSource
+import robotran.programs.blockLanguage
 import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlocksState
 
@@ -26,7 +27,7 @@ internal fun ProgramCompiler.compileAlone(load: BlockLoad, blocks: BlocksState, 
     }
     if (trial is TrialResult.Refused) return ImmediateResult.Refused(trial.reason)
     val text = (trial as TrialResult.Ready).text
-    return when (val result = compileNow(ProgramSource.Robolang(name, text))) {
+    return when (val result = compileNow(Program(name, blockLanguage, text))) {
         is ProgramResult.Ready -> ImmediateResult.Ready(result.program)
 
         is ProgramResult.HasErrors -> with(result.diagnostics.first()) {

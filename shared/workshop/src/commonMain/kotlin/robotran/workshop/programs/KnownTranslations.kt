@@ -1,8 +1,8 @@
 package robotran.workshop.programs
 
 import robotran.language.Language
-import robotran.workshop.state.ProgramTranslation
-import robotran.workshop.state.TranslationKind
+import robotran.language.ProgramLanguage
+import robotran.programs.ProgramTranslation
 
 /**
  * What a program was translated to.
@@ -10,11 +10,11 @@ import robotran.workshop.state.TranslationKind
  * @property current the translations of the program as it is, once they were asked for.
  * @param old the last ones of earlier states of it.
  */
-internal class KnownTranslations(private val old: Map<TranslationKind, ProgramTranslation> = emptyMap()) {
-    val current = mutableMapOf<Pair<TranslationKind, Language>, ProgramTranslation?>()
+internal class KnownTranslations(private val old: Map<ProgramLanguage, ProgramTranslation> = emptyMap()) {
+    val current = mutableMapOf<Pair<ProgramLanguage, Language>, ProgramTranslation?>()
 
-    fun earlier(kind: TranslationKind): ProgramTranslation? = old[kind]
+    fun earlier(to: ProgramLanguage): ProgramTranslation? = old[to]
 
     /** Those for the same program once it has changed. */
-    fun older(): KnownTranslations = KnownTranslations(old + current.values.filterNotNull().associateBy { it.kind })
+    fun older(): KnownTranslations = KnownTranslations(old + current.values.filterNotNull().associateBy { it.language })
 }

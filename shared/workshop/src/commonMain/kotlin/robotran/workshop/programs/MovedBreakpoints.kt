@@ -2,8 +2,8 @@ package robotran.workshop.programs
 
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockProgram
+import robotran.languagesupport.TextLines
 import robotran.textediting.movedWith
-import robotran.textediting.text.TextLines
 
 /**
  * Lines with [breakpoints], from 1, after the blocks [before] have become those of [done]. A breakpoint stays with its

@@ -1,19 +1,18 @@
 package robotran.workshop.programs
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
-import robotran.legofirmware.FirmwareProgram
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.programs.ProgramResult
+import robotran.programs.ProgramTranslation
+import robotran.programs.translated
 import robotran.projects.ProgramView
-import robotran.robolang.RobolangProgram
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.state.InlineDiagnostic
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.ProgramTranslation
-import robotran.workshop.state.PupilProgram
-import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.notesOf
 
 /**
@@ -25,14 +24,14 @@ import robotran.workshop.state.notesOf
  * @param translations those made so far.
  */
 internal class ProgramBuffer private constructor(
-    val program: PupilProgram,
+    val program: Program,
     val memories: List<ProgramFileMemory>,
     val result: ProgramResult?,
     val notes: List<InlineDiagnostic>,
     private val translations: KnownTranslations = KnownTranslations(),
 ) {
     /** A program that was just opened and is shown as [view]. */
-    constructor(program: PupilProgram, view: ProgramView) : this(
+    constructor(program: Program, view: ProgramView) : this(
         program,
         program.files.map { ProgramFileMemory(Draft(it.text), view = view) },
         null,
@@ -45,22 +44,18 @@ internal class ProgramBuffer private constructor(
     val diagnostics: List<Diagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
 
     /**
-     * This program as another text, with remarks in [language]; translates only on demand. With errors, the last valid
+     * This program in the language [to], with remarks in [language]; translates only on demand. With errors, the last valid
      * translation, if it was used.
      */
-    fun translation(kind: TranslationKind, language: Language): ProgramTranslation? =
-        translations.current.getOrPut(kind to language) { translated(kind, language) ?: translations.earlier(kind) }
+    fun translation(to: ProgramLanguage, language: Language): ProgramTranslation? =
+        translations.current.getOrPut(to to language) {
+            runnable?.let { program.translated(it, to, language) } ?: translations.earlier(to)
+        }
 
     /** Whether the translations belong to the current program. */
-    val isTranslated: Boolean get() = runnable is RobolangProgram || runnable is FirmwareProgram
+    val isTranslated: Boolean get() = runnable != null
 
     private val runnable get() = (result as? ProgramResult.Ready)?.program
-
-    private fun translated(kind: TranslationKind, language: Language): ProgramTranslation? = when (kind) {
-        TranslationKind.JAVA -> (runnable as? RobolangProgram)?.asJava(program.name)
-        TranslationKind.NQC -> (runnable as? RobolangProgram)?.asNqc(program.name, language)
-        TranslationKind.ASSEMBLY -> (runnable as? FirmwareProgram)?.asAssembly(program)
-    }
 
     /** The same program with the compile result [result]. */
     fun read(result: ProgramResult): ProgramBuffer =
@@ -81,7 +76,7 @@ internal class ProgramBuffer private constructor(
     }
 
     /** This program with the files of [other]; those of the same name keep their editor states, to be undone. */
-    fun changedTo(other: PupilProgram): ProgramBuffer = if (other == program) {
+    fun changedTo(other: Program): ProgramBuffer = if (other == program) {
         this
     } else {
         withFiles(
@@ -101,6 +96,6 @@ internal class ProgramBuffer private constructor(
         ProgramBuffer(program, memories, result, notes - note, translations)
 
     /** This program with other [files] and their editor states. */
-    fun withFiles(files: List<Pair<ProgramFile, ProgramFileMemory>>): ProgramBuffer =
-        ProgramBuffer(PupilProgram(files.map { it.first }), files.map { it.second }, null, notes, translations.older())
+    fun withFiles(files: List<Pair<SourceFile, ProgramFileMemory>>): ProgramBuffer =
+        ProgramBuffer(Program.of(files.map { it.first }), files.map { it.second }, null, notes, translations.older())
 }

@@ -1,14 +1,11 @@
 package robotran.workshop.programs
 
 import robotran.brick.program.BrickProgram
-import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
-import robotran.nqc.edit.formatNqc
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.ProjectLimits
-import robotran.robolang.format.FormatResult
-import robotran.robolang.format.formatRobolang
 import robotran.textediting.EditKind
-import robotran.textediting.code.formatJava
 import robotran.textediting.editBetween
 import robotran.textediting.text.Draft
 import robotran.workshop.event.BlockEvent
@@ -18,7 +15,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
+import robotran.workshop.state.hasRoomFor
 import robotran.workshop.state.withPlainLineEnds
 
 /**
@@ -102,7 +99,7 @@ internal class ProgramEditing(
     }
 
     private fun editBlocks(robot: RobotPrograms, event: BlockEvent) {
-        if (robot.entry.program.language != ProgramLanguage.ROBOLANG) return
+        if (!robot.entry.program.language.support.hasBlocks) return
         val after = robot.memory.after(event)
         if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
         if (!hasRoom(robot.memory.draft.text, after.draft.text)) return notices.show(Notice.ProjectTooLong)
@@ -121,12 +118,7 @@ internal class ProgramEditing(
 
     private fun format(robot: RobotPrograms) {
         val draft = robot.memory.draft
-        val text = when (robot.entry.program.language) {
-            ProgramLanguage.JAVA -> formatJava(draft.text)
-            ProgramLanguage.ROBOLANG -> (formatRobolang(draft.text) as? FormatResult.Formatted)?.text ?: return
-            ProgramLanguage.NQC -> formatNqc(draft.text)
-            ProgramLanguage.LASM -> return
-        }
+        val text = robot.entry.program.language.support.code.format(draft.text) ?: return
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = Draft(text)
         val column = draft.lines.columnOf(draft.selection.caret)
@@ -158,7 +150,7 @@ internal class ProgramEditing(
     }
 
     /** [program], shown as the pupil chose last. */
-    private fun opened(program: PupilProgram) = ProgramBuffer(program, preferences.settings.programView)
+    private fun opened(program: Program) = ProgramBuffer(program, preferences.settings.programView)
 
     private fun add(robot: RobotPrograms, entry: ProgramBuffer) {
         if (robot.list.entries.size >= BrickProgram.MAX_PROGRAMS) return
@@ -170,7 +162,7 @@ internal class ProgramEditing(
     }
 
     /** Gives [robot] exactly [programs]; files of the same name keep what they were, to be undone. */
-    fun replaceAll(robot: RobotPrograms, programs: List<PupilProgram>) {
+    fun replaceAll(robot: RobotPrograms, programs: List<Program>) {
         val before = robot.list.entries
         val plain = programs.map { it.withPlainLineEnds() }
         robot.list.replace(
@@ -183,21 +175,20 @@ internal class ProgramEditing(
     }
 
     private fun addFile(robot: RobotPrograms) {
-        val file = when (robot.entry.program.language) {
-            ProgramLanguage.JAVA -> newClass(robot.entry.program, robot.brick)
-            ProgramLanguage.NQC -> newHeader(robot.entry.program).also { include(robot, it.name) }
-            ProgramLanguage.ROBOLANG, ProgramLanguage.LASM -> return
-        }
+        val program = robot.entry.program
+        val new = program.language.support.files.newFile(program.files, robot.brick) ?: return
+        new.lineOfFirst?.let { insertFirst(robot, it) }
+        val file = new.file
         val entry = robot.entry
         val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
     }
 
-    /** What NQC does not include, it does not see. */
-    private fun include(robot: RobotPrograms, name: String) {
+    /** Makes [line] the first one of the program. */
+    private fun insertFirst(robot: RobotPrograms, line: String) {
         val main = robot.entry.memories.first()
-        val draft = main.draft.changedTo("#include \"$name\"\n${main.draft.text}")
+        val draft = main.draft.changedTo("$line\n${main.draft.text}")
         robot.list.change(robot.shownProgram, robot.entry.with(0, main.written(draft, EditKind.OTHER)))
     }
 

@@ -3,14 +3,14 @@ package robotran.workshop.programs
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.brick.program.BrickProgram
-import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.programs.CompilerLoading
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
+import robotran.programs.support
 import robotran.projects.ProgramView
-import robotran.workshop.state.PupilProgram
 
 /**
  * The programs of one robot, in the order of its brick's slots, with their compile results. They are compiled on every
@@ -19,7 +19,7 @@ import robotran.workshop.state.PupilProgram
  * @param view how the program in a slot is shown first.
  */
 internal class ProgramList(
-    programs: List<PupilProgram>,
+    programs: List<Program>,
     private val compiler: ProgramCompiler,
     view: (slot: Int) -> ProgramView,
 ) {
@@ -32,7 +32,7 @@ internal class ProgramList(
         }
         private set
 
-    val programs: List<PupilProgram> get() = entries.map { it.program }
+    val programs: List<Program> get() = entries.map { it.program }
 
     /** Whether any program has changed since it was compiled. */
     val hasPending: Boolean get() = entries.any { it.result == null }
@@ -73,7 +73,7 @@ internal class ProgramList(
     suspend fun compilePending(): CompilerLoading {
         while (true) {
             val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
-            val source = program.source()
+            val source = program
             val result = when (val compiled = withContext(Dispatchers.Default) { compiler.compile(source) }) {
                 is TimedCompilation.Compiled -> compiled.result
                 is TimedCompilation.NotLoaded -> return CompilerLoading.Failed(compiled.cause)
@@ -85,8 +85,8 @@ internal class ProgramList(
     private fun compileIfShort(entry: ProgramBuffer): ProgramBuffer {
         val program = entry.program
         val isShort =
-            program.language != ProgramLanguage.JAVA && program.characters <= MAX_COMPILED_AT_ONCE
-        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program.source())) else entry
+            !program.language.support.hasSlowCompiler && program.characters <= MAX_COMPILED_AT_ONCE
+        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program)) else entry
     }
 
     private companion object {

@@ -14,7 +14,9 @@ import robotran.language.source.SourceRange
 import robotran.nxt.storage.NxtFile
 import robotran.programs.CompilerLoading
 import robotran.programs.JavaSettings
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
+import robotran.programs.support
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -36,8 +38,6 @@ import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
-import robotran.workshop.state.PupilProgram
-import robotran.workshop.state.TranslationKind
 import robotran.workshop.state.immediate
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -59,7 +59,7 @@ class ProgramsStateHolder(
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().placement.name
     private var translationShown = false
-    private var lastTranslation = TranslationKind.JAVA
+    private var lastTranslation: ProgramLanguage? = null
     private var searchRequested = false
     private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
@@ -234,7 +234,7 @@ class ProgramsStateHolder(
     }
 
     /** Gives the first robot exactly [programs] and shows the first. Files of the same name can be undone. */
-    internal fun replacePrograms(programs: List<PupilProgram>) {
+    internal fun replacePrograms(programs: List<Program>) {
         shownRobot = robots.first().placement.name
         editing.replaceAll(robots.first(), programs)
         requestCompile()
@@ -245,7 +245,7 @@ class ProgramsStateHolder(
      * Removes the first robot's programs that [isMeant]. If no other would be left, it gets those of a robot to which
      * nobody has given any.
      */
-    internal fun removePrograms(isMeant: (PupilProgram) -> Boolean) {
+    internal fun removePrograms(isMeant: (Program) -> Boolean) {
         val first = robots.first()
         if (first.list.programs.none(isMeant)) return
         if (!first.removeAll(isMeant)) {
@@ -306,7 +306,7 @@ class ProgramsStateHolder(
     /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */
     internal suspend fun loadHelp() {
         val needsIt = robots.any { robot ->
-            robot.brick.java == JavaPlatform.NXJ && robot.list.programs.any { it.language == ProgramLanguage.JAVA }
+            robot.brick.java == JavaPlatform.NXJ && robot.list.programs.any { it.language.support.hasSlowCompiler }
         }
         if (needsIt) nxjSources()
     }
@@ -353,7 +353,7 @@ class ProgramsStateHolder(
         robotOf(placement, saved, if (isAlone) listOf(firstProgram()) else programs)
     }
 
-    private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<PupilProgram>) =
+    private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<Program>) =
         RobotPrograms(placement, saved, compiler, programs, preferences.settings.programView)
 
     private fun openSearch() {
@@ -373,8 +373,8 @@ class ProgramsStateHolder(
     private fun stateNow(): ProgramsState {
         val robot = shown
         val entry = robot.entry
-        val isRobolang = entry.program.language == ProgramLanguage.ROBOLANG
-        val kinds = TranslationKind.of(entry.program.language, robot.brick)
+        val support = entry.program.language.support
+        val kinds = support.translations(robot.brick)
         val kind = lastTranslation.takeIf { it in kinds } ?: kinds.firstOrNull()
         return ProgramsState(
             robots = robots.map { it.placement },
@@ -387,7 +387,7 @@ class ProgramsStateHolder(
             canUndo = robot.memory.history.canUndo,
             canRedo = robot.memory.history.canRedo,
             breakpoints = robot.memory.breakpoints,
-            view = if (isRobolang) robot.memory.view else ProgramView.TEXT,
+            view = if (support.hasBlocks) robot.memory.view else ProgramView.TEXT,
             blocks = robot.memory.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
@@ -412,4 +412,4 @@ class ProgramsStateHolder(
 }
 
 /** All programs of all robots, and which of them can run. Two values are equal if nothing has changed between them. */
-internal data class WrittenPrograms(val programs: List<List<PupilProgram>>, val runnable: List<List<Boolean>>)
+internal data class WrittenPrograms(val programs: List<List<Program>>, val runnable: List<List<Boolean>>)

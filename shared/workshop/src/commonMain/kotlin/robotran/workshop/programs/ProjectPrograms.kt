@@ -1,23 +1,17 @@
 package robotran.workshop.programs
 
-import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 
 /** This program as stored in a project, with how it is shown. */
-fun PupilProgram.asProject(view: ProgramView? = null): ProjectProgram = ProjectProgram(
-    name,
-    language,
-    files.map { SourceFile(it.name, it.text) },
-    view.takeIf { language == ProgramLanguage.ROBOLANG },
-)
+fun Program.asProject(view: ProgramView? = null): ProjectProgram =
+    ProjectProgram(this, view.takeIf { language.support.hasBlocks })
 
-internal fun ProjectProgram.asPupil(): PupilProgram = PupilProgram(files.map { ProgramFile(it.name, it.text) })
+internal fun ProjectProgram.asPupil(): Program = Program.of(files)
 
 /** The programs of the first robot. */
-internal val Project.pupilPrograms: List<PupilProgram>
+internal val Project.pupilPrograms: List<Program>
     get() = robots.firstOrNull { it.name == world.robots.first().name }?.programs.orEmpty().map { it.asPupil() }

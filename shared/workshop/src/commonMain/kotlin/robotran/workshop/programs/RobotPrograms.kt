@@ -3,17 +3,18 @@ package robotran.workshop.programs
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
-import robotran.language.ProgramLanguage
 import robotran.nxt.storage.NxtFile
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
+import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
+import robotran.projects.givenProgram
 import robotran.projects.lightFacingOf
 import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotLoad
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
 
@@ -28,11 +29,11 @@ internal class RobotPrograms(
     val placement: RobotPlacement,
     private var saved: ProjectRobot,
     anyCompiler: ProgramCompiler,
-    first: List<PupilProgram>,
+    first: List<Program>,
     private val view: ProgramView,
 ) {
     private val compiler = anyCompiler.forTarget(placement.description.target)
-    private val given: PupilProgram = worldProgramOf(placement)
+    private val given: Program = worldProgramOf(placement)
 
     val list = ProgramList((first.ifEmpty { listOf(given) }).map { it.withPlainLineEnds() }, compiler) { slot ->
         saved.programs.getOrNull(slot)?.view ?: view
@@ -63,7 +64,7 @@ internal class RobotPrograms(
 
     /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
     fun readBlocks(language: Language) {
-        if (entry.program.language != ProgramLanguage.ROBOLANG) return
+        if (!entry.program.language.support.hasBlocks) return
         val read = memory.withBlocksRead(language)
         if (read !== memory) list.change(shownProgram, entry.with(shownFile, read))
     }
@@ -111,7 +112,7 @@ internal class RobotPrograms(
         val entry = list.entries.getOrNull(slot) ?: return emptySet()
         val program = entry.program
         // Programs of other languages have files in their lines only if there are several.
-        val hasFiles = program.language == ProgramLanguage.JAVA || program.files.size > 1
+        val hasFiles = program.language.support.namesFileOfLines || program.files.size > 1
         val file = { index: Int -> program.files[index].name.takeIf { hasFiles } }
         return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
             memory.breakpoints.map { Breakpoint(it, file(index)) }
@@ -119,7 +120,7 @@ internal class RobotPrograms(
     }
 
     /** Removes the programs that [isMeant], unless no other would be left. Returns whether it did. */
-    fun removeAll(isMeant: (PupilProgram) -> Boolean): Boolean {
+    fun removeAll(isMeant: (Program) -> Boolean): Boolean {
         val slots = list.entries.indices.filterNot { isMeant(list.entries[it].program) }
         if (slots.isEmpty()) return false
         if (shownProgram !in slots) shownFile = 0
@@ -167,5 +168,5 @@ internal class RobotPrograms(
 }
 
 /** The program that the world gives to a robot. */
-private fun worldProgramOf(placement: RobotPlacement) =
-    PupilProgram("${placement.name}${ProgramLanguage.ROBOLANG.extension}", placement.program.orEmpty())
+private fun worldProgramOf(placement: RobotPlacement): Program =
+    checkNotNull(placement.copy(program = placement.program.orEmpty()).givenProgram)

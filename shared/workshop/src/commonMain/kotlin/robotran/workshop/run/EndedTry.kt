@@ -1,9 +1,9 @@
 package robotran.workshop.run
 
+import robotran.programs.Program
 import robotran.projects.TryResult
 import robotran.simulation.RecordedInput
 import robotran.simulation.state.SessionState
-import robotran.workshop.state.PupilProgram
 
 /**
  * A run that Run has started and that is over.
@@ -16,7 +16,7 @@ import robotran.workshop.state.PupilProgram
  */
 internal data class EndedTry(
     val number: Int,
-    val programs: List<PupilProgram>,
+    val programs: List<Program>,
     val firstProgram: Int,
     val inputs: List<RecordedInput>,
     val result: TryResult,

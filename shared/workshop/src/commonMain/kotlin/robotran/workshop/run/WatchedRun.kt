@@ -3,6 +3,7 @@ package robotran.workshop.run
 import robotran.language.Language
 import robotran.nxt.storage.HasFlash
 import robotran.nxt.storage.NxtFile
+import robotran.programs.Program
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
@@ -17,7 +18,6 @@ import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
 import robotran.workshop.state.ImmediateProgram
 import robotran.workshop.state.Notice
-import robotran.workshop.state.PupilProgram
 import robotran.world.World
 
 /**
@@ -37,7 +37,7 @@ internal class WatchedRun(
     private var loaded = programs.written
 
     /** The programs of the first robot, as they are on its brick. */
-    val loadedPrograms: List<PupilProgram> get() = loaded.programs.first()
+    val loadedPrograms: List<Program> get() = loaded.programs.first()
 
     /** The world of the current run. */
     var world = world

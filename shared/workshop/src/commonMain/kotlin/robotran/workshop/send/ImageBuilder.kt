@@ -2,12 +2,12 @@ package robotran.workshop.send
 
 import robotran.language.source.Diagnostic
 import robotran.legofirmware.image.RcxImage
-import robotran.workshop.state.PupilProgram
+import robotran.programs.Program
 
 /** Makes of a pupil's program what the firmware of a real brick runs. */
 interface ImageBuilder {
     /** Builds [program], which may take seconds, most of them for loading the Java compiler. */
-    suspend fun build(program: PupilProgram): ProgramImageResult
+    suspend fun build(program: Program): ProgramImageResult
 }
 
 /** A program as it is sent. */

@@ -2,6 +2,7 @@ package robotran.workshop.send
 
 import kotlinx.coroutines.withContext
 import robotran.programs.ImageBuildResult
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
@@ -11,7 +12,6 @@ import robotran.tinyvm.config.BrickRoom
 import robotran.workshop.platform.Platform
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
-import robotran.workshop.state.PupilProgram
 import kotlin.coroutines.cancellation.CancellationException
 
 /** Builds images for the firmware that a program is for; those for leJOS as the project's settings for Java say. */
@@ -20,12 +20,12 @@ internal class ProgramImageBuilder(
     private val preferences: Preferences,
     private val current: CurrentProject,
 ) : ImageBuilder {
-    override suspend fun build(program: PupilProgram): ProgramImageResult {
+    override suspend fun build(program: Program): ProgramImageResult {
         val compiler = ProgramCompiler(PENBOT_TARGET, current.project.settings.java, preferences.language)
-        val source = program.source()
+        val source = program
         return try {
             withContext(platform.background) {
-                if (source is ProgramSource.ForLegoFirmware) compiler.forLego(source) else compiler.forLejos(source)
+                if (source.isForLegoFirmware) compiler.forLego(source) else compiler.forLejos(source)
             }
         } catch (cancelled: CancellationException) {
             throw cancelled
@@ -42,15 +42,14 @@ internal class ProgramImageBuilder(
             is ImageBuildResult.NotLoaded -> ProgramImageResult.NoCompiler
         }
 
-    private fun ProgramCompiler.forLego(source: ProgramSource.ForLegoFirmware) =
-        when (val compiled = compileNow(source)) {
-            is ProgramResult.Ready -> {
-                val image = checkNotNull(compiled.firmwareImage) { "${source.name} is not for LEGO's firmware." }
-                ProgramImageResult.Ready(BuiltProgram.Lego(image))
-            }
-
-            is ProgramResult.HasErrors -> ProgramImageResult.HasErrors(compiled.diagnostics)
+    private fun ProgramCompiler.forLego(source: ProgramSource) = when (val compiled = compileNow(source)) {
+        is ProgramResult.Ready -> {
+            val image = checkNotNull(compiled.firmwareImage) { "${source.name} is not for LEGO's firmware." }
+            ProgramImageResult.Ready(BuiltProgram.Lego(image))
         }
+
+        is ProgramResult.HasErrors -> ProgramImageResult.HasErrors(compiled.diagnostics)
+    }
 
     private fun maxBytes(): Int = BrickRoom.of(current.project.settings.java.version).maxImageBytes
 }

@@ -1,9 +1,9 @@
 package robotran.workshop.service
 
 import robotran.documents.SavedBreakpoint
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
-import robotran.workshop.state.PupilProgram
 import robotran.world.RobotPlacement
 
 /** Read access to the open project. */
@@ -17,7 +17,7 @@ interface CurrentProject {
     /** Where its programs stop. */
     val savedBreakpoints: List<SavedBreakpoint> get() = emptyList()
 
-    val shownProgram: PupilProgram
+    val shownProgram: Program
 
     /** The robot whose programs are shown. */
     val shownRobot: RobotPlacement get() = project.world.robots.first()

@@ -5,10 +5,10 @@ import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
+import robotran.languagesupport.TextLines
 import robotran.programs.ProgramResult
 import robotran.textediting.TextEdit
 import robotran.textediting.movedWith
-import robotran.textediting.text.TextLines
 
 /**
  * A diagnostic at a line of a program.

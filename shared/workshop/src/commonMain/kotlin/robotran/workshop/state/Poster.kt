@@ -2,6 +2,7 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.language.Language
+import robotran.programs.Program
 import robotran.simulation.state.SessionState
 import robotran.world.World
 
@@ -20,7 +21,7 @@ data class Poster(
     val date: String,
     val world: World,
     val session: SessionState,
-    val program: PupilProgram,
+    val program: Program,
     val language: Language,
 ) {
     companion object {

@@ -3,7 +3,12 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
+import robotran.programs.ProgramTranslation
+import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.textediting.text.Draft
 import robotran.workshop.blocks.BlocksState
@@ -42,7 +47,7 @@ data class ProgramsState(
     val robots: List<RobotPlacement>,
     val shownRobot: String,
     val isWorldsOwn: Boolean,
-    val programs: List<PupilProgram>,
+    val programs: List<Program>,
     val shownProgram: Int,
     val shownFile: Int,
     val draft: Draft,
@@ -59,14 +64,14 @@ data class ProgramsState(
     val compileStatus: CompileStatus,
     val errorPointedOut: Boolean,
     val translationShown: Boolean,
-    val translationKind: TranslationKind?,
+    val translationKind: ProgramLanguage?,
     val translation: ProgramTranslation?,
     val isTranslated: Boolean,
     val searchRequested: Boolean,
     val otherBrick: BrickKind? = null,
 ) {
-    val program: PupilProgram get() = programs[shownProgram]
-    val file: ProgramFile get() = program.files[shownFile]
+    val program: Program get() = programs[shownProgram]
+    val file: SourceFile get() = program.files[shownFile]
 
     /** The robot whose programs are shown. */
     val robot: RobotPlacement get() = robots.firstOrNull { it.name == shownRobot } ?: robots.first()
@@ -75,7 +80,7 @@ data class ProgramsState(
     val brick: BrickKind get() = robot.description.brick
 
     /** What the current program can be shown as. */
-    val translationKinds: List<TranslationKind> get() = TranslationKind.of(program.language, brick)
+    val translationKinds: List<ProgramLanguage> get() = program.language.support.translations(brick)
 
     /** Whether the brick has a free slot. */
     val hasRoom: Boolean get() = programs.size < BrickProgram.MAX_PROGRAMS

@@ -4,6 +4,8 @@ import androidx.compose.runtime.Immutable
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.simulation.Breakpoint
 import robotran.simulation.state.SessionState
 import robotran.workshop.blocks.SheetPreview
@@ -58,8 +60,8 @@ data class WorkshopState(
     val robotEdit: RobotEditState? = null,
     val taskFolded: Boolean = false,
 ) {
-    val program: PupilProgram get() = programs.program
-    val file: ProgramFile get() = programs.file
+    val program: Program get() = programs.program
+    val file: SourceFile get() = programs.file
     val diagnostics: List<Diagnostic> get() = programs.diagnostics
 
     val programName: String get() = program.name

@@ -6,7 +6,8 @@ import robotran.assignments.doing.firstPrograms
 import robotran.assignments.doing.pupilCopy
 import robotran.blockediting.palette.Palette
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.ProgramView
 import robotran.projects.Project
@@ -30,7 +31,6 @@ import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -141,7 +141,7 @@ class DoingAssignmentTest {
     @Test
     fun `beginning again restores exactly the programs and files given, and one touch undoes that`() {
         val files = listOf(SourceFile("Drive.java", "class Drive {}\n"), SourceFile("Other.java", "class Other {}\n"))
-        val java = ProjectProgram("Drive.java", ProgramLanguage.JAVA, files)
+        val java = ProjectProgram(Program("Drive.java", ProgramLanguage.JAVA, files))
         val name = pupils.world.robots.first().name
         val workshop = window(
             pupils.copy(robots = listOf(ProjectRobot(name, listOf(java, AnyAssignment.program(AnyAssignment.BEGIN))))),
@@ -150,7 +150,7 @@ class DoingAssignmentTest {
         workshop.handle(ProgramEvent.FileChosen(1))
         workshop.handle(ProgramEvent.FileClosed(1))
         workshop.handle(ProgramEvent.ProgramEdited("class Drive { int mine; }\n"))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("mine.robo", "forward 1\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("mine.robo", "forward 1\n")))
         val own = workshop.project.firstPrograms
         workshop.handle(AssignmentEvent.BegunAgain)
         assertEquals(given, workshop.project.firstPrograms)
@@ -200,7 +200,7 @@ class DoingAssignmentTest {
     fun `what is not allowed leads to its line`() {
         val workshop = window(with { it.copy(words = listOf("forward")) })
         workshop.handle(ProgramEvent.ProgramEdited("forward 5\nbackward 5\n"))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("other.robo", "beep\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("other.robo", "beep\n")))
         workshop.handle(AssignmentEvent.NotAllowedShown(workshop.doing.notAllowed.first()))
         assertEquals(0, workshop.state.programs.shownProgram)
         assertEquals(1, workshop.state.programs.draft.run { lines.lineOf(selection.caret) })
@@ -233,7 +233,7 @@ class DoingAssignmentTest {
     fun `words and languages that are not allowed are told with their lines`() {
         val workshop = window(with { it.copy(words = listOf("forward"), languages = listOf(ProgramLanguage.ROBOLANG)) })
         workshop.handle(ProgramEvent.ProgramEdited("forward 5\nbackward 5\n"))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("Other.java", "class Other {}\n")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("Other.java", "class Other {}\n")))
         assertEquals(
             listOf(
                 NotAllowed.HasWord("circle.robo", "backward", 2),

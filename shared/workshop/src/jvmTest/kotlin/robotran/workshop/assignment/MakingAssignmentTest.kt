@@ -4,7 +4,7 @@ import robotran.assignments.doing.firstPrograms
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.WorldGallery
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.ProjectProgram
@@ -24,7 +24,6 @@ import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.MakingState
 import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SolutionCheck
 import robotran.workshop.state.SolutionProgram
 import robotran.worldediting.Edit
@@ -139,7 +138,7 @@ class MakingAssignmentTest {
         assertEquals("", textOf(saved()))
         for ((solution, empty) in listOf("Mine.java" to "Program.java", "mine.nqc" to "program.nqc")) {
             val language = checkNotNull(ProgramLanguage.entries.find { solution.endsWith(it.extension) })
-            val written = ProjectProgram(solution, language, listOf(SourceFile(solution, "// mine")))
+            val written = ProjectProgram(Program(solution, language, "// mine"))
             workshop.handle(AssignmentEvent.Changed(workshop.making.assignment.copy(solution = listOf(written))))
             assertEquals(empty, workshop.making.emptyStart)
         }
@@ -224,7 +223,7 @@ class MakingAssignmentTest {
         assertEquals(listOf("circle.robo"), workshop.making.programs.filter { it.isStart }.map { it.name })
         assertEquals(emptyList(), workshop.making.assignment.solution)
         workshop.handle(AssignmentEvent.MakingClosed)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("mine.robo", "")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("mine.robo", "")))
         workshop.write(AnyAssignment.SOLUTION)
         workshop.handle(AssignmentEvent.MakingRequested)
         assertEquals(listOf(false, false, true), workshop.making.solution.map { it.isTaken })

@@ -5,6 +5,7 @@ import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.programs.Program
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.workshop.Workshop
@@ -17,7 +18,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
-import robotran.workshop.state.PupilProgram
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeWorld
@@ -73,7 +73,7 @@ class AnotherWorldTest {
             "a step" to { handle(RunEvent.StepPressed(StepKind.entries.first())) },
             "the button of the brick" to { handle(RunEvent.ButtonPressed(state.run.brick.kind.startButton)) },
             "writing" to { handle(ProgramEvent.ProgramEdited("beep")) },
-            "another program" to { handle(ProgramEvent.ProgramAdded(PupilProgram("other.robo", "beep"))) },
+            "another program" to { handle(ProgramEvent.ProgramAdded(Program.of("other.robo", "beep"))) },
             "building" to { putBlock() },
         )
         for ((told, goOn) in goingOn) {

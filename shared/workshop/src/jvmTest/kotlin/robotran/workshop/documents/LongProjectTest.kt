@@ -2,7 +2,7 @@ package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectLimits
 import robotran.projects.ProjectProgram
@@ -83,7 +83,7 @@ class LongProjectTest {
 
     private fun fileOf(text: String): ByteArray {
         val world = BuiltInWorlds.plain
-        val program = ProjectProgram("a.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("a.robo", text)))
+        val program = ProjectProgram(Program("a.robo", ProgramLanguage.ROBOLANG, text))
         return writeProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
             .encodeToByteArray()
     }

@@ -194,7 +194,7 @@ internal class GradingHandInsTest : HandInsTesting() {
                 ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH),
                 mapOf(
                     robot to row.programs.map {
-                        it.source
+                        it.program
                     },
                 ),
             )

@@ -3,19 +3,19 @@ package robotran.workshop.learning
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.SourceFile
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.RobotLoads
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.workshop.state.PupilProgram
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -58,7 +58,7 @@ class NqcVersionsTest {
     private fun names(isMeant: (Lesson) -> Boolean): Set<String> =
         tasks.filter(isMeant).map { it.name.substringAfter('/') }.toSet()
 
-    private suspend fun isSolved(task: Lesson, program: PupilProgram, seed: Int): Boolean {
+    private suspend fun isSolved(task: Lesson, program: Program, seed: Int): Boolean {
         val files = listOf(SourceFile(program.name, program.files.single().text))
         val project = task.project(Language.ENGLISH, files)
         val loads =

@@ -2,13 +2,13 @@ package robotran.workshop.run
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.program.StepKind
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.simulation.Breakpoint
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -18,23 +18,23 @@ import kotlin.test.assertTrue
 
 /** Breakpoints, steps and failures of Java programs. */
 class JavaDebuggingTest {
-    private val counting = ProgramFile(
+    private val counting = SourceFile(
         "Counting.java",
         "import josx.platform.rcx.LCD;\n\npublic class Counting {\n    public static void main(String[] args) {\n" +
             "        int rounds = 0;\n        while (rounds < 5) {\n            rounds = Helper.next(rounds);\n      " +
             "  }\n    }\n}\n",
     )
-    private val helper = ProgramFile(
+    private val helper = SourceFile(
         "Helper.java",
         "class Helper {\n\n    static int next(int number) {\n        number = number + 1;\n        return number;\n " +
             "   }\n}\n",
     )
-    private val alone = PupilProgram(
+    private val alone = Program.of(
         "Alone.java",
         "public class Alone {\n    public static void main(String[] args) {\n" +
             "        int x = 1;\n        x = x + 1;\n        x = 10 / (x - 2);\n    }\n}\n",
     )
-    private val several = PupilProgram(listOf(counting, helper))
+    private val several = Program.of(listOf(counting, helper))
 
     @Test
     fun `a program of one file stops at its breakpoint`() = workshop(alone) { workshop ->
@@ -99,7 +99,7 @@ class JavaDebuggingTest {
     @Test
     fun `a failure in another file turns to that file`() {
         val failing = helper.copy(text = helper.text.replace("number + 1", "number / 0"))
-        workshop(PupilProgram(listOf(counting, failing))) { workshop ->
+        workshop(Program.of(listOf(counting, failing))) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
             assertEquals("Helper.java", workshop.state.file.name)
@@ -113,7 +113,7 @@ class JavaDebuggingTest {
 
     @Test
     fun `a failure of Robolang is told at its line, too`() =
-        workshop(PupilProgram("a.robo", "var x = 0\nbeep\nshow 10 / x")) { workshop ->
+        workshop(Program.of("a.robo", "var x = 0\nbeep\nshow 10 / x")) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
             assertEquals(3, assertNotNull(workshop.state.shownProgramRun.failure).sourceLine)
@@ -121,7 +121,7 @@ class JavaDebuggingTest {
             assertNull(workshop.state.shownProgramRun.failure)
         }
 
-    private fun workshop(program: PupilProgram, check: suspend (Workshop) -> Unit) = runBlocking {
+    private fun workshop(program: Program, check: suspend (Workshop) -> Unit) = runBlocking {
         val workshop = openWorkshop(listOf(program))
         workshop.compilePrograms()
         check(workshop)

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
 import robotran.brick.log.CallLogFilter
 import robotran.brick.program.StepKind
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.runcontrol.RunSpeed
@@ -19,7 +20,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Sharing
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
@@ -39,7 +39,7 @@ class RunStateHolderTest {
             override suspend fun share(text: String): Boolean = shared.add(text)
         },
     )
-    private val workshop = runBlocking { openWorkshop(listOf(PupilProgram("way.robo", WAY)), platform) }
+    private val workshop = runBlocking { openWorkshop(listOf(Program.of("way.robo", WAY)), platform) }
     private var nanoseconds = 0L
 
     @AfterTest
@@ -208,7 +208,7 @@ class RunStateHolderTest {
 
     @Test
     fun `a replay runs the program that was run, whichever is shown, and a project begins with the program it says`() {
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("second.robo", "pen down\nbackward 10\npen up\nbeep")))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("second.robo", "pen down\nbackward 10\npen up\nbeep")))
         did(RunEvent.RunPressed)
         frames()
         val report = workshop.state.session.robot
@@ -260,7 +260,7 @@ class RunStateHolderTest {
             program = "var n = 3\nforward 10\nn = 4\nforward 5",
         )
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
-        val mine = ProjectRobot(first.name, listOf(PupilProgram("way.robo", WAY).asProject()))
+        val mine = ProjectRobot(first.name, listOf(Program.of("way.robo", WAY).asProject()))
         workshop.openProject(Project(world, listOf(mine)))
         did(RunEvent.RobotWatched(1), RunEvent.DrawerChosen(DrawerTab.VARIABLES), RunEvent.RunPressed)
         frames(500)
@@ -278,7 +278,7 @@ class RunStateHolderTest {
         val first = BuiltInWorlds.plain.robots.first()
         val other = first.copy(start = Pose(20.0, 55.0, 0.0), name = "other", program = "forward 50\nbeep")
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
-        val mine = ProjectRobot(first.name, listOf(PupilProgram("way.robo", WAY).asProject()))
+        val mine = ProjectRobot(first.name, listOf(Program.of("way.robo", WAY).asProject()))
         workshop.openProject(Project(world, listOf(mine)))
         workshop.handle(ProgramEvent.BreakpointToggled(4))
         workshop.handle(ProgramEvent.RobotChosen("other"))

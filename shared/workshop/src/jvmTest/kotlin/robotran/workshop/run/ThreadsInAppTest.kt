@@ -3,14 +3,14 @@ package robotran.workshop.run
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.DrawerTab
-import robotran.workshop.state.ProgramFile
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.WorkshopStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -18,22 +18,22 @@ import kotlin.test.assertTrue
 
 /** A pupil looks at the threads of a Java program in three files, on both bricks. */
 class ThreadsInAppTest {
-    private fun walking(import: String) = PupilProgram(
+    private fun walking(import: String) = Program.of(
         listOf(
-            ProgramFile(
+            SourceFile(
                 "Main.java",
                 "import $import;\n\npublic class Main {\n" +
                     "    public static void main(String[] args) throws InterruptedException {\n" +
                     "        new Walker().start();\n        int rounds = 0;\n        while (rounds < 50) {\n" +
                     "            Thread.sleep(100);\n            rounds = rounds + 1;\n        }\n    }\n}\n",
             ),
-            ProgramFile(
+            SourceFile(
                 "Walker.java",
                 "class Walker extends Thread {\n    public void run() {\n        int steps = 0;\n" +
                     "        while (steps < 100) {\n            steps = Pace.next(steps);\n" +
                     "            try { Thread.sleep(30); } catch (InterruptedException e) { }\n        }\n    }\n}\n",
             ),
-            ProgramFile(
+            SourceFile(
                 "Pace.java",
                 "class Pace {\n    static int next(int number) {\n        return number + 1;\n    }\n}\n",
             ),

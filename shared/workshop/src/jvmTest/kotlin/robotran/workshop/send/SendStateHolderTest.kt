@@ -11,6 +11,7 @@ import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.CodeBytes
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.tower.RcxVersion
@@ -30,7 +31,6 @@ import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.ProgramTabs
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer
@@ -415,22 +415,22 @@ class SendStateHolderTest {
     }
 
     private object OneProgram : CurrentProject {
-        override val shownProgram = PupilProgram("square.robo", PROGRAM)
+        override val shownProgram = Program.of("square.robo", PROGRAM)
         override val project: Project get() = error("Sending needs only the program.")
         override val replay: Project get() = error("Sending needs only the program.")
         override val session: SessionState get() = error("Sending needs only the program.")
     }
 
     private class RememberingTabs(private val mistakes: MutableList<Diagnostic>) : ProgramTabs {
-        override fun addProgram(program: PupilProgram, replacing: Boolean) = error("Sending adds no program.")
+        override fun addProgram(program: Program, replacing: Boolean) = error("Sending adds no program.")
 
         override fun chooseProgram(index: Int) = error("Sending chooses no program.")
 
         override fun removeProgram(index: Int) = error("Sending removes no program.")
 
-        override fun replacePrograms(programs: List<PupilProgram>) = error("Sending replaces no program.")
+        override fun replacePrograms(programs: List<Program>) = error("Sending replaces no program.")
 
-        override fun removePrograms(isMeant: (PupilProgram) -> Boolean) = error("Sending removes no program.")
+        override fun removePrograms(isMeant: (Program) -> Boolean) = error("Sending removes no program.")
 
         override fun showLine(index: Int, line: Int) = error("Sending shows no line.")
 

@@ -7,10 +7,10 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.programs.ImageBuildResult
+import robotran.programs.Program
 import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramSource
-import robotran.programs.SourceFile
 import robotran.projects.PENBOT_TARGET
 import robotran.tower.TowerError
 import robotran.tower.port.OpenedTower
@@ -32,7 +32,6 @@ import robotran.workshop.event.SendEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.state.PupilProgram
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import kotlin.test.Test
@@ -92,7 +91,7 @@ class SimulatedBrickTest {
     fun `a program in NQC gets into the slot that the pupil chooses, and runs there`() = runTest {
         val lego = SimulatedLegoFirmware()
         val workshop = workshopBefore(SimulatedBrick(lego), LineFaults(seed = 3, loss = 0.01))
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", NQC)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.nqc", NQC)))
         assertIs<SendStep.ChoosingSlot>(send(workshop))
         workshop.handle(SendEvent.SlotChosen(4))
         assertEquals(4, assertIs<SendStep.Done>(endOf(workshop)).slot)
@@ -105,7 +104,7 @@ class SimulatedBrickTest {
         val lego = SimulatedLegoFirmware()
         val brick = SimulatedBrick(SimulatedRom { lego })
         val workshop = workshopBefore(brick)
-        workshop.handle(ProgramEvent.ProgramAdded(PupilProgram("drive.nqc", NQC)))
+        workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.nqc", NQC)))
         assertEquals(TowerError.NoLegoFirmware, assertIs<SendStep.NeedsFirmware>(send(workshop)).why)
         files.chosen = listOf(OpenedFile("firm0328.lgo", firmwareFile("FIRM0328.LGO")))
         workshop.handle(SendEvent.FirmwareFileRequested)
@@ -190,9 +189,9 @@ class SimulatedBrickTest {
             "public class Beeper { public static void main(String[] args) { Sound.beep(); } }\n"
 
         val PROGRAMS = listOf(
-            PupilProgram("beeper.robo", ROBOLANG) to ProgramSource.Robolang("beeper.robo", ROBOLANG),
-            PupilProgram("Beeper.java", JAVA) to
-                ProgramSource.Java("Beeper.java", listOf(SourceFile("Beeper.java", JAVA))),
+            Program.of("beeper.robo", ROBOLANG) to Program("beeper.robo", ProgramLanguage.ROBOLANG, ROBOLANG),
+            Program.of("Beeper.java", JAVA) to
+                Program("Beeper.java", ProgramLanguage.JAVA, JAVA),
         )
     }
 }

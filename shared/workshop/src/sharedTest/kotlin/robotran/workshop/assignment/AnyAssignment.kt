@@ -1,7 +1,7 @@
 package robotran.workshop.assignment
 
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint
@@ -43,7 +43,7 @@ internal object AnyAssignment {
     }
 
     fun program(text: String, name: String = "circle.robo") =
-        ProjectProgram(name, ProgramLanguage.ROBOLANG, listOf(SourceFile(name, text)))
+        ProjectProgram(Program(name, ProgramLanguage.ROBOLANG, text))
 
     val assignment = Assignment(
         id = "circle-1",

@@ -3,7 +3,7 @@ package robotran.workshop.documents
 import kotlinx.coroutines.runBlocking
 import robotran.documents.StoreResult
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -185,7 +185,7 @@ internal fun Workshop.keep() = runBlocking { saveDocumentNow() }
 
 internal fun projectFile(text: String, name: String = "maze.robotran"): OpenedFile {
     val world = BuiltInWorlds.plain.copy(title = "Maze")
-    val program = ProjectProgram("maze.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("maze.robo", text)))
+    val program = ProjectProgram(Program("maze.robo", ProgramLanguage.ROBOLANG, text))
     val project = Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program))))
     return OpenedFile(name, writeProject(project).encodeToByteArray(), "/home/$name")
 }

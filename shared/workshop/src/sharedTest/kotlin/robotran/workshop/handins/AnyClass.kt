@@ -4,7 +4,7 @@ import robotran.assignments.doing.HandedInWork
 import robotran.assignments.doing.makeHandIn
 import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
-import robotran.programs.SourceFile
+import robotran.programs.Program
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentTries
 import robotran.projects.Project
@@ -27,11 +27,9 @@ internal object AnyClass {
         )
     }
 
-    fun robolang(text: String) =
-        ProjectProgram("circle.robo", ProgramLanguage.ROBOLANG, listOf(SourceFile("circle.robo", text)))
+    fun robolang(text: String) = ProjectProgram(Program("circle.robo", ProgramLanguage.ROBOLANG, text))
 
-    fun java(text: String) =
-        ProjectProgram("Circle.java", ProgramLanguage.JAVA, listOf(SourceFile("Circle.java", text)))
+    fun java(text: String) = ProjectProgram(Program("Circle.java", ProgramLanguage.JAVA, text))
 
     /** The run that the app records for a program that needs no touch. */
     private val RUN = listOf(SessionInput.Press(BrickButton.RUN, 0), SessionInput.Release(BrickButton.RUN, 0))

@@ -3,6 +3,7 @@ package robotran.workshop.send
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.awaitCancellation
 import robotran.legofirmware.device.DatalogEntry
+import robotran.programs.Program
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -15,7 +16,6 @@ import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import robotran.tower.port.TowerPorts
-import robotran.workshop.state.PupilProgram
 
 internal val USB_TOWER = TowerDevice("usb", "LEGO USB Tower", TowerKind.USB)
 internal val SERIAL_TOWER = TowerDevice("COM3", "COM3", TowerKind.SERIAL)
@@ -141,7 +141,7 @@ internal class ScriptedRobot : RobotLinks {
 internal class TextImages : ImageBuilder {
     var result: ProgramImageResult? = null
 
-    override suspend fun build(program: PupilProgram): ProgramImageResult = result ?: ProgramImageResult.Ready(
+    override suspend fun build(program: Program): ProgramImageResult = result ?: ProgramImageResult.Ready(
         BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
     )
 }

@@ -14,6 +14,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.ProgramLanguage
+import robotran.programs.blockLanguage
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.robolang.words.BlockGroup
 import robotran.ui.assignment.Quiet
@@ -53,7 +55,7 @@ internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, on
         Languages(state.assignment, change)
         val languages = state.assignment.languages
         // Only Robolang has words and blocks to choose from.
-        if (languages.isEmpty() || ProgramLanguage.ROBOLANG in languages) Words(state.assignment, change)
+        if (languages.isEmpty() || blockLanguage in languages) Words(state.assignment, change)
     }
 }
 
@@ -101,8 +103,8 @@ private fun Languages(assignment: Assignment, change: (Assignment) -> Unit) {
         Chip(SchoolTexts.makeAll(spoken), assignment.languages.isEmpty(), "make-language-all") {
             change(assignment.copy(languages = emptyList()))
         }
-        // Nobody is asked to write assembly.
-        for (language in ProgramLanguage.entries - ProgramLanguage.LASM) {
+        // Nobody is asked to write what is for experts.
+        for (language in ProgramLanguage.entries.filterNot { it.support.isForExperts }) {
             val isOnly = assignment.languages == listOf(language)
             Chip(language.ownName, isOnly, "make-language-${language.name.lowercase()}") {
                 change(assignment.copy(languages = if (isOnly) emptyList() else listOf(language)))

@@ -5,7 +5,7 @@ import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
-import robotran.textediting.code.CodeTokenKind
+import robotran.languagesupport.CodeTokenKind
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 

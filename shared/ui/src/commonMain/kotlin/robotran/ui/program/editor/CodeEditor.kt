@@ -15,7 +15,6 @@ import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.input.pointer.pointerInput
@@ -26,10 +25,9 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceSpan
-import robotran.textediting.code.CodeTokens
-import robotran.textediting.code.brickOfJava
+import robotran.languagesupport.CodeTokens
+import robotran.languagesupport.TextLines
 import robotran.textediting.text.Draft
-import robotran.textediting.text.TextLines
 import robotran.textediting.text.TextSelection
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
@@ -64,9 +62,9 @@ internal fun CodeEditor(
 ) {
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
-    val brick = remember(draft.lines, control.brick) { brickOfJava(draft.lines, control.brick) }
+    val brick = remember(draft.lines, control.brick) { control.syntax.brickOf(draft.lines) ?: control.brick }
     val layouts = rememberLineLayouts(control.language, brick, codeSize)
-    val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.language, brick) }
+    val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.syntax, brick) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<SourceSpan?>(null) }
     val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)

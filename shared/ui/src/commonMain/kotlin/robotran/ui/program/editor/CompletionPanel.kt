@@ -31,8 +31,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.textediting.complete.Completion
-import robotran.textediting.complete.CompletionList
+import robotran.languagesupport.Completion
+import robotran.languagesupport.CompletionList
 import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions

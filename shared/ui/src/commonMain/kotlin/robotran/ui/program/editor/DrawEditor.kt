@@ -12,7 +12,7 @@ import androidx.compose.ui.graphics.drawscope.clipRect
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
 import robotran.language.source.SourceRange
-import robotran.textediting.code.CodeTokens
+import robotran.languagesupport.CodeTokens
 import robotran.ui.theme.RobotranColours
 
 /** Draws the visible lines and their markings. */

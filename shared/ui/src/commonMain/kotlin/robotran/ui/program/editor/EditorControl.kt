@@ -8,12 +8,13 @@ import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.Completion
+import robotran.languagesupport.CompletionHelp
+import robotran.languagesupport.CompletionList
+import robotran.programs.support
 import robotran.textediting.CaretMove
 import robotran.textediting.EditKind
 import robotran.textediting.InputLink
-import robotran.textediting.complete.Completion
-import robotran.textediting.complete.CompletionList
-import robotran.textediting.complete.WordHelp
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
 import robotran.textediting.erasedBackwards
@@ -22,7 +23,6 @@ import robotran.textediting.indented
 import robotran.textediting.moved
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
-import robotran.textediting.text.indent
 import robotran.textediting.text.withWordSelected
 import robotran.textediting.typed
 import robotran.textediting.unindented
@@ -49,10 +49,11 @@ internal class EditorControl(
     private val hasRoom: (Draft) -> Boolean = { true },
     private val onWritten: (Draft, EditKind) -> Unit,
 ) {
-    val link = InputLink(language)
+    val syntax = language.support.code
+    val link = InputLink(syntax)
     var draft = Draft("")
         private set
-    var help: WordHelp = WordHelp { null }
+    var help: CompletionHelp = CompletionHelp { null }
     lateinit var clipboard: ClipboardManager
 
     /** The completions at the caret and the selected one; null if none are shown. */
@@ -115,7 +116,7 @@ internal class EditorControl(
     /** Shows all completions at the caret, regardless of what was typed. */
     fun showAllCompletions() {
         if (!draft.selection.isEmpty) write(draft.withCaret(draft.selection.end))
-        completions = completionsAt(draft, language, help, isExplicit = true, brick)
+        completions = completionsAt(draft, syntax, help, isExplicit = true, brick)
         hasNoCompletions = completions == null
         chosen = 0
     }
@@ -133,7 +134,7 @@ internal class EditorControl(
     }
 
     /** Types [text] like a key. */
-    fun type(text: String) = write(draft.typed(text, language), EditKind.TYPING)
+    fun type(text: String) = write(draft.typed(text, syntax), EditKind.TYPING)
 
     /** Performs [command]; false if it concerns more than the text. */
     fun perform(command: EditorCommand): Boolean {
@@ -176,13 +177,13 @@ internal class EditorControl(
             EditorCommand.Plain.DELETE_LINES -> write(draft.withoutLines())
             EditorCommand.Plain.MOVE_LINES_UP -> write(draft.withLinesMovedUp())
             EditorCommand.Plain.MOVE_LINES_DOWN -> write(draft.withLinesMovedDown())
-            EditorCommand.Plain.TOGGLE_COMMENT -> write(draft.withCommentToggled(language))
-            EditorCommand.Plain.ERASE_BACKWARDS -> erase(draft.erasedBackwards(language))
+            EditorCommand.Plain.TOGGLE_COMMENT -> write(draft.withCommentToggled(syntax))
+            EditorCommand.Plain.ERASE_BACKWARDS -> erase(draft.erasedBackwards(syntax))
             EditorCommand.Plain.ERASE_FORWARDS -> erase(draft.erasedForwards())
             EditorCommand.Plain.ERASE_WORD_BACKWARDS -> erase(draft.wordErasedBackwards())
             EditorCommand.Plain.ERASE_WORD_FORWARDS -> erase(draft.wordErasedForwards())
             EditorCommand.Plain.INDENT -> indent()
-            EditorCommand.Plain.UNINDENT -> write(draft.unindented(language))
+            EditorCommand.Plain.UNINDENT -> write(draft.unindented(syntax))
             EditorCommand.Plain.COMPLETE -> showAllCompletions()
             else -> return false
         }
@@ -192,9 +193,9 @@ internal class EditorControl(
     private fun indent() {
         if (draft.selection.isEmpty) {
             val column = draft.lines.columnOf(draft.selection.caret)
-            type(" ".repeat(language.indent.length - column % language.indent.length))
+            type(" ".repeat(syntax.indent.length - column % syntax.indent.length))
         } else {
-            write(draft.indented(language))
+            write(draft.indented(syntax))
         }
     }
 
@@ -224,7 +225,7 @@ internal class EditorControl(
     }
 
     private fun offer(after: Draft, isTyping: Boolean, isExplicit: Boolean = false) {
-        val list = if (isTyping) completionsAt(after, language, help, isExplicit, brick) else null
+        val list = if (isTyping) completionsAt(after, syntax, help, isExplicit, brick) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
         completions = list?.takeIf { isMember || isExplicit || after.selection.caret - it.start >= MIN_TYPED }
         chosen = 0

@@ -11,7 +11,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
-import robotran.textediting.code.CodeTokens
+import robotran.languagesupport.CodeTokens
 import robotran.ui.theme.LocalRobotranColours
 
 /**

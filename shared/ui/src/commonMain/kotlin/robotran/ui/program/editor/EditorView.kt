@@ -8,7 +8,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
-import robotran.textediting.code.CodeTokens
+import robotran.languagesupport.CodeTokens
 import robotran.textediting.text.Draft
 
 /** The visible part of a text and its position on the screen. */

@@ -17,7 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.textediting.CaretMove
 import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
@@ -41,7 +41,7 @@ internal fun KeyRow(control: EditorControl) {
         TouchKey("▸", EditorTexts.caretRight(spoken)) {
             control.perform(EditorCommand.Move(CaretMove.RIGHT, selecting = false))
         }
-        for (sign in SIGNS.getValue(control.language)) TouchKey(sign, sign) { control.type(sign) }
+        for (sign in control.language.support.code.keys) TouchKey(sign, sign) { control.type(sign) }
     }
 }
 
@@ -61,11 +61,3 @@ private fun TouchKey(sign: String, label: String, onClick: () -> Unit) {
 }
 
 private const val SIZE = 18f
-private val SIGNS = mapOf(
-    ProgramLanguage.ROBOLANG to listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ","),
-    ProgramLanguage.JAVA to
-        listOf("(", ")", "{", "}", ";", ".", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", "&", "|", "!"),
-    ProgramLanguage.NQC to
-        listOf("(", ")", "{", "}", ";", "_", "=", "<", ">", "+", "-", "*", "/", "#", "[", "]", "&", "|", "!"),
-    ProgramLanguage.LASM to listOf(",", ":", ";", "-"),
-)

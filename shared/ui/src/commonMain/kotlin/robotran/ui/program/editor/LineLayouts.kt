@@ -14,7 +14,7 @@ import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.textediting.code.tokensOf
+import robotran.programs.support
 import robotran.ui.theme.codeStyle
 import kotlin.math.ceil
 
@@ -48,7 +48,7 @@ internal class LineLayouts(
 
     private fun layOut(text: String, startsInComment: Boolean): LaidOutLine {
         val shown = ShownLine(text)
-        val spans = tokensOf(text, language, startsInComment, brick).map {
+        val spans = language.support.code.tokens(text, startsInComment, brick).tokens.map {
             AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
         }
         return LaidOutLine(

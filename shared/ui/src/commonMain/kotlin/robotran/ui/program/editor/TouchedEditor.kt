@@ -11,7 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalSoftwareKeyboardController
-import robotran.textediting.code.CodeTokens
+import robotran.languagesupport.CodeTokens
 import robotran.textediting.text.Draft
 import robotran.textediting.text.TextSelection
 

@@ -21,8 +21,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
-import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.programs.blockLanguage
 import robotran.ui.language.LocalLanguage
 import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockDragging
@@ -44,7 +44,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
     val reader = LocalLanguage.current
     val sentence = remember(block, reader, scope.brick) {
         block.explained.firstNotNullOfOrNull {
-            WordHelp.of(reader, ProgramLanguage.ROBOLANG, it, scope.brick)?.sentence
+            WordHelp.of(reader, blockLanguage, it, scope.brick)?.sentence
         }.orEmpty()
     }
     val spoken = BlockTexts.addThis(spoken, block.template.replace("\n", ", "), sentence)

@@ -47,8 +47,8 @@ import robotran.blockediting.palette.isWritten
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
 import robotran.brick.kind.BrickKind
-import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
+import robotran.programs.blockLanguage
 import robotran.robolang.words.BlockGroup
 import robotran.ui.language.spoken
 import robotran.ui.parts.fieldColours
@@ -233,7 +233,7 @@ private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: Bri
 }
 
 private val HELP =
-    PaletteHelp { word, language -> WordHelp.of(language, ProgramLanguage.ROBOLANG, word, BrickKind.DEFAULT)?.sentence }
+    PaletteHelp { word, language -> WordHelp.of(language, blockLanguage, word, BrickKind.DEFAULT)?.sentence }
 
 private const val CARRIED_FROM = 0.2f
 

@@ -1,0 +1,39 @@
+package robotran.languagesupport
+
+import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
+
+/** What Robotran asks of a programming language. The module of each language has one implementation. */
+interface LanguageSupport {
+    val language: ProgramLanguage
+
+    /** What editors ask about its texts. */
+    val code: CodeSyntax
+
+    /** The files of its programs. */
+    val files: ProgramFiles
+
+    /** What grading asks about its programs. */
+    val measure: ProgramMeasure
+
+    /** The bricks that can run its programs. */
+    val bricks: Set<BrickKind> get() = BrickKind.entries.toSet()
+
+    /** Whether its programs run on LEGO's own firmware of the RCX. */
+    val isForLegoFirmware: Boolean get() = false
+
+    /** Whether its programs can be shown as blocks. */
+    val hasBlocks: Boolean get() = false
+
+    /** Whether it is only for those who ask for more than others: nobody is set tasks in it. */
+    val isForExperts: Boolean get() = false
+
+    /** Whether its compiler is fetched with the first program, and too slow to run on every keystroke. */
+    val hasSlowCompiler: Boolean get() = false
+
+    /** Whether lines of a compiled program name their file even if the program has only one. */
+    val namesFileOfLines: Boolean get() = false
+
+    /** The languages that its programs for a [brick] can be shown in, the usual one first. */
+    fun translations(brick: BrickKind): List<ProgramLanguage> = emptyList()
+}
