@@ -16,9 +16,9 @@ internal fun missingOnBrick(
     val button = presses.firstOrNull { it.button !in buttons }
     val group = outputs.romLogGroups?.firstOrNull { it !in groups }
     return when {
-        button != null -> messages.noButton(brick.name, buttonName(button.button), buttons.map(::buttonName))
-        group != null -> messages.noCallGroup(brick.name, groupName(group), groups.map(::groupName))
-        outputs.memory != null && !brick.hasRom -> messages.noMemory(brick.name)
+        button != null -> messages.noButton(brick.label, buttonName(button.button), buttons.map(::buttonName))
+        group != null -> messages.noCallGroup(brick.label, groupName(group), groups.map(::groupName))
+        outputs.memory != null && !brick.hasRom -> messages.noMemory(brick.label)
         else -> null
     }
 }

@@ -10,6 +10,7 @@ import robotran.brick.sensors.SensorKind
  * The kinds of bricks that a robot can have. A row is the registration of a brick: whoever wants to know what a brick
  * can do asks for a fact of its row, never which kind it is. What a module has for each kind is in one file of that module.
  *
+ * @property label what people call it.
  * @property inputPorts number of ports for sensors, numbered from 1 on the brick.
  * @property sensors those that it can read.
  * @property sensorsOnPort how many of them fit on one port, one on the other.
@@ -30,6 +31,7 @@ import robotran.brick.sensors.SensorKind
  * @property receivesPrograms whether programs can be sent to a real one, as an image or with LEGO's firmware.
  */
 enum class BrickKind(
+    val label: String,
     val inputPorts: Int,
     val sensors: Set<SensorKind>,
     val sensorsOnPort: Int,
@@ -51,6 +53,7 @@ enum class BrickKind(
 ) {
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
+        label = "RCX",
         inputPorts = 3,
         sensors = setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION),
         sensorsOnPort = 2,
@@ -73,6 +76,7 @@ enum class BrickKind(
 
     /** LEGO's brick of 2006, with leJOS NXJ. */
     NXT(
+        label = "NXT",
         inputPorts = 4,
         sensors = SensorKind.entries.toSet(),
         sensorsOnPort = 1,
