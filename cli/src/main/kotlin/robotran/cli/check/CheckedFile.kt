@@ -2,6 +2,7 @@ package robotran.cli.check
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.cli.files.CLASS
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAR
@@ -159,18 +160,20 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
     val source = Program.of(file.program.name, file.source)
     val kind = file.program.kind
     return runBlocking {
-        when (kind) {
-            BrickKind.RCX -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.HasErrors)?.diagnostics
+        when (kind.java) {
+            JavaPlatform.LEJOS -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.HasErrors)?.diagnostics
 
-            BrickKind.NXT -> compiler.forTarget(kind.penbotTarget).readTranslation(source)
+            JavaPlatform.NXJ -> compiler.forTarget(kind.penbotTarget).readTranslation(source)
                 .let { it as? ProgramResult.HasErrors }?.diagnostics
+
+            null -> null
         }
     }.orEmpty()
 }
 
-/** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with an RCX. */
+/** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with the default one. */
 private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?): ProgramCompiler =
-    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.RCX).penbotTarget)
+    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.DEFAULT).penbotTarget)
 
 private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language

@@ -51,7 +51,7 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                 val result = compileRobolang(
                     Path(file.name).name,
                     file.text,
-                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.RCX).penbotTarget,
+                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.DEFAULT).penbotTarget,
                     RobolangMessages.of(language),
                 )
             ) {

@@ -12,7 +12,6 @@ import robotran.brick.state.RunState
 import robotran.cli.console.jsonOutput
 import robotran.legofirmware.run.FirmwareState
 import robotran.nxt.hardware.SensorPortState
-import robotran.nxt.state.NxtState
 import robotran.projects.elementOf
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.sensors.SensorState
@@ -40,11 +39,10 @@ internal fun brickReport(session: Session): String {
                 else -> put("screen", JsonArray((brick.leftByProgram ?: brick.screen).lines.map(::JsonPrimitive)))
             }
             put("explanation", brick.explanation)
-            val degrees = (brick as? NxtState)?.motorDegrees
             put(
                 "motors",
                 JsonObject(
-                    brick.motors.associate { it.port.name to json(it, degrees?.get(it.port.ordinal)) },
+                    brick.motors.associate { it.port.name to json(it, brick.motorDegrees.getOrNull(it.port.ordinal)) },
                 ),
             )
             put("sensors", JsonArray(brick.inputs.map(::json)))

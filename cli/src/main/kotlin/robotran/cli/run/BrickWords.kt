@@ -1,6 +1,5 @@
 package robotran.cli.run
 
-import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.cli.messages.CommandMessages
@@ -12,14 +11,14 @@ internal fun missingOnBrick(
     outputs: RunOutputs,
     messages: CommandMessages,
 ): String? {
-    val buttons = BrickButton.of(brick)
-    val groups = CallGroup.of(brick)
+    val buttons = brick.buttons
+    val groups = brick.callGroups
     val button = presses.firstOrNull { it.button !in buttons }
     val group = outputs.romLogGroups?.firstOrNull { it !in groups }
     return when {
-        button != null -> messages.noButton(brick.name, buttonName(button.button), buttons.map(::buttonName))
-        group != null -> messages.noCallGroup(brick.name, groupName(group), groups.map(::groupName))
-        outputs.memory != null && brick != BrickKind.RCX -> messages.noMemory(brick.name)
+        button != null -> messages.noButton(brick.label, buttonName(button.button), buttons.map(::buttonName))
+        group != null -> messages.noCallGroup(brick.label, groupName(group), groups.map(::groupName))
+        outputs.memory != null && !brick.hasRom -> messages.noMemory(brick.label)
         else -> null
     }
 }

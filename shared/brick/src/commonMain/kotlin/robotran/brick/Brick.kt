@@ -14,7 +14,7 @@ import robotran.brick.state.BrickState
 
 /**
  * A virtual brick with its firmware. It starts switched on. To start the selected program, press and release the
- * [startButton][robotran.brick.controls.startButton] of its [kind]. Time passes only in [tick].
+ * [startButton][robotran.brick.kind.BrickKind.startButton] of its [kind]. Time passes only in [tick].
  */
 interface Brick {
     val kind: BrickKind
@@ -30,6 +30,9 @@ interface Brick {
 
     /** Whether a tone is audible now; the same as in [state], but cheaper. */
     val isSounding: Boolean
+
+    /** Percent of full volume that the loudspeaker has now; 0 if it is silent. */
+    val loudness: Int get() = if (isSounding) FULL_VOLUME else 0
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning>
@@ -82,4 +85,8 @@ interface Brick {
      * [isPaused] is true, and the next call continues the same millisecond.
      */
     fun tick()
+
+    private companion object {
+        const val FULL_VOLUME = 100
+    }
 }

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 
 /**
@@ -25,7 +26,7 @@ internal fun helpInJava(language: Language, text: String, range: IntRange, brick
             ?: inheritedMemberOwner(text, word, brick)?.let { lejosHelp("$it.$word", language, brick) }
     }
     // Motors of an NXT are of a class of their own, but pupils know them as those of Motor.
-    if (brick == BrickKind.NXT) javaWords(brick).help("${chain.first()}.$word", language)?.let { return it }
+    if (brick.java == JavaPlatform.NXJ) javaWords(brick).help("${chain.first()}.$word", language)?.let { return it }
     val owner = chain.dropLast(1).fold(null as String?) { type, name -> typeOf(text, type, name, brick) } ?: return null
     return lejosMember(owner, word, brick)?.let { (declaring, _) -> lejosHelp("$declaring.$word", language, brick) }
 }

@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.lejoslibrary.LejosLibrary
 import robotran.nxjlibrary.NxjSources
 
@@ -23,7 +24,7 @@ internal class LejosClass(val about: LejosMember, val superclass: String?, val m
 /** The class of the library of a [brick] with this simple name; null if there is none or the library is not loaded. */
 internal fun lejosClass(simpleName: String, brick: BrickKind): LejosClass? {
     val source = sourceOf(simpleName, brick)
-    if (source == null && brick == BrickKind.NXT && NxjSources.known == null) return null
+    if (source == null && brick.java == JavaPlatform.NXJ && NxjSources.known == null) return null
     return classes.getOrPut(brick to simpleName) { CachedClass(source?.let { readClass(simpleName, it) }) }.lejosClass
 }
 
@@ -45,13 +46,15 @@ private class CachedClass(val lejosClass: LejosClass?)
 
 private val classes = mutableMapOf<Pair<BrickKind, String>, CachedClass>()
 
-private fun sourceOf(simpleName: String, brick: BrickKind): String? = when (brick) {
-    BrickKind.RCX -> LejosLibrary.classNames.named(simpleName).firstOrNull()?.let(LejosLibrary::source)
+private fun sourceOf(simpleName: String, brick: BrickKind): String? = when (brick.java) {
+    JavaPlatform.LEJOS -> LejosLibrary.classNames.named(simpleName).firstOrNull()?.let(LejosLibrary::source)
 
     // A program means the NXT's own Color and Point rather than what else is called so.
-    BrickKind.NXT -> NxjSources.known?.let { sources ->
+    JavaPlatform.NXJ -> NxjSources.known?.let { sources ->
         sources.classNames.named(simpleName).minByOrNull { name -> name.count { it == '/' } }?.let(sources::source)
     }
+
+    null -> null
 }
 
 private fun Set<String>.named(simpleName: String) = filter { it.substringAfterLast('/') == simpleName }

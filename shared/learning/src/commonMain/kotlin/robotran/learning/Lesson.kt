@@ -19,15 +19,15 @@ import robotran.world.World
  * @property name the unique name under which progress is saved, such as `repeat`.
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property otherSolutions the task done in other languages than that of [program], for a pupil who writes them.
- * @param forNxt makes the same lesson with a robot that has an NXT; null for such a lesson itself, and for the task of a
- * [GalleryWorld].
+ * @param onOtherBricks the same lesson with robots that have other bricks; empty for such a lesson itself, and for the
+ * task of a [GalleryWorld].
  * @param version reads programs and world when they are needed.
  */
 class Lesson internal constructor(
     val name: String,
     val strand: String,
     val otherSolutions: List<SourceFile> = emptyList(),
-    private val forNxt: (() -> Lesson)? = null,
+    private val onOtherBricks: Map<BrickKind, Lazy<Lesson>> = emptyMap(),
     version: () -> LessonVersion,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
@@ -41,7 +41,6 @@ class Lesson internal constructor(
     /** The same program with the task done. */
     val solution: SourceFile get() = version.solution
 
-    private val onNxt by lazy { forNxt?.invoke() }
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
 
@@ -54,7 +53,7 @@ class Lesson internal constructor(
         text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
 
     /** The same lesson with a robot that has a [brick], or this one if there is none. */
-    fun on(brick: BrickKind): Lesson = if (brick == BrickKind.NXT) onNxt ?: this else this
+    fun on(brick: BrickKind): Lesson = onOtherBricks[brick]?.value ?: this
 
     /** The brick of the pupil's robot. */
     val brick: BrickKind get() = plainWorld.robots.first().description.brick
@@ -63,8 +62,8 @@ class Lesson internal constructor(
     internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
 
     /** The lesson with the brick for which [world] is its world, in any language; null if it is another's. */
-    internal fun foundIn(world: World): Lesson? =
-        takeIf { isIn(world) } ?: onNxt?.takeIf { it.isIn(world.withPupilsPenbot()) }
+    internal fun foundIn(world: World): Lesson? = takeIf { isIn(world) }
+        ?: onOtherBricks.values.map { it.value }.firstOrNull { it.isIn(world.withPupilsPenbot()) }
 
     /** The language of [program]. */
     val code: ProgramLanguage get() = languageOf(program)

@@ -30,7 +30,7 @@ data class LessonText(
             val parts = sections(sections(file).single().body, "## ")
             val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
             val (task, nudge, part, solution) = paragraphsFor(inBlocks, paragraphs(harder.body))
-            return of(file, inBlocks, BrickKind.RCX).copy(
+            return of(file, inBlocks, BrickKind.DEFAULT).copy(
                 title = harder.heading.removePrefix(HARDER),
                 task = task,
                 nudge = nudge,
@@ -86,8 +86,8 @@ private fun paragraphsFor(inBlocks: Boolean, paragraphs: List<String>): List<Str
 
 /** The [paragraphs] for a pupil whose robot has a [brick]. */
 private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<String> {
-    val (own, other) = if (brick == BrickKind.NXT) FOR_NXT to FOR_RCX else FOR_RCX to FOR_NXT
-    return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
+    val others = (BrickKind.entries - brick).map(::markFor)
+    return paragraphs.filterNot { text -> others.any(text::startsWith) }.map { it.removePrefix(markFor(brick)).trim() }
 }
 
 /** [text] without the backticks around program text. */
@@ -97,5 +97,5 @@ private const val WHEN = "When "
 private const val HARDER = "Harder: "
 private const val FOR_TEXT = "(text) "
 private const val FOR_BLOCKS = "(blocks) "
-private const val FOR_RCX = "(rcx) "
-private const val FOR_NXT = "(nxt) "
+
+private fun markFor(brick: BrickKind) = "(${brick.name.lowercase()}) "

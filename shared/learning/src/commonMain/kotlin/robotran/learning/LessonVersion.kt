@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
 import robotran.languagesupport.SourceFile
 import robotran.world.Facing
 import robotran.world.ReadyRobots
@@ -11,12 +12,14 @@ import robotran.world.World
 /** What a lesson has for one kind of brick. */
 internal class LessonVersion(val brick: BrickKind, val program: SourceFile, val solution: SourceFile, val world: World)
 
-/** The lesson in [files] as it is written: for a robot with an RCX. */
-internal fun versionForRcx(files: Map<String, String>): LessonVersion {
-    val programs = files.filterKeys { isProgram(it) && !it.startsWith(NXT_FILE) }
+/** The lesson in [files] as it is written: for a robot with the [BrickKind.DEFAULT]. */
+internal fun plainVersion(files: Map<String, String>): LessonVersion {
+    val programs = files.filterKeys { file ->
+        isProgram(file) && BrickKind.entries.none { file.startsWith(prefixFor(it)) }
+    }
     val program = programs.entries.single { !it.key.startsWith(SOLUTION) }
     return LessonVersion(
-        BrickKind.RCX,
+        BrickKind.DEFAULT,
         SourceFile(program.key, program.value),
         SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
         worldOf(files.getValue(WORLD)),
@@ -24,33 +27,48 @@ internal fun versionForRcx(files: Map<String, String>): LessonVersion {
 }
 
 /**
- * The lesson [rcx] with the penbot of an NXT instead. World and programs are the same, unless [files] has others, whose
- * names begin with `nxt-`; only the light sensor is on another port.
+ * The lesson [plain] with the penbot of another [brick] instead. World and programs are the same, unless [files] has
+ * others, whose names begin with the brick's, such as `nxt-`; only the light sensor is on another port.
  */
-internal fun versionForNxt(rcx: LessonVersion, files: Map<String, String>): LessonVersion {
-    val ending = rcx.program.name.substringAfterLast('.')
-    val program = files[NXT_FILE + rcx.program.name] ?: onNxtPenbot(rcx.program)
-    val solution = files["$NXT_FILE$SOLUTION$ending"] ?: onNxtPenbot(rcx.solution)
-    val world = files[NXT_FILE + WORLD]?.let(::worldOf) ?: rcx.world
+internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<String, String>): LessonVersion {
+    val prefix = prefixFor(brick)
+    val ending = plain.program.name.substringAfterLast('.')
+    val program = files[prefix + plain.program.name] ?: onPenbot(brick, plain.program)
+    val solution = files["$prefix$SOLUTION$ending"] ?: onPenbot(brick, plain.solution)
+    val world = files[prefix + WORLD]?.let(::worldOf) ?: plain.world
     return LessonVersion(
-        BrickKind.NXT,
-        SourceFile(rcx.program.name, program),
-        SourceFile(rcx.program.name, solution),
-        world.withFirst(PUPILS_NXT),
+        brick,
+        SourceFile(plain.program.name, program),
+        SourceFile(plain.program.name, solution),
+        world.withFirst(PUPILS_ROBOTS.getValue(brick)),
     )
 }
 
-private fun onNxtPenbot(file: SourceFile): String = file.text.replace("light sensor on 2", "light sensor on 3")
+private fun onPenbot(brick: BrickKind, file: SourceFile): String {
+    val usual = lightPortOf(BrickKind.DEFAULT)
+    val other = lightPortOf(brick) ?: usual
+    return file.text.replace("light sensor on $usual", "light sensor on $other")
+}
 
-/** The same world, in which the NXT penbot is the one of the lessons. */
-internal fun World.withPupilsPenbot(): World =
-    if (robots.first().description == ReadyRobots.NXT_PENBOT) withFirst(PUPILS_NXT) else this
+/** The port of the light sensor of the penbot with this [brick]; null if it has none. */
+private fun lightPortOf(brick: BrickKind): Int? =
+    ReadyRobots.defaultOf(brick).parts.firstOrNull { it.kind == SensorKind.LIGHT }?.port
+
+/** What the names of the files that are only for this [brick] begin with. */
+private fun prefixFor(brick: BrickKind) = "${brick.name.lowercase()}-"
+
+/** The same world, in which the penbot is the one of the lessons. */
+internal fun World.withPupilsPenbot(): World {
+    val robot = robots.first().description
+    return if (robot == ReadyRobots.defaultOf(robot.brick)) withFirst(PUPILS_ROBOTS.getValue(robot.brick)) else this
+}
 
 private fun World.withFirst(robot: RobotDescription): World =
     copy(robots = listOf(robots.first().copy(description = robot)) + robots.drop(1))
 
-/** The penbot, whose light sensor can be turned ahead, as that of an RCX. */
-private val PUPILS_NXT: RobotDescription = ReadyRobots.NXT_PENBOT.let { penbot ->
+/** The penbots, whose light sensor can be turned ahead, as that of an RCX always. */
+private val PUPILS_ROBOTS: Map<BrickKind, RobotDescription> = BrickKind.entries.associateWith { brick ->
+    val penbot = ReadyRobots.defaultOf(brick)
     penbot.copy(
         parts = penbot.parts.map { part ->
             if (part is SensorPart && part.facing == Facing.Down) part.copy(facing = Facing.Free) else part
@@ -58,5 +76,4 @@ private val PUPILS_NXT: RobotDescription = ReadyRobots.NXT_PENBOT.let { penbot -
     )
 }
 
-private const val NXT_FILE = "nxt-"
 private const val WORLD = "world.world.json"

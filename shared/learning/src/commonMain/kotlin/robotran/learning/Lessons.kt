@@ -10,8 +10,8 @@ import robotran.world.file.readWorld
 /**
  * The lessons. Each folder in `learning/lessons` is a strand, each folder in it a lesson, in the order of their names.
  * A lesson holds a text for each language, such as `text.en.md`, the world `world.world.json`, the program, and
- * `solution` with the program's extension. Its robot has an RCX. The same lesson with an NXT has the NXT penbot; see
- * [versionForNxt].
+ * `solution` with the program's extension. Its robot has the [BrickKind.DEFAULT]. The same lesson with another brick has the penbot
+ * of that; see [versionFor].
  */
 object Lessons {
     /** The strands, in the order in which a pupil takes them. */
@@ -40,10 +40,11 @@ object Lessons {
     fun strandOf(lesson: Lesson): Strand = strands.first { it.name == lesson.strand }
 
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
-        val rcx by lazy { versionForRcx(files) }
-        return lesson(folder, BrickKind.RCX, files, { rcx }) {
-            lesson(folder, BrickKind.NXT, files, { versionForNxt(rcx, files) })
+        val plain by lazy { plainVersion(files) }
+        val others = (BrickKind.entries - BrickKind.DEFAULT).associateWith { brick ->
+            lazy { lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
         }
+        return lesson(folder, BrickKind.DEFAULT, files, { plain }, others)
     }
 
     private fun lesson(
@@ -51,11 +52,11 @@ object Lessons {
         brick: BrickKind,
         files: Map<String, String>,
         version: () -> LessonVersion,
-        forNxt: (() -> Lesson)? = null,
+        others: Map<BrickKind, Lazy<Lesson>> = emptyMap(),
     ): Lesson = Lesson(
         folder.substringAfter('/').replace(NUMBER, ""),
         folder.substringBefore('/'),
-        forNxt = forNxt,
+        onOtherBricks = others,
         version = version,
     ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks, brick) }
 

@@ -7,7 +7,7 @@ import robotran.world.RobotDescription
 /** The words in [language] by which somebody looks for a robot: its brick and what people call its sensors. */
 internal fun robotWords(robot: RobotDescription, language: Language): String {
     val sensors = robot.parts.filter { it.port != null }.map { it.kind }.distinct()
-    return (listOf(robot.brick.name) + sensors.mapNotNull { SENSOR_WORDS[it]?.getValue(language) }).joinToString(" ")
+    return (listOf(robot.brick.label) + sensors.mapNotNull { SENSOR_WORDS[it]?.getValue(language) }).joinToString(" ")
 }
 
 private val SENSOR_WORDS: Map<SensorKind, Map<Language, String>> = mapOf(

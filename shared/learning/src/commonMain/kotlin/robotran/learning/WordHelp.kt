@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.TextLines

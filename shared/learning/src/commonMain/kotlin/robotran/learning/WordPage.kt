@@ -1,6 +1,7 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 
 /** The help on the words of one programming language, read from a file in the folder `learning/words`. */
@@ -51,8 +52,11 @@ private val lejosWords: WordPage by lazy { WordPage(wordTexts.getValue("lejos.md
 
 private val nxjWords: WordPage by lazy { WordPage(wordTexts.getValue("nxj.md")) }
 
+private val noWords: WordPage by lazy { WordPage("") }
+
 /** The words of Java for a [brick]. */
-internal fun javaWords(brick: BrickKind): WordPage = when (brick) {
-    BrickKind.RCX -> lejosWords
-    BrickKind.NXT -> nxjWords
+internal fun javaWords(brick: BrickKind): WordPage = when (brick.java) {
+    JavaPlatform.LEJOS -> lejosWords
+    JavaPlatform.NXJ -> nxjWords
+    null -> noWords
 }

@@ -106,8 +106,7 @@ class NxtBrick(
     /** The clock, for devices that are plugged in. */
     val clock: Clock = Clock { hardware.milliseconds }
 
-    /** Percent of full volume that the loudspeaker has now; 0 if it is silent. */
-    val loudness: Int get() = hardware.speaker.loudness
+    override val loudness: Int get() = hardware.speaker.loudness
 
     override fun motor(port: MotorPort): MotorState = hardware.motors.states[port.ordinal]
 

@@ -5,7 +5,7 @@ import robotran.brick.kind.BrickKind
 /** The kind of brick that this program is for; null if it does not tell, or names several. */
 fun brickOf(program: ProgramSource): BrickKind? = when (program) {
     is ProgramSource.CompiledClasses -> brickOfClasses(program.classFiles.values)
-    is ProgramSource.FirmwareImage -> BrickKind.RCX
+    is ProgramSource.FirmwareImage -> BrickKind.OF_LEGO_FIRMWARE
     else -> program.language?.support?.files?.brickOf(program.files)
 }
 
@@ -21,4 +21,5 @@ private fun brickOfClasses(classFiles: Collection<ByteArray>): BrickKind? = PACK
 private fun ByteArray.contains(part: ByteArray): Boolean =
     (0..size - part.size).any { place -> part.indices.all { this[place + it] == part[it] } }
 
-private val PACKAGES = mapOf("lejos" to BrickKind.NXT, "josx" to BrickKind.RCX)
+/** The bricks by the root of their packages. */
+private val PACKAGES = BrickKind.entries.mapNotNull { kind -> kind.java?.let { it.root to kind } }.toMap()

@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.lejoslinker.messages.ImageMessages
@@ -28,7 +29,7 @@ internal class JavaToolchain(
 
     /** Loads the classes of the brick, if they are not at hand. */
     suspend fun loadLibrary() {
-        if (brick == BrickKind.NXT) loaded.loadNxj()
+        if (brick.java == JavaPlatform.NXJ) loaded.loadNxj()
     }
 
     override fun compile(program: Program): ProgramResult {
@@ -44,22 +45,24 @@ internal class JavaToolchain(
     fun timed() = TimedJavaProgramCompiler(loaded, linker(), library(), language)
 
     /** Links what another compiler made. */
-    fun link(source: ProgramSource.CompiledClasses): ProgramResult = when (brick) {
-        BrickKind.RCX -> classFiles.read(source, CompiledGaps(settings, JavaMessages.of(language)))
-        BrickKind.NXT -> nxjLinker().read(source, settings.mode, JavaMessages.of(language))
+    fun link(source: ProgramSource.CompiledClasses): ProgramResult = when (platform) {
+        JavaPlatform.LEJOS -> classFiles.read(source, CompiledGaps(settings, JavaMessages.of(language)))
+        JavaPlatform.NXJ -> nxjLinker().read(source, settings.mode, JavaMessages.of(language))
     }
 
     fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker())
 
-    private fun linker(): ProgramLinker = when (brick) {
-        BrickKind.RCX -> classFiles
-        BrickKind.NXT -> nxjLinker()
+    private fun linker(): ProgramLinker = when (platform) {
+        JavaPlatform.LEJOS -> classFiles
+        JavaPlatform.NXJ -> nxjLinker()
     }
 
-    private fun library(): JavaLibrary = when (brick) {
-        BrickKind.RCX -> JavaLibrary.ofLejos(settings)
-        BrickKind.NXT -> JavaLibrary.ofNxj(nxjLibrary(), settings)
+    private fun library(): JavaLibrary = when (platform) {
+        JavaPlatform.LEJOS -> JavaLibrary.ofLejos(settings)
+        JavaPlatform.NXJ -> JavaLibrary.ofNxj(nxjLibrary(), settings)
     }
+
+    private val platform get() = checkNotNull(brick.java) { "No Java runs on ${brick.name}." }
 
     private fun nxjLinker() = NxjLinker(nxjLibrary(), settings, TinyVmMessages.of(language))
 

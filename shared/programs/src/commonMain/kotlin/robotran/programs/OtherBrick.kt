@@ -1,6 +1,7 @@
 package robotran.programs
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.programs.messages.ProgramMessages
@@ -10,14 +11,14 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
     /** The mistake in [source] if it cannot run on the robot; null if it can. */
     fun mistakeIn(source: ProgramSource): Diagnostic? {
         val program = brickOf(source)?.takeIf { it != robot } ?: return null
-        return diagnosticOf(source, messages.forOtherBrick(program.name, robot.name))
+        return diagnosticOf(source, messages.forOtherBrick(program.label, robot.label))
     }
 
     /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
     fun mistakeInImage(source: ProgramSource): Diagnostic? {
         if (source.isForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
-        return if (program == BrickKind.RCX) null else diagnosticOf(source, messages.noImageFor(program.name))
+        return if (program.java == JavaPlatform.LEJOS) null else diagnosticOf(source, messages.noImageFor(program.label))
     }
 
     private fun diagnosticOf(source: ProgramSource, message: String): Diagnostic {

@@ -1,6 +1,8 @@
 package robotran.programs
 
+import kotlin.coroutines.cancellation.CancellationException
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.CompilerNotLoadedException
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -10,7 +12,6 @@ import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
-import kotlin.coroutines.cancellation.CancellationException
 
 /**
  * Compiles a pupil's program, in any language, to a program for the robot's brick. It loads the Java compiler and the
@@ -137,7 +138,8 @@ class ProgramCompiler private constructor(
         require(sources.isNotEmpty()) { "There is no program to build an image of." }
         val others = sources.mapNotNull { otherBrick.mistakeInImage(it) }
         if (others.isNotEmpty()) return ImageBuildResult.HasErrors(others)
-        val forBrick = JavaToolchain(BrickKind.RCX, JavaSettings(TinyVmMode.BRICK, version = version), language, loaded)
+        val settings = JavaSettings(TinyVmMode.BRICK, version = version)
+        val forBrick = JavaToolchain(BrickKind.with(JavaPlatform.LEJOS), settings, language, loaded)
         val messages = TinyVmMessages.of(language)
         return try {
             ImageBuilder(::compilerOf, forBrick.timed(), forBrick.classFiles, messages).build(sources)

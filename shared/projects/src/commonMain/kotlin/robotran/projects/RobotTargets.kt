@@ -2,7 +2,6 @@ package robotran.projects
 
 import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
-import robotran.world.Penbot
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.robot.RobotFigures
@@ -31,12 +30,9 @@ val RobotDescription.target: RobotTarget
         )
     }
 
-/** What the compiler must know of the penbot with an RCX. */
-val PENBOT_TARGET: RobotTarget = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
+/** What the compiler must know of the penbot with the [BrickKind.DEFAULT]. */
+val PENBOT_TARGET: RobotTarget = BrickKind.DEFAULT.penbotTarget
 
 /** What the compiler must know of the penbot with a brick of this kind. */
 val BrickKind.penbotTarget: RobotTarget
-    get() = when (this) {
-        BrickKind.RCX -> PENBOT_TARGET
-        BrickKind.NXT -> ReadyRobots.NXT_PENBOT.target
-    }
+    get() = ReadyRobots.defaultOf(this).target

@@ -110,11 +110,11 @@ class RcxBrick(
     fun motorOutput(port: MotorPort): MotorMode = hardware.motors.output(port)
 
     override fun press(button: BrickButton) {
-        if (button.kind == kind && hardware.buttons.hold(button, down = true)) changeSlot { shell.pressed(button) }
+        if (button in kind.buttons && hardware.buttons.hold(button, down = true)) changeSlot { shell.pressed(button) }
     }
 
     override fun release(button: BrickButton) {
-        if (button.kind == kind && hardware.buttons.hold(button, down = false)) changeSlot { shell.released(button) }
+        if (button in kind.buttons && hardware.buttons.hold(button, down = false)) changeSlot { shell.released(button) }
     }
 
     /**

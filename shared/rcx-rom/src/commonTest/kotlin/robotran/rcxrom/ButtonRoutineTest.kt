@@ -24,7 +24,7 @@ class ButtonRoutineTest {
             setOf(BrickButton.RUN, BrickButton.VIEW, BrickButton.PRGM, BrickButton.ON_OFF) to 7,
         )
         for ((held, bits) in combinations) {
-            BrickButton.of(BrickKind.RCX).forEach { hardware.buttons.hold(it, it in held) }
+            BrickKind.RCX.buttons.forEach { hardware.buttons.hold(it, it in held) }
             hardware.memory.writeShort(RESULT, -1)
             hardware.call(RomAddress.READ_BUTTONS, 0x3000, RESULT)
             assertEquals(bits, hardware.memory.readShort(RESULT))
@@ -84,7 +84,7 @@ class ButtonRoutineTest {
     fun `the pins of the buttons can be seen in memory`() {
         val pins = { hardware.memory.readByte(0xFFB7) and 0x06 to (hardware.memory.readByte(0xFFBE) and 0xC0) }
         assertEquals(0x02 to 0x00, pins())
-        BrickButton.of(BrickKind.RCX).forEach { hardware.buttons.hold(it, down = true) }
+        BrickKind.RCX.buttons.forEach { hardware.buttons.hold(it, down = true) }
         assertEquals(0x04 to 0xC0, pins())
     }
 

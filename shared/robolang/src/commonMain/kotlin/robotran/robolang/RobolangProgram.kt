@@ -59,7 +59,7 @@ class RobolangRcxProgram internal constructor(
     messages: RunMessages,
 ) : RobolangProgram(name, checked, messages),
     RcxProgram {
-    override val kind: BrickKind get() = BrickKind.RCX
+    override val kind: BrickKind get() = robot.kind
 
     override fun start(rom: Rom): DebuggableRun {
         val durations = Durations(robot)
@@ -75,7 +75,7 @@ class RobolangNxtProgram internal constructor(
     messages: RunMessages,
 ) : RobolangProgram(name, checked, messages),
     NxtProgram {
-    override val kind: BrickKind get() = BrickKind.NXT
+    override val kind: BrickKind get() = robot.kind
 
     override fun start(nxt: Nxt): DebuggableRun = run(NxtDevice(nxt, robot), Durations(robot))
 }

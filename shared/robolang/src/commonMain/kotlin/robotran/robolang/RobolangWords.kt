@@ -34,7 +34,7 @@ object RobolangWords {
     internal fun valueWordsOn(brick: BrickKind): List<String> = wordsOn(brick) { it.beginsValue || it.text in operators }
 
     private fun wordsOn(brick: BrickKind, isMeant: (Keyword) -> Boolean): List<String> =
-        Keyword.entries.filter { (it.brick == null || it.brick == brick) && isMeant(it) }.map { it.text }
+        Keyword.entries.filter { it.isOn(brick) && isMeant(it) }.map { it.text }
 
     /** The built-in functions with their number of parameters. */
     val functions: Map<String, Int> = BuiltIn.entries.associate { it.text to it.parameters }

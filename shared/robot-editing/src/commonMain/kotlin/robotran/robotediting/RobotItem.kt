@@ -20,39 +20,35 @@ import robotran.world.robot.partFor
 import robotran.world.robot.things
 import kotlin.math.abs
 
-/**
- * What the palette offers.
- *
- * @property bricks the bricks that can use it.
- */
-enum class RobotItem(val sensor: SensorKind?, val bricks: Set<BrickKind> = BrickKind.entries.toSet()) {
+/** What the palette offers. */
+enum class RobotItem(val sensor: SensorKind?) {
     BUMPER(SensorKind.TOUCH),
     LIGHT(SensorKind.LIGHT),
-    COLOUR(SensorKind.COLOUR, setOf(BrickKind.NXT)),
-    ULTRASONIC(SensorKind.ULTRASONIC, setOf(BrickKind.NXT)),
-    SOUND(SensorKind.SOUND, setOf(BrickKind.NXT)),
-    GYRO(SensorKind.GYRO, setOf(BrickKind.NXT)),
-    COMPASS(SensorKind.COMPASS, setOf(BrickKind.NXT)),
+    COLOUR(SensorKind.COLOUR),
+    ULTRASONIC(SensorKind.ULTRASONIC),
+    SOUND(SensorKind.SOUND),
+    GYRO(SensorKind.GYRO),
+    COMPASS(SensorKind.COMPASS),
     ROTATION(SensorKind.ROTATION),
     TEMPERATURE(SensorKind.TEMPERATURE),
     FINGER_TOUCH(SensorKind.TOUCH),
     CASTER(null),
     PEN(null),
-    HITECHNIC_COLOUR(SensorKind.HITECHNIC_COLOUR, setOf(BrickKind.NXT)),
-    MINDSENSORS_COMPASS(SensorKind.MINDSENSORS_COMPASS, setOf(BrickKind.NXT)),
-    HITECHNIC_ACCELERATION(SensorKind.HITECHNIC_ACCELERATION, setOf(BrickKind.NXT)),
-    MINDSENSORS_ACCELERATION(SensorKind.MINDSENSORS_ACCELERATION, setOf(BrickKind.NXT)),
-    RCX_LIGHT(SensorKind.RCX_LIGHT, setOf(BrickKind.NXT)),
-    RCX_LINK(SensorKind.RCX_LINK, setOf(BrickKind.NXT)),
-    OPTICAL_DISTANCE(SensorKind.OPTICAL_DISTANCE, setOf(BrickKind.NXT)),
-    INFRARED_SEEKER(SensorKind.INFRARED_SEEKER, setOf(BrickKind.NXT)),
-    INFRARED_SEEKER_2(SensorKind.INFRARED_SEEKER_2, setOf(BrickKind.NXT)),
-    NXT_TEMPERATURE(SensorKind.NXT_TEMPERATURE, setOf(BrickKind.NXT)),
+    HITECHNIC_COLOUR(SensorKind.HITECHNIC_COLOUR),
+    MINDSENSORS_COMPASS(SensorKind.MINDSENSORS_COMPASS),
+    HITECHNIC_ACCELERATION(SensorKind.HITECHNIC_ACCELERATION),
+    MINDSENSORS_ACCELERATION(SensorKind.MINDSENSORS_ACCELERATION),
+    RCX_LIGHT(SensorKind.RCX_LIGHT),
+    RCX_LINK(SensorKind.RCX_LINK),
+    OPTICAL_DISTANCE(SensorKind.OPTICAL_DISTANCE),
+    INFRARED_SEEKER(SensorKind.INFRARED_SEEKER),
+    INFRARED_SEEKER_2(SensorKind.INFRARED_SEEKER_2),
+    NXT_TEMPERATURE(SensorKind.NXT_TEMPERATURE),
     ;
 
     companion object {
         /** The palette of a robot with this brick. */
-        fun of(brick: BrickKind): List<RobotItem> = entries.filter { brick in it.bricks }
+        fun of(brick: BrickKind): List<RobotItem> = entries.filter { it.sensor == null || it.sensor in brick.sensors }
     }
 }
 

@@ -1,6 +1,7 @@
 package robotran.robotediting
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorCase
 import robotran.brick.sensors.SensorKind
 import robotran.world.Facing
 import robotran.world.SensorPart
@@ -26,7 +27,7 @@ data class SensorBody(val back: Double, val front: Double, val half: Double) {
     }
 
     companion object {
-        private val RCX_SENSOR = SensorBody(0.4, 0.8, 0.8)
+        private val STUDDED = SensorBody(0.4, 0.8, 0.8)
 
         /** What looks nowhere, or whose eyes nobody sees. */
         private val INSIDE = setOf(
@@ -44,9 +45,12 @@ data class SensorBody(val back: Double, val front: Double, val half: Double) {
             SensorKind.ULTRASONIC -> SensorBody(1.8, 0.0, 2.3)
             SensorKind.SOUND -> SensorBody(2.0, 0.0, 1.2)
             SensorKind.OPTICAL_DISTANCE -> SensorBody(1.4, 0.0, 2.2)
-            SensorKind.RCX_LIGHT -> RCX_SENSOR
+            SensorKind.RCX_LIGHT -> STUDDED
             in INSIDE -> SensorBody(1.2, 1.2, 1.2)
-            else -> if (brick == BrickKind.RCX) RCX_SENSOR else SensorBody(0.9, 0.9, 0.7)
+            else -> when (brick.sensorCase) {
+                SensorCase.STUDDED -> STUDDED
+                SensorCase.ROUNDED -> SensorBody(0.9, 0.9, 0.7)
+            }
         }
     }
 }

@@ -5,30 +5,28 @@ import robotran.brick.kind.BrickKind
 /**
  * The lanes of a robot's chart over time: its sensor readings, motor commands, the counters of its motors
  * and its battery.
- *
- * @property kinds the bricks whose robots have the lane.
  */
-enum class ChartLane(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
+enum class ChartLane {
     SENSOR_1,
     SENSOR_2,
     SENSOR_3,
 
     /**
-     * For an RCX, the power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not driven, which differs
-     * from power 0. For an NXT, the power in percent, -100..100.
+     * Where power is counted in steps, the power plus one, 1..8 forwards and -1..-8 backwards; 0 if the motor is not
+     * driven, which differs from power 0. Otherwise the power in percent, -100..100.
      */
     MOTOR_A,
     MOTOR_B,
     MOTOR_C,
-    SENSOR_4(setOf(BrickKind.NXT)),
+    SENSOR_4,
 
     /** What the counter of the motor says, in degrees. */
-    DEGREES_A(setOf(BrickKind.NXT)),
-    DEGREES_B(setOf(BrickKind.NXT)),
-    DEGREES_C(setOf(BrickKind.NXT)),
+    DEGREES_A,
+    DEGREES_B,
+    DEGREES_C,
 
     /** What the brick measures, which sinks under load. */
-    BATTERY(setOf(BrickKind.NXT)),
+    BATTERY,
     ;
 
     val isMotor: Boolean get() = this in MOTOR_A..MOTOR_C
@@ -44,9 +42,16 @@ enum class ChartLane(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
             SENSOR_4 -> 3
         }
 
+    private fun isOn(kind: BrickKind): Boolean = when {
+        isSensor -> port < kind.inputPorts
+        isDegrees -> kind.hasMotorCounters
+        this == BATTERY -> kind.chartsBattery
+        else -> true
+    }
+
     companion object {
         /** The lanes of a robot with a [kind] of brick: sensors, then motors, then their counters, then the battery. */
-        fun of(kind: BrickKind): List<ChartLane> = entries.filter { kind in it.kinds }.sortedBy {
+        fun of(kind: BrickKind): List<ChartLane> = entries.filter { it.isOn(kind) }.sortedBy {
             when {
                 it.isSensor -> 0
                 it.isMotor -> 1

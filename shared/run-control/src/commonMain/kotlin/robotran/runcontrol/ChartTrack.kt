@@ -2,6 +2,7 @@ package robotran.runcontrol
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
+import robotran.brick.controls.PowerUnit
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
 import robotran.brick.sensors.SensorKind
@@ -13,10 +14,10 @@ import robotran.world.RobotDescription
 internal class ChartTrack(private val descriptions: List<RobotDescription>) {
     private val robots = descriptions.size
 
-    /** What is plugged into the ports of each robot, whatever its program chose; null on an RCX. */
+    /** What is plugged into the ports of each robot, whatever its program chose; null where the brick does not tell. */
     private val kinds: List<List<SensorKind?>> = descriptions.map { robot ->
         List(robot.brick.inputPorts) { port ->
-            robot.parts.firstOrNull { it.port == port + 1 }?.kind.takeIf { robot.brick == BrickKind.NXT }
+            robot.parts.firstOrNull { it.port == port + 1 }?.kind.takeIf { robot.brick.readsInUnits }
         }
     }
     private val min = IntArray(CAPACITY * robots * LANES)
@@ -48,10 +49,11 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
     fun unit(robot: Int, lane: ChartLane): MeasuringUnit = when {
         lane.isDegrees -> MeasuringUnit.DEGREES
         lane == ChartLane.BATTERY -> MeasuringUnit.MILLIVOLTS
-        descriptions[robot].brick == BrickKind.RCX -> MeasuringUnit.NONE
-        lane.isMotor -> MeasuringUnit.PERCENT
+        lane.isMotor -> if (powerUnitOf(robot) == PowerUnit.PERCENT) MeasuringUnit.PERCENT else MeasuringUnit.NONE
         else -> MeasuringUnit.of(kindOf(robot, lane))
     }
+
+    private fun powerUnitOf(robot: Int): PowerUnit = descriptions[robot].brick.powerUnit
 
     /** Null if nothing was measured. */
     fun range(robot: Int, lane: ChartLane, piece: Int): IntRange? {
@@ -91,7 +93,7 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         private val LANES = ChartLane.entries.size
 
         /**
-         * The value of [lane] for [robot], in the unit of a sensor of this [kind], or of an RCX in that of the program;
+         * The value of [lane] for [robot], in the unit of a sensor of this [kind], or in that of the program where the brick does not tell;
          * null if nothing is measured.
          */
         fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int? = when {
@@ -99,11 +101,11 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
             lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
             lane == ChartLane.BATTERY -> robot.brick.batteryMillivolts
             kind != null -> robot.brick.inputs.getOrNull(lane.port)?.measured(kind)
-            else -> robot.brick.inputs.getOrNull(lane.port)?.value.takeIf { robot.brick.kind == BrickKind.RCX }
+            else -> robot.brick.inputs.getOrNull(lane.port)?.value.takeIf { !robot.brick.kind.readsInUnits }
         }
 
         private fun signedPower(motor: MotorState, kind: BrickKind): Int {
-            val power = if (kind == BrickKind.RCX) motor.power + 1 else motor.power
+            val power = if (kind.powerUnit == PowerUnit.STEPS) motor.power + 1 else motor.power
             return when (motor.mode) {
                 MotorMode.FORWARD -> power
                 MotorMode.BACKWARD -> -power

@@ -3,7 +3,6 @@ package robotran.simulation
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import robotran.brick.kind.BrickKind
 import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
 import robotran.brick.sensors.SensorKind
@@ -204,7 +203,7 @@ fun Session.report(): RunReport {
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
             ReportedSensor(it.port, reported(it.kind), it.remark.message)
         },
-        screen = if (now.brick.kind == BrickKind.NXT) shown.lines else emptyList(),
+        screen = if (now.brick.kind.displayRows > 1) shown.lines else emptyList(),
     )
 }
 

@@ -10,7 +10,6 @@ import robotran.brick.program.ThreadView
 import robotran.brick.program.VariableScope
 import robotran.brick.sound.SoundTrack
 import robotran.language.Language
-import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.state.RcxFirmwareState
 import robotran.simulation.config.SimulationLimits
@@ -113,9 +112,6 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, 
     fun variablesOf(thread: Int, frame: Int): List<VariableScope> =
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
-    /** What the firmware of the [watched] robot's RCX knows; null for leJOS and for other bricks. */
-    val firmwareState: RcxFirmwareState? get() = (brick as? RcxBrick)?.firmwareState
-
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
     val remarks: List<RuntimeWarning> get() = running.robots[watched].remarks
 
@@ -169,11 +165,11 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, 
      */
     fun explain(): List<DeviationCause> = running.explain()
 
-    /** A copy of the current memory of the [watched] robot's brick; null if it is no RCX. */
-    fun memory(): MemorySnapshot? = (brick as? RcxBrick)?.memory()
+    /** A copy of the current memory of the [watched] robot's brick; null if it has none to look at. */
+    fun memory(): MemorySnapshot? = running.robots[watched].ports.memory()
 
     /** What the firmware of the [watched] robot's brick knows now; null if it tells nothing, such as leJOS's. */
-    fun firmwareState(): RcxFirmwareState? = (brick as? RcxBrick)?.firmwareState
+    fun firmwareState(): RcxFirmwareState? = running.robots[watched].ports.firmwareState
 
     /**
      * Ends the run for the world's goals: the remaining goals are decided now, finally. Time may continue to advance.

@@ -1,6 +1,5 @@
 package robotran.simulation
 
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
@@ -33,10 +32,10 @@ internal class SessionEngine(
     private val air = InfraredAir(::reaches)
     private val network = BluetoothNetwork()
 
-    /** The indices of the robots in the air, in its order: each RCX, and each link to one that an NXT has. */
+    /** The indices of the robots in the air, in its order: each brick that has infrared light itself, and each link to one. */
     private val withInfrared = world.robots.indices.flatMap { number ->
         val robot = world.robots[number].description
-        if (robot.brick == BrickKind.RCX) listOf(number) else robot.parts.filter(::isLink).map { number }
+        if (robot.brick.hasInfrared) listOf(number) else robot.parts.filter(::isLink).map { number }
     }
     private val hash = TraceHash()
     private val judge = GoalJudge(world, physics.trigonometry, SimulationMessages.of(language))

@@ -1,6 +1,5 @@
 package robotran.simulation
 
-import robotran.brick.controls.startButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.language.Language

@@ -9,8 +9,6 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.withTimeoutOrNull
-import robotran.brick.controls.startButton
-import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.source.Diagnostic
@@ -166,7 +164,7 @@ class Workshop(
             worldEdit = editors.world,
             document = document.state.copy(
                 hasGoals = run.state.world.goals.isNotEmpty(),
-                canSend = programs.state.brick == BrickKind.RCX,
+                canSend = programs.state.brick.receivesPrograms,
                 hasFirmwareImage = programs.state.program.isForLegoFirmware,
             ),
             settings = settingsHolder.state,

@@ -97,15 +97,12 @@ object ReadyRobots {
         base = "both-sides",
     )
 
-    /** By the name in files. */
+    /** By the name in files. The first with a kind of brick is the penbot of that brick. */
     val all: Map<String, RobotDescription> =
         listOf(RCX_PENBOT, NXT_PENBOT, LINE_FOLLOWER, SUMO, BOTH_SIDES).associateBy { checkNotNull(it.base) }
 
     /** What a description that names no base has where it says nothing. */
-    fun defaultOf(brick: BrickKind): RobotDescription = when (brick) {
-        BrickKind.RCX -> RCX_PENBOT
-        BrickKind.NXT -> NXT_PENBOT
-    }
+    fun defaultOf(brick: BrickKind): RobotDescription = all.values.first { it.brick == brick }
 
     /** The penbot with these sensors on its ports, see [RobotPlacement.ports]. */
     fun penbotWith(ports: List<List<PortSensor>>): RobotDescription = RCX_PENBOT.copy(parts = penbotParts(ports))

@@ -9,7 +9,7 @@ enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4
 /**
  * The command for an output port.
  *
- * @property power 0..7 on an RCX, whose port is on in power + 1 of 8 milliseconds; 0..100 percent on an NXT.
+ * @property power in the [PowerUnit] of the brick.
  * @property brakesInPauses whether the port brakes, rather than floats, while pulse-width modulation switches it off; an
  * RCX always floats.
  */

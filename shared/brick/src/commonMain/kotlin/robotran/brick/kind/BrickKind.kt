@@ -1,14 +1,117 @@
 package robotran.brick.kind
 
+import robotran.brick.controls.BrickButton
+import robotran.brick.controls.PowerUnit
+import robotran.brick.log.CallGroup
+import robotran.brick.sensors.SensorCase
+import robotran.brick.sensors.SensorKind
+
 /**
- * The kinds of bricks that a robot can have.
+ * The kinds of bricks that a robot can have. A row is the registration of a brick: whoever wants to know what a brick
+ * can do asks for a fact of its row, never which kind it is. What a module has for each kind is in one file of that module.
  *
+ * @property label what people call it.
  * @property inputPorts number of ports for sensors, numbered from 1 on the brick.
+ * @property sensors those that it can read.
+ * @property sensorsOnPort how many of them fit on one port, one on the other.
+ * @property sensorCase what its simple sensors are built into.
+ * @property readsInUnits whether it tells what a sensor measures in the unit of that sensor, whatever the program chose.
+ * @property buttons in the order of its manual.
+ * @property startButton starts the selected program.
+ * @property powerUnit what the power of a motor is counted in.
+ * @property hasMotorCounters whether it counts the degrees that its motors turn.
+ * @property chartsBattery whether charts show the voltage that it measures.
+ * @property displayRows the number of rows of text on its display.
+ * @property hasInfrared whether it sends and receives messages by infrared light without a sensor for them.
+ * @property hasSoftSound whether it plays samples, so that a tone is a sine and no square wave.
+ * @property hasRom whether programs act through the ROM in its memory, which can be looked at.
+ * @property callGroups the subjects of the calls in its log.
+ * @property java what runs programs in Java on it; null if nothing does.
+ * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
+ * @property receivesPrograms whether programs can be sent to a real one, as an image or with LEGO's firmware.
  */
-enum class BrickKind(val inputPorts: Int) {
+enum class BrickKind(
+    val label: String,
+    val inputPorts: Int,
+    val sensors: Set<SensorKind>,
+    val sensorsOnPort: Int,
+    val sensorCase: SensorCase,
+    val readsInUnits: Boolean,
+    val buttons: List<BrickButton>,
+    val startButton: BrickButton,
+    val powerUnit: PowerUnit,
+    val hasMotorCounters: Boolean,
+    val chartsBattery: Boolean,
+    val displayRows: Int,
+    val hasInfrared: Boolean,
+    val hasSoftSound: Boolean,
+    val hasRom: Boolean,
+    val callGroups: List<CallGroup>,
+    val java: JavaPlatform?,
+    val hasLegoFirmware: Boolean,
+    val receivesPrograms: Boolean,
+) {
     /** LEGO's brick of 1998, with leJOS. */
-    RCX(inputPorts = 3),
+    RCX(
+        label = "RCX",
+        inputPorts = 3,
+        sensors = setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION),
+        sensorsOnPort = 2,
+        sensorCase = SensorCase.STUDDED,
+        readsInUnits = false,
+        buttons = listOf(BrickButton.ON_OFF, BrickButton.VIEW, BrickButton.PRGM, BrickButton.RUN),
+        startButton = BrickButton.RUN,
+        powerUnit = PowerUnit.STEPS,
+        hasMotorCounters = false,
+        chartsBattery = false,
+        displayRows = 1,
+        hasInfrared = true,
+        hasSoftSound = false,
+        hasRom = true,
+        callGroups = CallGroup.COMMON + listOf(CallGroup.INFRARED, CallGroup.TIMER, CallGroup.UNKNOWN),
+        java = JavaPlatform.LEJOS,
+        hasLegoFirmware = true,
+        receivesPrograms = true,
+    ),
 
     /** LEGO's brick of 2006, with leJOS NXJ. */
-    NXT(inputPorts = 4),
+    NXT(
+        label = "NXT",
+        inputPorts = 4,
+        sensors = SensorKind.entries.toSet(),
+        sensorsOnPort = 1,
+        sensorCase = SensorCase.ROUNDED,
+        readsInUnits = true,
+        buttons = listOf(BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE),
+        startButton = BrickButton.ENTER,
+        powerUnit = PowerUnit.PERCENT,
+        hasMotorCounters = true,
+        chartsBattery = true,
+        displayRows = 8,
+        hasInfrared = false,
+        hasSoftSound = true,
+        hasRom = false,
+        callGroups = CallGroup.COMMON + listOf(CallGroup.BLUETOOTH, CallGroup.SYSTEM),
+        java = JavaPlatform.NXJ,
+        hasLegoFirmware = false,
+        receivesPrograms = false,
+    ),
+    ;
+
+    companion object {
+        /**
+         * The brick where none is named: of a new project, of a robot in a file that names none, and of a program that
+         * runs on any. File formats mean it, so it stays.
+         */
+        val DEFAULT: BrickKind = RCX
+
+        /** The brick that runs programs for LEGO's own firmware. */
+        val OF_LEGO_FIRMWARE: BrickKind = entries.single { it.hasLegoFirmware }
+
+        /** The brick with this [java]. */
+        fun with(java: JavaPlatform): BrickKind = entries.single { it.java == java }
+
+        /** The brick whose programs in Java name packages in [root], such as `lejos`; null if there is none. */
+        fun ofJavaRoot(root: String): BrickKind? = entries.firstOrNull { it.java?.root == root }
+    }
 }

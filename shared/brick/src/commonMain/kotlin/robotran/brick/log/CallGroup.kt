@@ -1,32 +1,26 @@
 package robotran.brick.log
 
-import robotran.brick.kind.BrickKind
-
-/**
- * The subject of a call; [CallLogFilter] selects log entries by it.
- *
- * @property kinds the bricks that have such calls.
- */
-enum class CallGroup(val kinds: Set<BrickKind> = BrickKind.entries.toSet()) {
+/** The subject of a call; [CallLogFilter] selects log entries by it. */
+enum class CallGroup {
     SENSORS,
     MOTORS,
     BUTTONS,
     DISPLAY,
     SOUND,
     POWER,
-    INFRARED(setOf(BrickKind.RCX)),
-    TIMER(setOf(BrickKind.RCX)),
-    BLUETOOTH(setOf(BrickKind.NXT)),
+    INFRARED,
+    TIMER,
+    BLUETOOTH,
 
     /** Exits, exceptions and what a program prints. */
-    SYSTEM(setOf(BrickKind.NXT)),
+    SYSTEM,
 
     /** Calls of addresses without a known routine. */
-    UNKNOWN(setOf(BrickKind.RCX)),
+    UNKNOWN,
     ;
 
     companion object {
-        /** The groups of a [kind] of brick. */
-        fun of(kind: BrickKind): List<CallGroup> = entries.filter { kind in it.kinds }
+        /** What every brick has. */
+        val COMMON: List<CallGroup> = listOf(SENSORS, MOTORS, BUTTONS, DISPLAY, SOUND, POWER)
     }
 }

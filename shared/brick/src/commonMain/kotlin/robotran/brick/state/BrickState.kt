@@ -10,7 +10,7 @@ import robotran.brick.kind.BrickKind
  *
  * @property milliseconds virtual time since the brick was first switched on; the clock continues while it is off.
  * @property pressed the buttons that are held down.
- * @property selectedSlot index of the program that the [BrickKind.startButton][robotran.brick.controls.startButton]
+ * @property selectedSlot index of the program that the [BrickKind.startButton][robotran.brick.kind.BrickKind.startButton]
  * starts.
  * @property sounding true while a tone plays.
  * @property batteryMillivolts the battery voltage.

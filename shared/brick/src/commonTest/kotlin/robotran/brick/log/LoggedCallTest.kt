@@ -29,10 +29,10 @@ class LoggedCallTest {
 
     @Test
     fun `each brick has its groups, and all of them belong to a brick`() {
-        assertEquals(CallGroup.entries.toSet(), BrickKind.entries.flatMap(CallGroup::of).toSet())
+        assertEquals(CallGroup.entries.toSet(), BrickKind.entries.flatMap { it.callGroups }.toSet())
         assertEquals(
             listOf("SENSORS", "MOTORS", "BUTTONS", "DISPLAY", "SOUND", "POWER", "INFRARED", "TIMER", "UNKNOWN"),
-            CallGroup.of(BrickKind.RCX).map { it.name },
+            BrickKind.RCX.callGroups.map { it.name },
         )
     }
 }

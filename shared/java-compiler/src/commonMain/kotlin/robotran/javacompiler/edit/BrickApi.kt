@@ -1,6 +1,7 @@
 package robotran.javacompiler.edit
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.lejoslibrary.LejosLibrary
 import robotran.nxjlibrary.NxjSources
 
@@ -83,12 +84,14 @@ class BrickApi private constructor(
         private val none = BrickApi(emptySet(), emptySet()) { null }
 
         /** The library of a [brick]; that of an NXT has no classes until [NxjSources.load] has returned. */
-        fun of(brick: BrickKind): BrickApi = when (brick) {
-            BrickKind.RCX -> lejos
+        fun of(brick: BrickKind): BrickApi = when (brick.java) {
+            JavaPlatform.LEJOS -> lejos
 
-            BrickKind.NXT -> nxj ?: NxjSources.known?.let { sources ->
+            JavaPlatform.NXJ -> nxj ?: NxjSources.known?.let { sources ->
                 BrickApi(sources.classNames, NXJ_PACKAGES, sources::source).also { nxj = it }
             } ?: none
+
+            null -> none
         }
     }
 }

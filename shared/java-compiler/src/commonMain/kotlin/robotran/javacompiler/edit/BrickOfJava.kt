@@ -9,8 +9,7 @@ internal fun brickOfJava(lines: TextLines): BrickKind? {
         val words = lines.line(line).trimStart()
         if (!words.startsWith("import ")) continue
         val name = words.removePrefix("import ").trimStart()
-        if (name.startsWith("lejos.")) return BrickKind.NXT
-        if (name.startsWith("josx.")) return BrickKind.RCX
+        if ('.' in name) BrickKind.ofJavaRoot(name.substringBefore('.'))?.let { return it }
     }
     return null
 }

@@ -1,6 +1,7 @@
 package robotran.javacompiler.edit
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.languagesupport.CodeToken
 import robotran.languagesupport.CodeTokenKind
 import robotran.languagesupport.LineTokens
@@ -97,9 +98,9 @@ private fun isNameStart(character: Char) = character.isLetter() || character == 
 private fun isNamePart(character: Char) = character.isLetterOrDigit() || character == '_' || character == '$'
 
 /** The reserved words of Java for a [brick]: leJOS NXJ has enumerations and assertions. */
-internal fun keywordsFor(brick: BrickKind): Set<String> = when (brick) {
-    BrickKind.RCX -> KEYWORDS
-    BrickKind.NXT -> NXJ_KEYWORDS
+internal fun keywordsFor(brick: BrickKind): Set<String> = when (brick.java) {
+    JavaPlatform.LEJOS, null -> KEYWORDS
+    JavaPlatform.NXJ -> NXJ_KEYWORDS
 }
 
 private val KEYWORDS = JAVA_KEYWORDS.toSet()

@@ -89,7 +89,8 @@ private fun endOfText(source: String, start: Int): Int {
     return minOf(if (source.getOrNull(place) == source[start]) place + 1 else place, source.length)
 }
 
-private val PACKAGES = mapOf("lejos" to BrickKind.NXT, "josx" to BrickKind.RCX)
+/** The bricks by the root of their packages. */
+private val PACKAGES = BrickKind.entries.mapNotNull { kind -> kind.java?.let { it.root to kind } }.toMap()
 
 /** A qualified name that is no part of a longer one. */
-private val BRICK_NAME = Regex("""(?<![\w.$])(lejos|josx)(?:\.(?:\w+|\*))+""")
+private val BRICK_NAME = Regex("""(?<![\w.$])(${PACKAGES.keys.joinToString("|")})(?:\.(?:\w+|\*))+""")

@@ -1,6 +1,7 @@
 package robotran.javacompiler.support
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.edit.isJavaName
 import robotran.javacompiler.edit.renamedInJava
 import robotran.language.ProgramLanguage
@@ -28,7 +29,7 @@ internal object JavaFiles : ProgramFiles(ProgramLanguage.JAVA) {
 
     override fun newFile(files: List<SourceFile>, brick: BrickKind): NewFile {
         val name = uniqueName("Helper", extension, files.map { it.name })
-        val library = packageOf(brickOf(files) ?: brick)
+        val library = javaOf(brickOf(files) ?: brick).mainPackage
         val text = "import $library.*;\n\nclass ${name.removeSuffix(extension)} {\n\n}\n"
         return NewFile(SourceFile(name, text))
     }
@@ -51,24 +52,21 @@ internal object JavaFiles : ProgramFiles(ProgramLanguage.JAVA) {
     override fun brickOf(files: List<SourceFile>): BrickKind? = brickMentionIn(files)?.kind
 
     override fun likelyBrickOf(files: List<SourceFile>): BrickKind? =
-        brickOf(files) ?: BrickKind.NXT.takeIf { looksLikeNxj(files) }
+        brickOf(files) ?: BrickKind.with(JavaPlatform.NXJ).takeIf { looksLikeNxj(files) }
 
     override fun brickMentionIn(files: List<SourceFile>): BrickMention? = mentionOfBrickIn(files)
 }
 
-private fun importsFor(brick: BrickKind): List<String> = when (brick) {
-    BrickKind.RCX -> listOf("josx.platform.rcx")
-    BrickKind.NXT -> listOf("lejos.nxt", "lejos.robotics.navigation", "lejos.util")
+private fun javaOf(brick: BrickKind) = checkNotNull(brick.java) { "No Java runs on ${brick.name}." }
+
+private fun importsFor(brick: BrickKind): List<String> = when (val java = javaOf(brick)) {
+    JavaPlatform.LEJOS -> listOf(java.mainPackage)
+    JavaPlatform.NXJ -> listOf(java.mainPackage, "lejos.robotics.navigation", "lejos.util")
 }
 
-private fun packageOf(brick: BrickKind) = when (brick) {
-    BrickKind.RCX -> "josx.platform.rcx"
-    BrickKind.NXT -> "lejos.nxt"
-}
-
-private fun firstJava(className: String, brick: BrickKind) = when (brick) {
-    BrickKind.RCX -> firstLejos(className)
-    BrickKind.NXT -> firstNxj(className)
+private fun firstJava(className: String, brick: BrickKind) = when (javaOf(brick)) {
+    JavaPlatform.LEJOS -> firstLejos(className)
+    JavaPlatform.NXJ -> firstNxj(className)
 }
 
 private fun firstNxj(className: String) = """

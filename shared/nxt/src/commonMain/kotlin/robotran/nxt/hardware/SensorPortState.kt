@@ -26,7 +26,7 @@ data class SensorPortState(
     val pin1: Boolean,
     val raw: Int,
     val colour: NxtColour? = null,
-    val distance: Int? = null,
+    override val distance: Int? = null,
     val hasMeasured: Boolean = true,
     val unitValue: Int? = null,
 ) : InputReading {

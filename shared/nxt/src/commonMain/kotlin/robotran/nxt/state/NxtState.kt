@@ -12,6 +12,7 @@ import robotran.brick.state.Screen
 import robotran.nxt.bluetooth.LinkStatus
 import robotran.nxt.display.NxtDisplay
 import robotran.nxt.hardware.SensorPortState
+import robotran.nxt.storage.HasFlash
 import robotran.nxt.storage.NxtFile
 
 /**
@@ -50,8 +51,9 @@ data class NxtState(
     val exception: ExceptionView? = null,
     val bluetooth: List<LinkView> = emptyList(),
     override val leftByProgram: NxtDisplay? = null,
-    val files: List<NxtFile> = emptyList(),
-) : BrickState {
+    override val files: List<NxtFile> = emptyList(),
+) : BrickState,
+    HasFlash {
     override val kind: BrickKind get() = BrickKind.NXT
     override val screen: Screen get() = display
     override val inputs: List<InputReading> get() = sensorPorts

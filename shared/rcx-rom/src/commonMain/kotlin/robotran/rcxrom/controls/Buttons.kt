@@ -22,10 +22,7 @@ internal class Buttons(private val memory: RcxMemory) {
             BrickButton.RUN -> memory.setBits(Registers.PORT_4, Registers.RUN_BIT, down)
             BrickButton.VIEW -> memory.setBits(Registers.PORT_7, Registers.VIEW_BIT, down)
             BrickButton.PRGM -> memory.setBits(Registers.PORT_7, Registers.PRGM_BIT, down)
-
-            BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error(
-                "An RCX has no $button.",
-            )
+            else -> error("An RCX has no $button.")
         }
         return true
     }

@@ -17,27 +17,26 @@ import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.allExpressions
 import robotran.robolang.syntax.allStatements
+import robotran.robolang.words.BrickDialect
+import robotran.robolang.words.BrickFeature
 
 /** Finds what the brick of the robot cannot do, and sensors that share a port. */
 internal class BrickChecker(private val context: CheckContext, private val robot: BrickKind) {
     private val messages = context.messages
     private val settings = context.tree.robot?.settings.orEmpty()
 
+    /** The one that the program is for. */
+    private val brick = context.tree.robot?.brick?.kind ?: robot
+
     fun check() {
         val named = context.tree.robot?.brick
         if (named != null && named.kind != robot) {
             context.report(DiagnosticCode.WRONG_BRICK, named.range, messages.wrongBrick(named.kind, robot))
         }
-        when (named?.kind ?: robot) {
-            BrickKind.RCX -> checkForRcx()
-            BrickKind.NXT -> checkPorts()
-        }
-    }
-
-    private fun checkForRcx() {
         settings.forEach(::setting)
         allStatements(context.tree).forEach(::statement)
         allExpressions(context.tree).forEach(::expression)
+        if (brick.sensorsOnPort == 1) checkPorts()
     }
 
     private fun setting(setting: RobotSetting) {
@@ -45,54 +44,58 @@ internal class BrickChecker(private val context: CheckContext, private val robot
             is BrickSetting -> Unit
             is LightSensorSetting -> port(setting.port, setting.range)
 
-            is SensorSetting -> lacks(
-                setting.range,
-                when (setting.sensor) {
-                    NxtSensor.SONAR -> messages.noSonar()
-                    NxtSensor.COLOUR -> messages.noColourSensor()
-                    NxtSensor.SOUND -> messages.noSoundSensor()
-                },
-            )
+            is SensorSetting -> need(setting.sensor.feature, setting.range)
         }
     }
 
     private fun statement(statement: Statement) {
-        // All that only an NXT does is about the degrees of its motors.
-        if ((statement as? Command)?.form?.brick == BrickKind.NXT) lacks(statement.range, messages.noMotorDegrees())
+        (statement as? Command)?.form?.needs?.let { need(it, statement.range) }
     }
 
     private fun expression(expression: Expression) {
-        if (expression is Expression.ColourLiteral) lacks(expression.range, messages.noColourSensor())
+        if (expression is Expression.ColourLiteral) need(BrickFeature.COLOUR_SENSOR, expression.range)
         if (expression !is Expression.Sense) return
         when (val sense = expression.sense) {
-            Sense.Distance -> lacks(expression.range, messages.noSonar())
-            Sense.Colour -> lacks(expression.range, messages.noColourSensor())
-            Sense.Loudness -> lacks(expression.range, messages.noSoundSensor())
-            is Sense.Turned -> lacks(expression.range, messages.noMotorDegrees())
+            Sense.Distance -> need(BrickFeature.SONAR, expression.range)
+            Sense.Colour -> need(BrickFeature.COLOUR_SENSOR, expression.range)
+            Sense.Loudness -> need(BrickFeature.SOUND_SENSOR, expression.range)
+            is Sense.Turned -> need(BrickFeature.MOTOR_COUNTERS, expression.range)
             is Sense.Sensor -> port(sense.port, expression.range)
-            is Sense.Button -> if (sense.button.kind != BrickKind.RCX) button(sense.button, expression.range)
+            is Sense.Button -> button(sense.button, expression.range)
             Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer, Sense.Battery -> Unit
         }
     }
 
     private fun button(button: BrickButton, range: SourceRange) {
-        val fix = button.on(BrickKind.RCX)?.let { SourceFix(range, "button ${it.keyword.text}") }
+        val own = button.on(brick)
+        if (own == button || (own != null && BrickDialect.of(brick).takesButtonsOfOthers)) return
+        val fix = own?.let { SourceFix(range, "button ${it.keyword.text}") }
         context.report(DiagnosticCode.BRICK_LACKS, range, messages.noNxtButton(), fix)
     }
 
     private fun port(port: Int, range: SourceRange) {
-        val last = BrickKind.RCX.inputPorts
+        val last = brick.inputPorts
         if (port <= last) return
         val column = range.column + context.textOf(range).indexOfFirst { it in '0'..'9' }
         val number = range.copy(column = column, endColumn = column + 1)
         context.report(DiagnosticCode.PORT_OUT_OF_RANGE, number, messages.portOutOfRange(last))
     }
 
-    private fun lacks(range: SourceRange, message: String) = context.report(DiagnosticCode.BRICK_LACKS, range, message)
+    private fun need(feature: BrickFeature, range: SourceRange) {
+        if (feature.isOn(brick)) return
+        val message = when (feature) {
+            BrickFeature.MOTOR_COUNTERS -> messages.noMotorDegrees()
+            BrickFeature.SONAR -> messages.noSonar()
+            BrickFeature.COLOUR_SENSOR -> messages.noColourSensor()
+            BrickFeature.SOUND_SENSOR -> messages.noSoundSensor()
+            BrickFeature.ENTER_BUTTON, BrickFeature.ESCAPE_BUTTON -> messages.noNxtButton()
+        }
+        context.report(DiagnosticCode.BRICK_LACKS, range, message)
+    }
 
-    /** An NXT has one sensor on a port. */
+    /** Two sensors cannot be on one port. */
     private fun checkPorts() {
-        val ports = SensorPorts(context.tree, BrickKind.NXT)
+        val ports = SensorPorts(context.tree, brick)
         val uses = allExpressions(context.tree).filterIsInstance<Expression.Sense>()
             .mapNotNull { useOf(it, ports) }
             .sortedWith(compareBy({ it.range.line }, { it.range.column }))
@@ -101,7 +104,7 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         for (use in uses) {
             val earlier = first.getOrPut(use.port) { use }
             if (earlier.sense != use.sense) {
-                val free = (1..BrickKind.NXT.inputPorts).firstOrNull { it !in taken } ?: use.port
+                val free = (1..brick.inputPorts).firstOrNull { it !in taken } ?: use.port
                 val example = settingOf(use.sense, free) ?: settingOf(earlier.sense, free).orEmpty()
                 val one = context.textOf(earlier.range)
                 val message = messages.portShared(one, context.textOf(use.range), use.port, example)

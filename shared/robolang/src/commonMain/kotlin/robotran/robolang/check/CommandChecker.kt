@@ -1,6 +1,5 @@
 package robotran.robolang.check
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
@@ -9,6 +8,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.words.BrickDialect
 import robotran.robolang.words.ValueUse
 
 /** Finds commands with invalid values. */
@@ -82,9 +82,9 @@ internal class CommandChecker(
     }
 
     private fun text(statement: Command.ShowText) {
-        val isNxt = robot.kind == BrickKind.NXT
-        val limit = if (isNxt) RobolangLimits.NXT_TEXT_CHARACTERS else RobolangLimits.TEXT_CHARACTERS
-        val strange = statement.text.firstOrNull { if (isNxt) it !in ' '..'~' else !isShown(it) }
+        val dialect = BrickDialect.of(robot.kind)
+        val limit = dialect.textLength
+        val strange = statement.text.firstOrNull { !dialect.shows(it) }
         when {
             statement.text.length > limit -> {
                 context.report(DiagnosticCode.TEXT_TOO_LONG, statement.textRange, messages.textTooLong(limit))
@@ -92,12 +92,10 @@ internal class CommandChecker(
 
             strange != null -> {
                 val character = strange.toString()
-                val message = if (isNxt) messages.textNotShownOnNxt(character) else messages.textNotShown(character)
+                val message =
+                    if (dialect.showsAscii) messages.textNotShownOnNxt(character) else messages.textNotShown(character)
                 context.report(DiagnosticCode.TEXT_NOT_SHOWN, statement.textRange, message)
             }
         }
     }
-
-    private fun isShown(character: Char): Boolean =
-        character in 'a'..'z' || character in 'A'..'Z' || character in '0'..'9' || character in " -_"
 }

@@ -1,6 +1,5 @@
 package robotran.robolang.check
 
-import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceFix
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.syntax.BinaryOperator
@@ -12,6 +11,7 @@ import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
+import robotran.robolang.words.BrickDialect
 
 /** Checks the types of expressions. */
 internal class ExpressionChecker(private val context: CheckContext) {
@@ -223,8 +223,8 @@ internal class ExpressionChecker(private val context: CheckContext) {
                 messages.divisionByZero(),
             )
         }
-        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE && context.brick == BrickKind.RCX
-        if (isTooLarge) warnOfDivisor(expression.right, divisor.value)
+        val isTooLarge = divisor.value !in Short.MIN_VALUE..Short.MAX_VALUE
+        if (isTooLarge && BrickDialect.of(context.brick).dividesByShort) warnOfDivisor(expression.right, divisor.value)
         val dividend = (context.constantOf(expression.left) as? NumberValue.Whole)?.value ?: return
         if (expression.operator == BinaryOperator.MOD || dividend % divisor.value == 0) return
         val message = messages.fractionLost(context.quotable(expression), dividend / divisor.value)

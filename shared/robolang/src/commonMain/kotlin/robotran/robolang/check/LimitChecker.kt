@@ -1,6 +1,5 @@
 package robotran.robolang.check
 
-import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.syntax.Command
@@ -12,6 +11,7 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.bodies
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.parts
+import robotran.robolang.words.BrickDialect
 
 /** Finds programs that exceed a real brick: too many constants, and lists created repeatedly. */
 internal class LimitChecker(private val context: CheckContext, private val graph: CallGraph) {
@@ -64,7 +64,8 @@ internal class LimitChecker(private val context: CheckContext, private val graph
     }
 
     private fun warnOfList(list: Expression.ListOf) {
-        if (context.brick == BrickKind.RCX) context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
+        if (BrickDialect.of(context.brick).freesLists) return
+        context.warn(DiagnosticCode.LIST_IN_LOOP, list.range, messages.listInLoop())
     }
 
     private fun number(expression: Expression.Number) {

@@ -5,13 +5,14 @@ import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.suggestion
 import robotran.robolang.syntax.suggestions
+import robotran.robolang.words.Keyword
 import robotran.robolang.words.lowercaseKeyword
 
 /** Keywords that have a value. */
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")
 
-/** Those that only an NXT has. */
-private val NXT_VALUES = listOf("distance", "loudness", "colour", "color")
+/** Those that some bricks have. */
+private val VALUES_OF_SOME = listOf(Keyword.DISTANCE, Keyword.LOUDNESS, Keyword.COLOUR)
 
 /** Names that may be meant by a word that is a part of them. */
 private val MEANT =
@@ -31,7 +32,8 @@ internal fun CheckContext.nearestName(name: Name, scopes: Scopes): String? {
     return meant?.let { scopes[it]?.name?.text ?: it }
 }
 
-private fun valuesOf(brick: BrickKind) = if (brick == BrickKind.NXT) NXT_VALUES else emptyList()
+private fun valuesOf(brick: BrickKind) =
+    VALUES_OF_SOME.filter { it.isOn(brick) }.flatMap { listOfNotNull(it.text, it.singular) }
 
 /** Whether [meant] by [name] is one of several names that are as likely. */
 internal fun CheckContext.isOneOfSeveral(name: Name, meant: String, scopes: Scopes): Boolean {

@@ -13,14 +13,18 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.parts
 import robotran.robolang.syntax.shortened
+import robotran.robolang.words.BrickFeature
 
 /** Adds the constraints between the types of expressions and their parts; [resolve] resolves a variable's name. */
 internal class TypeConstraints(private val context: CheckContext, private val resolve: (Name) -> UnresolvedSymbol?) {
     /** The routine that a `return` belongs to. */
     var current: UnresolvedSymbol? = null
 
-    /** Says what `sensor 1` and so on read. Only an NXT has colour sensors. */
-    private val nxtPorts by lazy(LazyThreadSafetyMode.NONE) { SensorPorts(context.tree, BrickKind.NXT) }
+    /** Says what `sensor 1` and so on read, on a brick that has colour sensors. */
+    private val portsWithColour by lazy(LazyThreadSafetyMode.NONE) {
+        val hasColour = BrickFeature.COLOUR_SENSOR.isOn
+        SensorPorts(context.tree, context.brick.takeIf(hasColour) ?: BrickKind.entries.first(hasColour))
+    }
 
     /** The type of [expression], added once. */
     fun of(expression: Expression): TypeNode {
@@ -49,7 +53,13 @@ internal class TypeConstraints(private val context: CheckContext, private val re
 
     private fun typeOf(sense: Sense): ValueType = when (sense) {
         Sense.LeftBumper, Sense.RightBumper, is Sense.Button -> ValueType.TRUTH
-        is Sense.Sensor -> if (nxtPorts.senseAt(sense.port) == Sense.Colour) ValueType.COLOUR else ValueType.WHOLE
+        is Sense.Sensor -> if (portsWithColour.senseAt(sense.port) ==
+            Sense.Colour
+        ) {
+            ValueType.COLOUR
+        } else {
+            ValueType.WHOLE
+        }
         Sense.Light, Sense.Distance, Sense.Loudness, is Sense.Turned -> ValueType.WHOLE
         Sense.Colour -> ValueType.COLOUR
         Sense.Timer, Sense.Battery -> ValueType.DECIMAL

@@ -232,7 +232,7 @@ enum class DiagnosticCode(override val id: String) : ProblemCode {
     /** A motor power outside [RobolangLimits.POWERS]. */
     POWER_OUT_OF_RANGE("power-out-of-range"),
 
-    /** A text with more characters than [RobolangLimits.TEXT_CHARACTERS]. */
+    /** A text with more characters than the brick shows. */
     TEXT_TOO_LONG("text-too-long"),
 
     /** A text with a character that the LCD cannot show. */

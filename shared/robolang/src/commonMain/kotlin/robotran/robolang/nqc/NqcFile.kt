@@ -1,12 +1,11 @@
 package robotran.robolang.nqc
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
 import robotran.robolang.check.ValueType
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.RobotConstants
-import robotran.robolang.run.stopsAtEnd
+import robotran.robolang.run.mayTurnAtEnd
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
@@ -92,7 +91,7 @@ internal class NqcFile(
         body.append(commands)
         // At the end of a program, leJOS brakes all motors, but LEGO's firmware does not.
         val isEndReached = JavaFlow(checked).completes(tree.statements)
-        if (isEndReached && stopsAtEnd(tree, BrickKind.NXT)) body.line("Off(OUT_A + OUT_B + OUT_C);")
+        if (isEndReached && mayTurnAtEnd(tree)) body.line("Off(OUT_A + OUT_B + OUT_C);")
         body.close()
     }
 

@@ -1,11 +1,10 @@
 package robotran.robolang.nqc
 
-import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.source.SourceRange
 import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.messages.NqcTranslationMessages
-import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.JavaWriter
 
 /**
@@ -18,9 +17,8 @@ fun translateToNqc(
     messages: NqcTranslationMessages = NqcTranslationMessages.of(Language.ENGLISH),
 ): NqcTranslation {
     val remarks = Remarks(messages)
-    val robot = program.robot
-    val writer = if (robot is RobotTarget.Rcx && program.kind == BrickKind.RCX) {
-        NqcFile(program, robot, remarks).write()
+    val writer = if (program is RobolangRcxProgram) {
+        NqcFile(program, program.robot, remarks).write()
     } else {
         val message = remarks.lost(SourceRange(1, 1, 1), messages.otherBrick())
         JavaWriter().apply { line("// $message") }

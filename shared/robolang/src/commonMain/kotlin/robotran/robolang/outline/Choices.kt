@@ -1,7 +1,5 @@
 package robotran.robolang.outline
 
-import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Expression
@@ -9,7 +7,6 @@ import robotran.robolang.syntax.PaintColour
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.words.Keyword
-import robotran.robolang.words.LineForm
 import robotran.robolang.words.MOTORS
 import robotran.robolang.words.PORTS
 import robotran.robolang.words.SIDES
@@ -46,7 +43,7 @@ private val Sense.choices: List<List<String>>
     get() = when (this) {
         Sense.LeftBumper, Sense.RightBumper -> listOf(SIDES.texts)
         is Sense.Sensor -> PORTS.values.toList()
-        is Sense.Button -> listOf(BrickButton.of(button.kind).map { it.keyword.text })
+        is Sense.Button -> listOf(BrickButton.of(button.brick).map { it.keyword.text })
         is Sense.Turned -> listOf(MOTORS)
         Sense.Light, Sense.Timer, Sense.Battery, Sense.Distance, Sense.Loudness, Sense.Colour -> emptyList()
     }

@@ -2,25 +2,14 @@ package robotran.robolang.robot
 
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit
-import kotlin.math.PI
 
 /**
  * The durations of timed statements, in whole milliseconds from 0 to [Int.MAX_VALUE]. Computed in 32-bit floats like on
  * the brick, so that the translated program waits exactly as long.
  */
 internal class Durations(robot: RobotTarget) {
-    private val millisecondsPerCentimetre = when (robot) {
-        is RobotTarget.Rcx -> robot.millisecondsPerCentimetre
-        is RobotTarget.Nxt -> millisecondsPerCentimetre(robot)
-    }.toFloat()
-    private val millisecondsPerDegree = when (robot) {
-        is RobotTarget.Rcx -> robot.millisecondsPerDegree
-        is RobotTarget.Nxt -> PI * robot.track / FULL_TURN * millisecondsPerCentimetre(robot)
-    }.toFloat()
-
-    /** About: a wheel of an NXT turns once a second at its usual speed. */
-    private fun millisecondsPerCentimetre(robot: RobotTarget.Nxt): Double =
-        MILLISECONDS_PER_SECOND / (PI * robot.wheelDiameter)
+    private val millisecondsPerCentimetre = robot.millisecondsPerCentimetre.toFloat()
+    private val millisecondsPerDegree = robot.millisecondsPerDegree.toFloat()
 
     /** Also for driving backwards. */
     fun ofMove(centimetres: NumberValue): Int = positive(centimetres.decimal * millisecondsPerCentimetre)
@@ -58,7 +47,6 @@ internal class Durations(robot: RobotTarget) {
     private companion object {
         const val MILLISECONDS_PER_SECOND = 1000
         const val TONE_UNITS_PER_SECOND = 100
-        const val FULL_TURN = 360
     }
 }
 

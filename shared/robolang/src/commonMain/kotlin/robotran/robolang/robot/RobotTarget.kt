@@ -2,6 +2,7 @@ package robotran.robolang.robot
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import kotlin.math.PI
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
 sealed interface RobotTarget {
@@ -19,6 +20,12 @@ sealed interface RobotTarget {
     /** Whether the motors of the drive wheels run backwards to drive forwards. */
     val isReversed: Boolean
 
+    /** About how long both motors run per centimetre. */
+    val millisecondsPerCentimetre: Double
+
+    /** About how long they run in opposite directions per degree. */
+    val millisecondsPerDegree: Double
+
     /**
      * A robot with an RCX, whose motors run for a time.
      *
@@ -26,8 +33,8 @@ sealed interface RobotTarget {
      * @property millisecondsPerDegree how long they run in opposite directions per degree.
      */
     data class Rcx(
-        val millisecondsPerCentimetre: Double,
-        val millisecondsPerDegree: Double,
+        override val millisecondsPerCentimetre: Double,
+        override val millisecondsPerDegree: Double,
         override val left: MotorPort = MotorPort.A,
         override val right: MotorPort = MotorPort.C,
         override val pen: MotorPort? = MotorPort.B,
@@ -52,6 +59,15 @@ sealed interface RobotTarget {
         override val isReversed: Boolean = false,
     ) : RobotTarget {
         override val kind: BrickKind get() = BrickKind.NXT
+
+        /** A wheel turns once a second at its usual speed. */
+        override val millisecondsPerCentimetre: Double get() = MILLISECONDS_PER_SECOND / (PI * wheelDiameter)
+        override val millisecondsPerDegree: Double get() = PI * track / FULL_TURN * millisecondsPerCentimetre
+
+        private companion object {
+            const val MILLISECONDS_PER_SECOND = 1000
+            const val FULL_TURN = 360
+        }
     }
 }
 

@@ -9,12 +9,14 @@ import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.allExpressions
+import robotran.robolang.words.BrickDialect
 
 /**
  * Which sensor ports a program sets up before its first statement: those whose sensors it uses, and no others.
  * The interpreter and the translation to leJOS both follow it, so that they make the same calls.
  */
-internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
+internal class SensorPorts(tree: SyntaxTree, kind: BrickKind) {
+    private val dialect = BrickDialect.of(kind)
     private val header = tree.robot
     private val setting = header?.lightSensor
     private val settings = header?.let { it.lightSensors.map(::useOf) + it.nxtSensors.map(::useOf) }.orEmpty()
@@ -23,16 +25,10 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
 
     val leftBumperPort = LEFT_BUMPER_PORT
 
-    val rightBumperPort = when (kind) {
-        BrickKind.RCX -> RCX_RIGHT_BUMPER_PORT
-        BrickKind.NXT -> NXT_RIGHT_BUMPER_PORT
-    }
+    val rightBumperPort = dialect.rightBumperPort
 
     /** The port of the light sensor, even if the program does not use it. */
-    val lightPort: Int = setting?.port ?: when (kind) {
-        BrickKind.RCX -> RCX_LIGHT_PORT
-        BrickKind.NXT -> NXT_LIGHT_PORT
-    }
+    val lightPort: Int = setting?.port ?: dialect.lightPort
 
     /** Whether the program uses `light`, so that its port needs power. */
     val usesLight: Boolean get() = lightUse != null
@@ -137,9 +133,5 @@ internal class SensorPorts(tree: SyntaxTree, private val kind: BrickKind) {
 
     private companion object {
         const val LEFT_BUMPER_PORT = 1
-        const val RCX_RIGHT_BUMPER_PORT = 3
-        const val NXT_RIGHT_BUMPER_PORT = 2
-        const val RCX_LIGHT_PORT = 2
-        const val NXT_LIGHT_PORT = 3
     }
 }

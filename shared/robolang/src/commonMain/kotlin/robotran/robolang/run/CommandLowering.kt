@@ -81,7 +81,7 @@ internal class CommandLowering(
     }
 
     private fun awaitStop() {
-        if (kind == BrickKind.NXT) emitter.emit(CompletionAction({ !it.machine.robot.isDriving }) {})
+        if (kind.hasMotorCounters) emitter.emit(CompletionAction({ !it.machine.robot.isDriving }) {})
     }
 
     /** Begins to drive, and waits until the robot is there. */

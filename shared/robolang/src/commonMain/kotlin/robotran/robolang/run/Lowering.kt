@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Routine
+import robotran.robolang.words.BrickDialect
 
 /**
  * Lowers a program to instructions: first the set-up of its sensors, then the main program, the routines and the
@@ -19,7 +20,7 @@ internal fun lower(program: CheckedProgram, name: String, kind: BrickKind): Code
     val statements = StatementLowering(emitter, scope)
     val main = emitter.place
     emitter.emit { activity -> activity.machine.run { robot.setUp(scope.ports) { setUpLine = it } } }
-    if (kind == BrickKind.NXT) emitter.emit { if (!it.machine.robot.isSetUp) it.lookAgain() }
+    if (BrickDialect.of(kind).waitsForSensors) emitter.emit { if (!it.machine.robot.isSetUp) it.lookAgain() }
     statements.lowerMain(program.tree)
     emitter.emit(Boundary.End)
     program.tree.routines.forEach { lowerRoutine(it, scope.codeOf(it.name), emitter, statements) }

@@ -1,7 +1,6 @@
 package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.nxt.hardware.I2cMode
 import robotran.nxt.hardware.SensorPower
 import robotran.nxt.hardware.SensorType
@@ -97,7 +96,7 @@ internal class NxtSensors(private val nxt: Nxt) : RobotSenses {
 
     /** `Button.ENTER.isPressed()`. */
     override fun isHeld(button: BrickButton, sourceLine: Int): Boolean =
-        nxt.buttons() and BITS.getValue(checkNotNull(button.on(BrickKind.NXT))) != 0
+        nxt.buttons() and BITS.getValue(checkNotNull(button.among(BITS.keys))) != 0
 
     /** `Battery.getVoltage()`. */
     override fun batteryVolts(sourceLine: Int): Float = (nxt.batteryStatus() and MILLIVOLTS) * 0.001f

@@ -1,7 +1,6 @@
 package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
@@ -24,7 +23,7 @@ internal class RcxSenses(private val rom: Rom) : RobotSenses {
     /** `Button.RUN.isPressed()`. */
     override fun isHeld(button: BrickButton, sourceLine: Int): Boolean {
         rom.call(RomCall(RomAddress.READ_BUTTONS, listOf(RomCode.BUTTONS, RobotConstants.RESULT_ADDRESS)), sourceLine)
-        val bit = BITS.getValue(checkNotNull(button.on(BrickKind.RCX)))
+        val bit = BITS.getValue(checkNotNull(button.among(BITS.keys)))
         return rom.memory.readShort(RobotConstants.RESULT_ADDRESS) and bit != 0
     }
 

@@ -11,9 +11,10 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
         Sense.RightBumper -> lowerBumper(ports.rightBumperPort, emitter)
         Sense.Light -> ports.lightPort.let { port -> emitter.emit { it.push(it.machine.robot.light(port)) } }
 
-        is Sense.Sensor -> when (kind) {
-            BrickKind.RCX -> emitter.emit { it.push(it.machine.robot.value(sense.port)) }
-            BrickKind.NXT -> lowerAt(sense.port, ports.senseAt(sense.port), emitter)
+        is Sense.Sensor -> if (kind.readsInUnits) {
+            lowerAt(sense.port, ports.senseAt(sense.port), emitter)
+        } else {
+            emitter.emit { it.push(it.machine.robot.value(sense.port)) }
         }
 
         is Sense.Button -> emitter.emit { it.pushTruth(it.machine.robot.isHeld(sense.button, it.currentLine)) }

@@ -20,8 +20,10 @@ object RobolangSupport : LanguageSupport {
     override val measure: ProgramMeasure = RobolangMeasure
     override val hasBlocks = true
 
-    override fun translations(brick: BrickKind): List<ProgramLanguage> =
-        listOf(ProgramLanguage.JAVA, ProgramLanguage.NQC).take(if (brick == BrickKind.RCX) 2 else 1)
+    override fun translations(brick: BrickKind): List<ProgramLanguage> = listOfNotNull(
+        ProgramLanguage.JAVA.takeIf { brick.java != null },
+        ProgramLanguage.NQC.takeIf { brick.hasLegoFirmware },
+    )
 }
 
 private object RobolangFiles : ProgramFiles(ProgramLanguage.ROBOLANG) {

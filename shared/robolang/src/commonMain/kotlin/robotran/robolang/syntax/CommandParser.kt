@@ -1,11 +1,11 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.BrickFeature
 import robotran.robolang.words.DIRECTIONS
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.MOTOR_COMMANDS
@@ -162,10 +162,10 @@ internal class CommandParser(reader: LineReader, diagnostics: DiagnosticSink) : 
     }
 
     private fun missingMotorCommand(port: MotorPort): Nothing? {
-        val isNxt = diagnostics.brick == BrickKind.NXT
-        val commands = if (isNxt) OF_MOTOR + Keyword.TURN else OF_MOTOR
+        val canTurn = BrickFeature.MOTOR_COUNTERS.isOn(diagnostics.brick)
+        val commands = if (canTurn) OF_MOTOR + Keyword.TURN else OF_MOTOR
         return missing(DiagnosticCode.MISSING_MOTOR_COMMAND, commands) {
-            if (isNxt) messages.missingNxtMotorCommand(port.name, it) else messages.missingMotorCommand(port.name, it)
+            if (canTurn) messages.missingNxtMotorCommand(port.name, it) else messages.missingMotorCommand(port.name, it)
         }
     }
 

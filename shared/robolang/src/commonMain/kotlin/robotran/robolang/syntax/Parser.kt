@@ -1,9 +1,9 @@
 package robotran.robolang.syntax
 
-import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.BrickDialect
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.OPENERS
 import robotran.robolang.words.OUTERMOST
@@ -192,7 +192,8 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
             return
         }
         val setting = HeaderParser(reader, diagnostics).setting() ?: return
-        val isFirst = settings.none { it.excludes(setting, severalOfAKind = diagnostics.brick == BrickKind.NXT) }
+        val severalOfAKind = BrickDialect.of(diagnostics.brick).hasSeveralOfAKind
+        val isFirst = settings.none { it.excludes(setting, severalOfAKind) }
         if (!isFirst && robot == null) {
             val message = when (setting) {
                 is LightSensorSetting -> messages.secondSetting()

@@ -17,12 +17,6 @@ object RobolangLimits {
     /** The power of a motor. */
     val POWERS: IntRange = 0..7
 
-    /** The number of characters on the LCD of an RCX. */
-    const val TEXT_CHARACTERS = 5
-
-    /** The number of characters in a row of the NXT's display. */
-    const val NXT_TEXT_CHARACTERS = 16
-
     /** The max array length on the brick: leJOS stores it in 9 bits. */
     const val LIST_ELEMENTS = 511
 

@@ -2,6 +2,7 @@ package robotran.robolang.syntax
 
 import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceRange
+import robotran.robolang.words.BrickFeature
 import robotran.robolang.words.Keyword
 
 /** A line of the header. */
@@ -51,10 +52,10 @@ internal enum class Facing { DOWN, FORWARD }
  * @property words the words of its setting before `on`.
  * @property port its port unless the header names another.
  */
-internal enum class NxtSensor(val words: List<Keyword>, val port: Int) {
-    SONAR(listOf(Keyword.SONAR), 4),
-    COLOUR(listOf(Keyword.COLOUR, Keyword.SENSOR), 3),
-    SOUND(listOf(Keyword.SOUND, Keyword.SENSOR), 2),
+internal enum class NxtSensor(val words: List<Keyword>, val port: Int, val feature: BrickFeature) {
+    SONAR(listOf(Keyword.SONAR), 4, BrickFeature.SONAR),
+    COLOUR(listOf(Keyword.COLOUR, Keyword.SENSOR), 3, BrickFeature.COLOUR_SENSOR),
+    SOUND(listOf(Keyword.SOUND, Keyword.SENSOR), 2, BrickFeature.SOUND_SENSOR),
     ;
 
     /** Its setting on [port]. */

@@ -3,6 +3,7 @@ package robotran.robolang.syntax
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.robolang.words.Keyword
+import robotran.brick.controls.BrickButton as RealButton
 
 /** The sensors of the robot, and other readings of the brick. */
 internal sealed interface Sense {
@@ -40,25 +41,32 @@ internal sealed interface Sense {
     data class Turned(val port: MotorPort) : Sense
 }
 
-/** The buttons of both bricks. A program for an NXT may also use the names of the RCX's buttons. */
-internal enum class BrickButton(val keyword: Keyword, val kind: BrickKind) {
-    RUN(Keyword.RUN, BrickKind.RCX),
-    VIEW(Keyword.VIEW, BrickKind.RCX),
-    PRGM(Keyword.PRGM, BrickKind.RCX),
-    ENTER(Keyword.ENTER, BrickKind.NXT),
-    LEFT(Keyword.LEFT, BrickKind.NXT),
-    RIGHT(Keyword.RIGHT, BrickKind.NXT),
-    ESCAPE(Keyword.ESCAPE, BrickKind.NXT),
+/** The buttons of all bricks that programs can ask about. */
+internal enum class BrickButton(val keyword: Keyword, private val real: RealButton) {
+    RUN(Keyword.RUN, RealButton.RUN),
+    VIEW(Keyword.VIEW, RealButton.VIEW),
+    PRGM(Keyword.PRGM, RealButton.PRGM),
+    ENTER(Keyword.ENTER, RealButton.ENTER),
+    LEFT(Keyword.LEFT, RealButton.LEFT),
+    RIGHT(Keyword.RIGHT, RealButton.RIGHT),
+    ESCAPE(Keyword.ESCAPE, RealButton.ESCAPE),
     ;
 
-    /** The button of [wanted] for the same purpose; null if it has none. */
-    fun on(wanted: BrickKind): BrickButton? = if (kind == wanted) this else COUNTERPARTS[this]
+    /** The first brick that has it. */
+    val brick: BrickKind get() = BrickKind.entries.first { real in it.buttons }
+
+    /** The button of [brick] for the same purpose; null if it has none. */
+    fun on(brick: BrickKind): BrickButton? = among(of(brick))
+
+    /** The one of [buttons] for the same purpose; null if none is. */
+    fun among(buttons: Collection<BrickButton>): BrickButton? =
+        listOfNotNull(this, COUNTERPARTS[this]).firstOrNull { it in buttons }
 
     companion object {
         private val PAIRS = listOf(RUN to ENTER, VIEW to RIGHT, PRGM to LEFT)
         private val COUNTERPARTS = (PAIRS + PAIRS.map { it.second to it.first }).toMap()
 
-        fun of(kind: BrickKind): List<BrickButton> = entries.filter { it.kind == kind }
+        fun of(brick: BrickKind): List<BrickButton> = entries.filter { it.real in brick.buttons }
     }
 }
 

@@ -1,9 +1,9 @@
 package robotran.robolang.syntax
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
+import robotran.robolang.words.BrickFeature
 import robotran.robolang.words.Keyword
 
 private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
@@ -48,12 +48,12 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
         reader.advance()
         return Sense.Button(button)
     }
-    val isNxt = diagnostics.brick == BrickKind.NXT
+    val hasEnter = BrickFeature.ENTER_BUTTON.isOn(diagnostics.brick)
     diagnostics.reportMissingWord(
         reader,
         DiagnosticCode.MISSING_BUTTON,
         BrickButton.of(diagnostics.brick).map { it.keyword.text },
-        if (isNxt) diagnostics.messages::missingNxtButton else diagnostics.messages::missingButton,
+        if (hasEnter) diagnostics.messages::missingNxtButton else diagnostics.messages::missingButton,
     )
     return null
 }

@@ -1,29 +1,25 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.RobolangProgram
-import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.NxtConstants
 import robotran.robolang.run.stopsAtEnd
-import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
-import robotran.robolang.syntax.allExpressions
 
 /** Assembles the class of a program: figures, fields, `main`, routines, behaviours, helpers. */
 internal class JavaClass(private val program: RobolangProgram, private val className: String) {
     private val checked = program.checked
     private val tree = checked.tree
     private val robot = program.robot
-    private val ports = SensorPorts(tree, robot.kind)
-    private val names = JavaNames(className, robot.kind)
-    private val helpers = UsedHelpers(robot, isReacting = tree.behaviours.isNotEmpty())
+    private val dialect = JavaDialect.of(robot)
+    private val sensors = dialect.sensors(SensorPorts(tree, robot.kind))
+    private val names = JavaNames(className, dialect.platform)
+    private val helpers = UsedHelpers(dialect, isReacting = tree.behaviours.isNotEmpty())
     private val comments = CommentsOfItems(tree)
-    private val throwing = Throwing(checked, robot.kind, stopsAtEnd(tree, robot.kind))
-    private val nxtSensors = if (robot.kind == BrickKind.NXT) NxtSensorFields(ports) else null
-    private val expressions = JavaExpressions(checked, names, helpers, ports.lightPort, nxtSensors)
-    private val nxtCommands = (robot as? RobotTarget.Nxt)?.let { NxtCommands(it, expressions, helpers) }
+    private val throwing = Throwing(checked, dialect.waitsForStop, stopsAtEnd(tree, robot.kind))
+    private val expressions = JavaExpressions(checked, names, helpers, sensors)
+    private val nxtCommands = dialect.commands(expressions, helpers)
     private val stopsAtEnd = stopsAtEnd(tree, robot.kind)
     private val body = JavaWriter(depth = 1, SourceLines(tree))
     private val texts = JavaShownTexts(tree, names)
@@ -36,14 +32,14 @@ internal class JavaClass(private val program: RobolangProgram, private val class
         behaviours.reserveNames()
         val globals = tree.statements.filterIsInstance<Statement.Declare>().map { it.name }
         (globals + tree.routines.map { it.name }).map(checked::symbolOf).distinct().forEach(names::declareShared)
-        if (nxtSensors != null) {
+        if (sensors.areFields) {
             tree.robot?.let { body.takeComments(comments.of(it.range)) }
             tree.robot?.let { body.commentsAbove(it.range.line + 1) }
-            nxtSensors.write(body)
+            sensors.write(body)
             tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
         }
         fields.write(body)
-        if (robot.kind == BrickKind.RCX) texts.write(body)
+        if (dialect.keepsTexts) texts.write(body)
         main()
         tree.routines.forEach(::routine)
         behaviours.writeClasses()
@@ -54,14 +50,14 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private fun main() {
         body.blank()
         val throws =
-            throwsClause(helpers.isReacting || nxtSensors?.hasLamp == true || throwing.mayWait(tree.statements))
+            throwsClause(helpers.isReacting || sensors.hasLamp || throwing.mayWait(tree.statements))
         body.open("public static void main(String[] arguments)$throws")
-        if (robot.kind == BrickKind.RCX) {
+        if (!sensors.areFields) {
             tree.robot?.let { body.takeComments(comments.of(it.range)) }
-            JavaSensors(ports).setUp(body)
+            sensors.write(body)
             tree.robot?.let { body.commentsAbove(it.endRange.line + 1) }
         }
-        if (nxtSensors?.hasLamp == true) {
+        if (sensors.hasLamp) {
             body.line("Thread.sleep(${NxtConstants.LAMP_MILLISECONDS}); // Until it has measured with its lamp on.")
         }
         body.blank()
@@ -113,10 +109,7 @@ internal class JavaClass(private val program: RobolangProgram, private val class
 
     private fun whole(): JavaWriter = JavaWriter().apply {
         val name = program.name.lines().joinToString(" ").replace('\\', '/')
-        when (robot.kind) {
-            BrickKind.RCX -> rcxImports(name)
-            BrickKind.NXT -> nxtImports(name)
-        }
+        dialect.heading(this, name, tree)
         if (JavaHelper.DICE in helpers.all) line("import java.util.*;")
         blank()
         takeComments(comments.heading)
@@ -144,21 +137,6 @@ internal class JavaClass(private val program: RobolangProgram, private val class
     private fun JavaWriter.helper(helper: JavaHelper) {
         blank()
         lines(helpers.textOf(helper))
-    }
-
-    private fun JavaWriter.rcxImports(name: String) {
-        line("// $name, translated by Robotran for leJOS on the RCX.")
-        blank()
-        line("import josx.platform.rcx.*;")
-        if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
-    }
-
-    private fun JavaWriter.nxtImports(name: String) {
-        line("// $name, translated by Robotran for leJOS NXJ on the NXT.")
-        blank()
-        line("import lejos.nxt.*;")
-        if (allExpressions(tree).any { it is Expression.ColourLiteral }) line("import lejos.robotics.Color;")
-        if (tree.behaviours.isNotEmpty()) line("import lejos.robotics.subsumption.Behavior;")
     }
 }
 

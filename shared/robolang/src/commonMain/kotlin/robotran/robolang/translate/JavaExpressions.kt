@@ -1,6 +1,5 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.BinaryOperator
@@ -15,8 +14,7 @@ internal class JavaExpressions(
     private val program: CheckedProgram,
     private val names: JavaNames,
     private val helpers: UsedHelpers,
-    private val lightPort: Int,
-    private val nxtSensors: NxtSensorFields?,
+    private val sensors: JavaSensors,
 ) {
     fun typeOf(expression: Expression): ValueType = when {
         expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
@@ -141,34 +139,7 @@ internal class JavaExpressions(
         }
     }
 
-    private fun sense(sense: Sense): JavaText = if (nxtSensors == null) rcxSense(sense) else nxtSense(sense, nxtSensors)
-
-    private fun nxtSense(sense: Sense, sensors: NxtSensorFields): JavaText = when (sense) {
-        Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
-        Sense.Battery -> primary("Battery.getVoltage()")
-        is Sense.Button -> primary("Button.${checkNotNull(sense.button.on(BrickKind.NXT)).name}.isPressed()")
-        is Sense.Turned -> primary("Motor.${sense.port.name}.getTachoCount()")
-
-        is Sense.Sensor -> {
-            val value = sensors.valueOf(sense)
-            primary(if (sensors.isTouch(sense)) "($value ? 1 : 0)" else value)
-        }
-
-        Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance, Sense.Colour, Sense.Loudness -> {
-            primary(sensors.valueOf(sense))
-        }
-    }
-
-    private fun rcxSense(sense: Sense): JavaText = when (sense) {
-        Sense.LeftBumper -> primary("Sensor.S1.readBooleanValue()")
-        Sense.RightBumper -> primary("Sensor.S3.readBooleanValue()")
-        Sense.Light -> primary("Sensor.S$lightPort.readValue()")
-        is Sense.Sensor -> primary("Sensor.S${sense.port}.readValue()")
-        is Sense.Button -> primary("Button.${sense.button.name}.isPressed()")
-        Sense.Timer -> primary("${helpers.use(JavaHelper.TIMER)}()")
-        Sense.Battery -> primary("Battery.getVoltage()")
-        Sense.Distance, Sense.Colour, Sense.Loudness, is Sense.Turned -> error("An RCX has no $sense.")
-    }
+    private fun sense(sense: Sense): JavaText = primary(sensors.valueOf(sense, helpers))
 
     /** The pupil's brackets, unless the operand is atomic. */
     private fun inBrackets(expression: Expression.Brackets): JavaText {

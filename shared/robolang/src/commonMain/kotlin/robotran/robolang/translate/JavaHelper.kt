@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.robolang.syntax.BuiltIn
 
 /**
@@ -10,19 +10,19 @@ import robotran.robolang.syntax.BuiltIn
  * @property isCalculation whether it is in the class [CALCULATION]: its many constants must not use up those of the
  * program's class, whose constant indices are bytes.
  * @property needs the helpers that it uses, which are declared above it.
- * @property brick the only brick that it is for; null for both.
+ * @property platform the only one that it is for; null for all.
  */
 internal enum class JavaHelper(
     val called: String,
     val needs: List<JavaHelper> = emptyList(),
     val isField: Boolean = false,
     val isCalculation: Boolean = false,
-    private val brick: BrickKind? = null,
+    private val platform: JavaPlatform? = null,
 ) {
     CENTIMETRE("MILLISECONDS_PER_CENTIMETRE", isField = true),
     DEGREE("MILLISECONDS_PER_DEGREE", isField = true),
     PEN_TIME("PEN_MILLISECONDS", isField = true),
-    PILOT_FIELD("pilot", isField = true, brick = BrickKind.NXT),
+    PILOT_FIELD("pilot", isField = true, platform = JavaPlatform.NXJ),
     DICE("dice", isField = true),
     TIMER_START("timerStart", isField = true),
     CONTROL("mainIsPaused", isField = true),
@@ -32,12 +32,12 @@ internal enum class JavaHelper(
     ROUND_HALF_UP("roundHalfUp"),
     WAIT_SECONDS("waitSeconds", listOf(ROUND_HALF_UP)),
     WAIT_MILLISECONDS("waitMilliseconds", listOf(ROUND_HALF_UP)),
-    PILOT("Pilot", brick = BrickKind.NXT),
-    AWAIT_MOTOR("awaitMotor", listOf(GIVE_WAY), brick = BrickKind.NXT),
-    TURN_MOTOR("turnMotor", listOf(AWAIT_MOTOR), brick = BrickKind.NXT),
-    SPEED_OF("speedOf", brick = BrickKind.NXT),
-    SHOW_TEXT("show", brick = BrickKind.NXT),
-    SHOW_COLOUR("showColour", listOf(SHOW_TEXT), brick = BrickKind.NXT),
+    PILOT("Pilot", platform = JavaPlatform.NXJ),
+    AWAIT_MOTOR("awaitMotor", listOf(GIVE_WAY), platform = JavaPlatform.NXJ),
+    TURN_MOTOR("turnMotor", listOf(AWAIT_MOTOR), platform = JavaPlatform.NXJ),
+    SPEED_OF("speedOf", platform = JavaPlatform.NXJ),
+    SHOW_TEXT("show", platform = JavaPlatform.NXJ),
+    SHOW_COLOUR("showColour", listOf(SHOW_TEXT), platform = JavaPlatform.NXJ),
     DURATION_OF("durationOf", listOf(ROUND_HALF_UP)),
     STOP_AT("stopAt"),
     FORWARD_CENTIMETRES("forwardCentimetres", listOf(CENTIMETRE, DURATION_OF, STOP_AT)),
@@ -71,32 +71,18 @@ internal enum class JavaHelper(
     POW("pow", listOf(ROUND), isCalculation = true),
     ;
 
-    /** The helpers that its Java for [robot] uses. */
-    fun needsOn(robot: BrickKind, isReacting: Boolean): List<JavaHelper> =
-        if (robot == BrickKind.RCX) needs else needsOnNxt(isReacting)
-
-    private fun needsOnNxt(isReacting: Boolean): List<JavaHelper> = when (this) {
-        PILOT_FIELD -> listOf(PILOT)
-        PILOT -> if (isReacting) listOf(GIVE_WAY) else emptyList()
-        STOP_AT -> listOf(PILOT_FIELD)
-        PEN_DOWN, PEN_UP -> if (isReacting) listOf(AWAIT_MOTOR) else emptyList()
-        SHOW_WHOLE -> listOf(SHOW_TEXT)
-        SHOW_DECIMAL -> listOf(ROUND_HALF_UP, SHOW_TEXT)
-        else -> needs
-    }
-
     companion object {
         /** The class for helpers with many constants. */
         const val CALCULATION = "Calculation"
 
-        /** Names that no variable of a program for [robot] may have. */
-        fun fields(robot: BrickKind): Set<String> = namesOf(robot) { it.isField } + OTHER_FIELDS
+        /** Names that no variable of a program for [platform] may have. */
+        fun fields(platform: JavaPlatform): Set<String> = namesOf(platform) { it.isField } + OTHER_FIELDS
 
-        /** Names that no routine of a program for [robot] may have. */
-        fun methods(robot: BrickKind): Set<String> = namesOf(robot) { !it.isField } + OTHER_METHODS
+        /** Names that no routine of a program for [platform] may have. */
+        fun methods(platform: JavaPlatform): Set<String> = namesOf(platform) { !it.isField } + OTHER_METHODS
 
-        private fun namesOf(robot: BrickKind, isMeant: (JavaHelper) -> Boolean): Set<String> =
-            entries.filter { isMeant(it) && (it.brick == null || it.brick == robot) }.map { it.called }.toSet()
+        private fun namesOf(platform: JavaPlatform, isMeant: (JavaHelper) -> Boolean): Set<String> =
+            entries.filter { isMeant(it) && (it.platform == null || it.platform == platform) }.map { it.called }.toSet()
 
         private val OTHER_FIELDS =
             setOf("mainThread", "watchingThread", "mainIsPaused", "mainStandsStill", "actionIsSuppressed", "takenOver")

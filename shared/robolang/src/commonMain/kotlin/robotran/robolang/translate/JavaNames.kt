@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.SymbolKind
 
@@ -10,7 +10,7 @@ import robotran.robolang.check.SymbolKind
  *
  * @param className the class that contains them.
  */
-internal class JavaNames(className: String, private val robot: BrickKind) {
+internal class JavaNames(className: String, private val platform: JavaPlatform) {
     private val names = mutableMapOf<Symbol, String>()
     private val shared = mutableSetOf(className)
     private val scopes = ArrayDeque<MutableSet<String>>()
@@ -24,20 +24,23 @@ internal class JavaNames(className: String, private val robot: BrickKind) {
     fun declareShared(symbol: Symbol): String {
         val isRoutine = symbol.kind == SymbolKind.PROCEDURE || symbol.kind == SymbolKind.FUNCTION
         val name =
-            unused(legal(symbol.name), if (isRoutine) JavaWords.noMethods(robot) else JavaWords.noVariables(robot))
+            unused(
+                legal(symbol.name),
+                if (isRoutine) JavaWords.noMethods(platform) else JavaWords.noVariables(platform),
+            )
         shared += name
         names[symbol] = name
         return name
     }
 
     /** A class-level name for something unnamed in the program, such as a text. */
-    fun shared(wanted: String): String = unused(wanted, JavaWords.noVariables(robot)).also { shared += it }
+    fun shared(wanted: String): String = unused(wanted, JavaWords.noVariables(platform)).also { shared += it }
 
     /** Names a symbol of the innermost open scope. */
     fun declareLocal(symbol: Symbol): String = local(legal(symbol.name)).also { names[symbol] = it }
 
     /** A local name for something unnamed in the program, such as the counter of a `repeat`. */
-    fun local(wanted: String): String = unused(wanted, JavaWords.noVariables(robot)).also { scopes.last() += it }
+    fun local(wanted: String): String = unused(wanted, JavaWords.noVariables(platform)).also { scopes.last() += it }
 
     fun of(symbol: Symbol): String = names.getValue(symbol)
 

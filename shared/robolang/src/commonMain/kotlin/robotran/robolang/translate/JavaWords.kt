@@ -1,6 +1,6 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 
 /** The words that cannot be names in Java. */
 internal object JavaWords {
@@ -38,17 +38,24 @@ internal object JavaWords {
             "InterruptedException Random Runtime Class Error Enum Iterable Override Calculation Pilot Actions",
         )
 
-    private val RCX_VARIABLES = LANGUAGE + CLASSES + JavaHelper.fields(BrickKind.RCX) + words("arguments josx java")
-    private val RCX_METHODS = LANGUAGE + CLASSES + METHODS + JavaHelper.methods(BrickKind.RCX)
-    private val NXT_VARIABLES = LANGUAGE + NXJ_CLASSES + JavaHelper.fields(BrickKind.NXT) + NxtSensorFields.ALL +
+    private val LEJOS_VARIABLES = LANGUAGE + CLASSES + JavaHelper.fields(JavaPlatform.LEJOS) +
+        words("arguments josx java")
+    private val LEJOS_METHODS = LANGUAGE + CLASSES + METHODS + JavaHelper.methods(JavaPlatform.LEJOS)
+    private val NXJ_VARIABLES = LANGUAGE + NXJ_CLASSES + JavaHelper.fields(JavaPlatform.NXJ) + NxtSensorFields.ALL +
         words("arguments lejos java WHEEL_DIAMETER TRACK_WIDTH")
-    private val NXT_METHODS = LANGUAGE + NXJ_CLASSES + METHODS + JavaHelper.methods(BrickKind.NXT)
+    private val NXJ_METHODS = LANGUAGE + NXJ_CLASSES + METHODS + JavaHelper.methods(JavaPlatform.NXJ)
 
     val NO_CLASSES: Set<String> = LANGUAGE + CLASSES + NXJ_CLASSES + FILES
 
-    fun noVariables(robot: BrickKind): Set<String> = if (robot == BrickKind.RCX) RCX_VARIABLES else NXT_VARIABLES
+    fun noVariables(platform: JavaPlatform): Set<String> = when (platform) {
+        JavaPlatform.LEJOS -> LEJOS_VARIABLES
+        JavaPlatform.NXJ -> NXJ_VARIABLES
+    }
 
-    fun noMethods(robot: BrickKind): Set<String> = if (robot == BrickKind.RCX) RCX_METHODS else NXT_METHODS
+    fun noMethods(platform: JavaPlatform): Set<String> = when (platform) {
+        JavaPlatform.LEJOS -> LEJOS_METHODS
+        JavaPlatform.NXJ -> NXJ_METHODS
+    }
 
     private fun words(vararg lines: String): Set<String> = lines.flatMap { it.split(' ') }.toSet()
 }

@@ -1,13 +1,16 @@
 package robotran.robolang.translate
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
 
-/** The sensors of a program for an NXT: objects of leJOS NXJ, each in a field. */
-internal class NxtSensorFields(private val ports: SensorPorts) {
+/** Those on an NXT, at [ports]: objects of leJOS NXJ, each in a field. */
+internal class NxtSensorFields(private val ports: SensorPorts, private val brick: BrickKind) : JavaSensors {
+    override val areFields get() = true
+
     private val byPort: Map<Int, SensorPorts.NxtUse> = ports.nxtSensors.associateBy { it.port }
 
-    fun write(writer: JavaWriter) {
+    override fun write(writer: JavaWriter) {
         if (byPort.isEmpty()) return
         writer.blank()
         for (use in ports.nxtSensors) {
@@ -18,11 +21,21 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
         }
     }
 
-    /** Whether a light sensor's lamp is switched on, which the brick must have measured with before its value counts. */
-    val hasLamp: Boolean = ports.nxtSensors.any { it.sense == Sense.Light && !it.isLampOff }
+    override val hasLamp: Boolean = ports.nxtSensors.any { it.sense == Sense.Light && !it.isLampOff }
 
-    /** The value that [sense] reads. */
-    fun valueOf(sense: Sense): String {
+    override fun valueOf(sense: Sense, helpers: UsedHelpers): String = when (sense) {
+        Sense.Timer -> "${helpers.use(JavaHelper.TIMER)}()"
+        Sense.Battery -> "Battery.getVoltage()"
+        is Sense.Button -> "Button.${checkNotNull(sense.button.on(brick)).name}.isPressed()"
+        is Sense.Turned -> "Motor.${sense.port.name}.getTachoCount()"
+        is Sense.Sensor -> fieldValue(sense).let { if (isTouch(sense)) "($it ? 1 : 0)" else it }
+
+        Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Distance, Sense.Colour, Sense.Loudness -> {
+            fieldValue(sense)
+        }
+    }
+
+    private fun fieldValue(sense: Sense): String {
         val port = checkNotNull(ports.portOf(sense))
         val name = nameAt(port)
         return when (byPort.getValue(port).sense) {
@@ -35,7 +48,8 @@ internal class NxtSensorFields(private val ports: SensorPorts) {
     }
 
     /** Whether the sensor that [sense] reads is a touch sensor. */
-    fun isTouch(sense: Sense): Boolean = typeOf(byPort.getValue(checkNotNull(ports.portOf(sense))).sense) == TOUCH
+    private fun isTouch(sense: Sense): Boolean =
+        typeOf(byPort.getValue(checkNotNull(ports.portOf(sense))).sense) == TOUCH
 
     private fun nameAt(port: Int): String {
         val name = NAMES.getValue(byPort.getValue(port).sense)

@@ -1,6 +1,5 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.syntax.Command
@@ -14,7 +13,7 @@ import robotran.robolang.syntax.withParts
 /** Finds the routines that may wait: in Java they and their callers declare `throws InterruptedException`. */
 internal class Throwing(
     private val program: CheckedProgram,
-    private val robot: BrickKind,
+    private val waitsForStop: Boolean,
     private val stopsAtEnd: Boolean,
 ) {
     private val waiting: Set<Symbol> = routinesThatWait()
@@ -41,7 +40,7 @@ internal class Throwing(
     }
 
     private fun waitsItself(statement: Statement): Boolean = when (statement) {
-        is Command -> statement.waits || (statement is Command.StopDriving && robot == BrickKind.NXT)
+        is Command -> statement.waits || (statement is Command.StopDriving && waitsForStop)
         is Statement.Loop -> program.tree.behaviours.isNotEmpty()
         is Statement.Halt -> stopsAtEnd
         is Statement.If, is Statement.Break, is Statement.Continue, is Statement.Declare, is Statement.Assign,

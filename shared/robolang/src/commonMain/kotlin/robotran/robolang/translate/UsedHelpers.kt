@@ -1,23 +1,20 @@
 package robotran.robolang.translate
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.Durations
-import robotran.robolang.robot.RobotTarget
 import robotran.robolang.template.fillIn
 
 /** Collects the helpers that a translation uses; only those are written. */
-internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boolean) {
+internal class UsedHelpers(private val dialect: JavaDialect, val isReacting: Boolean) {
     private val used = mutableSetOf<JavaHelper>()
 
     /** What the motors of the robot are called. */
-    val motors = JavaMotors(robot)
+    val motors = JavaMotors(dialect.robot)
 
     /** For constants. */
-    val durations = Durations(robot)
+    val durations = Durations(dialect.robot)
 
     private val values: Map<String, String> by lazy {
-        val waiting = JavaTemplates.of("WAITING", BrickKind.NXT, isReacting)
-        figuresOf(robot) + mapOf("THROWS" to throwsClause(isReacting), "WAITING" to waiting)
+        dialect.figures(isReacting) + ("THROWS" to throwsClause(isReacting))
     }
 
     /** The used helpers, in order of declaration. */
@@ -29,13 +26,8 @@ internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boole
 
     /** The Java of [helper] for the robot. */
     fun textOf(helper: JavaHelper): String {
-        val text = JavaTemplates.of(helper.name, robot.kind, isReacting).fillIn(values)
-        return when {
-            robot.kind == BrickKind.RCX -> motors.of(text)
-            helper == JavaHelper.PILOT -> motors.ofPilot(text)
-            helper == JavaHelper.PEN_DOWN || helper == JavaHelper.PEN_UP -> motors.ofPen(text, isReacting)
-            else -> text
-        }
+        val text = JavaTemplates.of(helper.name, dialect.robot.kind, isReacting).fillIn(values)
+        return dialect.withMotors(helper, text, motors, isReacting)
     }
 
     /** The Java that waits for so many milliseconds. */
@@ -43,7 +35,7 @@ internal class UsedHelpers(private val robot: RobotTarget, val isReacting: Boole
 
     /** Marks [helper] and its dependencies as used; returns the name to call it by. */
     fun use(helper: JavaHelper): String {
-        if (used.add(helper)) helper.needsOn(robot.kind, isReacting).forEach(::use)
+        if (used.add(helper)) dialect.needsOf(helper, isReacting).forEach(::use)
         return if (helper.isCalculation) "${JavaHelper.CALCULATION}.${helper.called}" else helper.called
     }
 }

@@ -13,7 +13,7 @@ internal val TIME_UNITS = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
 internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
 
 /** The bricks by their words. */
-internal val KINDS = mapOf(Keyword.RCX to BrickKind.RCX, Keyword.NXT to BrickKind.NXT)
+internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.associateBy { BrickDialect.of(it).keyword }
 
 internal val MOTORS: List<String> = MotorPort.entries.map { it.name }
 

@@ -9,7 +9,7 @@ import robotran.brick.kind.BrickKind
  * @property singular another spelling, for one second or one degree, or of another English.
  * @property isFree whether a pupil may use the word as a name, since it stands only where no name can.
  * @property yields whether it is a name in a program that declares it as one: the words that came later.
- * @property brick the only brick that it is for; null for both.
+ * @property needs what a brick must have for it; null if every one does.
  * @property beginsValue whether an expression can begin with it.
  * @property endsValue whether it can end an expression, so that a minus after it subtracts.
  */
@@ -20,7 +20,7 @@ internal enum class Keyword(
     val beginsValue: Boolean = false,
     val endsValue: Boolean = false,
     val yields: Boolean = false,
-    val brick: BrickKind? = null,
+    val needs: BrickFeature? = null,
 ) {
     FORWARD("forward"),
     BACKWARD("backward"),
@@ -92,21 +92,23 @@ internal enum class Keyword(
     BRICK("brick", isFree = true),
     RCX("rcx", isFree = true),
     NXT("nxt", isFree = true),
-    SONAR("sonar", isFree = true, brick = BrickKind.NXT),
-    SOUND("sound", isFree = true, brick = BrickKind.NXT),
-    DISTANCE("distance", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    COLOUR("colour", "color", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    LOUDNESS("loudness", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    TURNED("turned", beginsValue = true, yields = true, brick = BrickKind.NXT),
-    BLACK("black", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    BLUE("blue", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    GREEN("green", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    YELLOW("yellow", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    RED("red", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    WHITE("white", beginsValue = true, endsValue = true, yields = true, brick = BrickKind.NXT),
-    ENTER("enter", isFree = true, endsValue = true, brick = BrickKind.NXT),
-    ESCAPE("escape", isFree = true, endsValue = true, brick = BrickKind.NXT),
+    SONAR("sonar", isFree = true, needs = BrickFeature.SONAR),
+    SOUND("sound", isFree = true, needs = BrickFeature.SOUND_SENSOR),
+    DISTANCE("distance", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.SONAR),
+    COLOUR("colour", "color", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    LOUDNESS("loudness", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.SOUND_SENSOR),
+    TURNED("turned", beginsValue = true, yields = true, needs = BrickFeature.MOTOR_COUNTERS),
+    BLACK("black", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    BLUE("blue", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    GREEN("green", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    YELLOW("yellow", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    RED("red", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    WHITE("white", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    ENTER("enter", isFree = true, endsValue = true, needs = BrickFeature.ENTER_BUTTON),
+    ESCAPE("escape", isFree = true, endsValue = true, needs = BrickFeature.ESCAPE_BUTTON),
     ;
+
+    fun isOn(brick: BrickKind): Boolean = needs == null || needs.isOn(brick)
 
     companion object {
         /** The words that a line can begin with. */

@@ -9,7 +9,7 @@ import robotran.brick.kind.BrickKind
  * @property marked such a line with values that make sense, those of the tutorial, and what belongs into its block;
  * null if it has names of the pupil's. Two `|` enclose what a pupil writes first.
  * @property choices the words for which others may stand without changing the form; each group is one choice.
- * @property brick the only brick that it is for; null for both.
+ * @property needs what a brick must have for it; null if every one does.
  * @property isOpener whether it begins a block that an `end` closes.
  * @property isOutermost whether it may stand only outside all blocks.
  * @property isSetting whether it may stand only in the header.
@@ -19,12 +19,12 @@ enum class LineForm(
     val marked: String?,
     val group: BlockGroup,
     internal val choices: List<List<String>> = emptyList(),
-    val brick: BrickKind? = null,
+    internal val needs: BrickFeature? = null,
     val isOpener: Boolean = false,
     val isOutermost: Boolean = false,
     val isSetting: Boolean = false,
     val showsAlone: Boolean = false,
-    private val otherExamples: Map<BrickKind, String> = emptyMap(),
+    private val otherExample: (BrickKind) -> String? = { null },
 ) {
     MOVE("forward |20|", BlockGroup.DRIVE, listOf(DIRECTIONS.texts), showsAlone = true),
     MOVE_FOR_TIME("forward for |2| seconds", BlockGroup.DRIVE, listOf(DIRECTIONS.texts), showsAlone = true),
@@ -39,13 +39,19 @@ enum class LineForm(
     POWER_OF_SIDE("power left |5|", BlockGroup.DRIVE, listOf(SIDES.texts)),
     MOTOR("motor |A| forward", BlockGroup.DRIVE, listOf(MOTORS, MOTOR_COMMANDS.texts), showsAlone = true),
     POWER_OF_MOTOR("motor |A| power 5", BlockGroup.DRIVE, listOf(MOTORS)),
-    MOTOR_TURN("motor |A| turn 90", BlockGroup.DRIVE, listOf(MOTORS), BrickKind.NXT, showsAlone = true),
-    START_MOTOR_TURN("start motor |A| turn 90", BlockGroup.DRIVE, listOf(MOTORS), BrickKind.NXT, showsAlone = true),
+    MOTOR_TURN("motor |A| turn 90", BlockGroup.DRIVE, listOf(MOTORS), BrickFeature.MOTOR_COUNTERS, showsAlone = true),
+    START_MOTOR_TURN(
+        "start motor |A| turn 90",
+        BlockGroup.DRIVE,
+        listOf(MOTORS),
+        BrickFeature.MOTOR_COUNTERS,
+        showsAlone = true,
+    ),
     PEN("pen down", BlockGroup.PEN, listOf(PEN_POSITIONS.texts), showsAlone = true),
     WAIT("wait |1| second", BlockGroup.CONTROL, listOf(TIME_UNITS.texts)),
     WAIT_UNTIL("wait until left bumper", BlockGroup.CONTROL),
     RESET_TIMER("reset timer", BlockGroup.SENSE),
-    RESET_MOTOR("reset motor |A|", BlockGroup.SENSE, listOf(MOTORS), BrickKind.NXT),
+    RESET_MOTOR("reset motor |A|", BlockGroup.SENSE, listOf(MOTORS), BrickFeature.MOTOR_COUNTERS),
     BEEP("beep", BlockGroup.SHOW_AND_SOUND, showsAlone = true),
     BUZZ("buzz", BlockGroup.SHOW_AND_SOUND, showsAlone = true),
     PLAY("play |440| for 1 second", BlockGroup.SHOW_AND_SOUND, showsAlone = true),
@@ -87,24 +93,36 @@ enum class LineForm(
         BlockGroup.SENSE,
         isOpener = true,
         isOutermost = true,
-        otherExamples = mapOf(BrickKind.NXT to block("robot", "  brick nxt")),
+        otherExample = { if (it == BrickKind.DEFAULT) null else block("robot", "  ${brickSetting(it)}") },
     ),
     LIGHT_SENSOR(
         "light sensor on 2 facing down",
         BlockGroup.SENSE,
         PORTS.values + listOf(FACINGS.texts),
         isSetting = true,
-        otherExamples = mapOf(BrickKind.NXT to "light sensor on 3 facing down"),
+        otherExample = { "light sensor on ${BrickDialect.of(it).lightPort} facing down" },
     ),
-    SONAR("sonar on 4", BlockGroup.SENSE, sensorPorts(BrickKind.NXT), BrickKind.NXT, isSetting = true),
-    COLOUR_SENSOR("colour sensor on 3", BlockGroup.SENSE, sensorPorts(BrickKind.NXT), BrickKind.NXT, isSetting = true),
-    SOUND_SENSOR("sound sensor on 2", BlockGroup.SENSE, sensorPorts(BrickKind.NXT), BrickKind.NXT, isSetting = true),
+    SONAR("sonar on 4", BlockGroup.SENSE, sensorPorts(BrickFeature.SONAR), BrickFeature.SONAR, isSetting = true),
+    COLOUR_SENSOR(
+        "colour sensor on 3",
+        BlockGroup.SENSE,
+        sensorPorts(BrickFeature.COLOUR_SENSOR),
+        BrickFeature.COLOUR_SENSOR,
+        isSetting = true,
+    ),
+    SOUND_SENSOR(
+        "sound sensor on 2",
+        BlockGroup.SENSE,
+        sensorPorts(BrickFeature.SOUND_SENSOR),
+        BrickFeature.SOUND_SENSOR,
+        isSetting = true,
+    ),
     BRICK(
         "brick rcx",
         BlockGroup.SENSE,
         listOf(KINDS.keys.texts),
         isSetting = true,
-        otherExamples = mapOf(BrickKind.NXT to "brick nxt"),
+        otherExample = ::brickSetting,
     ),
     END(null, BlockGroup.CONTROL),
     ;
@@ -114,9 +132,12 @@ enum class LineForm(
 
     /** The example for a robot with [brick]; null if it can do nothing like that. */
     fun exampleOn(brick: BrickKind): String? =
-        if (this.brick == null || this.brick == brick) otherExamples[brick] ?: example else null
+        if (needs == null || needs.isOn(brick)) otherExample(brick) ?: example else null
 }
 
 private fun block(vararg lines: String): String = lines.joinToString("\n", postfix = "\nend")
 
-private fun sensorPorts(brick: BrickKind): List<List<String>> = listOf(PORTS.getValue(brick))
+private fun brickSetting(brick: BrickKind): String = "brick ${BrickDialect.of(brick).keyword.text}"
+
+/** The ports of the bricks that have the sensor. */
+private fun sensorPorts(sensor: BrickFeature): List<List<String>> = PORTS.filterKeys(sensor.isOn).values.toList()

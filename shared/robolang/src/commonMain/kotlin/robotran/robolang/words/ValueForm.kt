@@ -7,13 +7,13 @@ import robotran.brick.kind.BrickKind
  *
  * @property marked such a value, which makes sense; null if it has names of the pupil's, or if there are several. Two
  * `|` enclose what a pupil writes first.
- * @property brick the only brick that it is for; null for both.
+ * @property needs what a brick must have for it; null if every one does.
  */
 enum class ValueForm(
     val marked: String?,
     val group: BlockGroup,
-    val brick: BrickKind? = null,
-    private val otherExamples: Map<BrickKind, String> = emptyMap(),
+    private val needs: BrickFeature? = null,
+    private val exampleWith: Pair<BrickFeature, String>? = null,
 ) {
     NUMBER("5", BlockGroup.NUMBERS),
 
@@ -31,7 +31,7 @@ enum class ValueForm(
 
     /** `a and b`, `a or b`. */
     LOGIC("left bumper and right bumper", BlockGroup.CONTROL),
-    COMPARISON("light < 40", BlockGroup.CONTROL, otherExamples = mapOf(BrickKind.NXT to "distance < 20")),
+    COMPARISON("light < 40", BlockGroup.CONTROL, exampleWith = BrickFeature.SONAR to "distance < 20"),
     ARITHMETIC("5 + 5", BlockGroup.NUMBERS),
 
     /** A call of a function that the program declares, or of an unknown one. */
@@ -42,22 +42,22 @@ enum class ValueForm(
     BUMPER("left bumper", BlockGroup.SENSE),
     LIGHT("light", BlockGroup.SENSE),
     SENSOR("sensor |1|", BlockGroup.SENSE),
-    BUTTON("button run", BlockGroup.SENSE, otherExamples = mapOf(BrickKind.NXT to "button enter")),
+    BUTTON("button run", BlockGroup.SENSE, exampleWith = BrickFeature.ENTER_BUTTON to "button enter"),
     TIMER("timer", BlockGroup.SENSE),
     BATTERY("battery", BlockGroup.SENSE),
 
     /** Of the ultrasonic sensor. */
-    DISTANCE("distance", BlockGroup.SENSE, BrickKind.NXT),
+    DISTANCE("distance", BlockGroup.SENSE, BrickFeature.SONAR),
 
     /** Of the sound sensor. */
-    LOUDNESS("loudness", BlockGroup.SENSE, BrickKind.NXT),
+    LOUDNESS("loudness", BlockGroup.SENSE, BrickFeature.SOUND_SENSOR),
 
     /** Of the colour sensor. */
-    COLOUR("colour", BlockGroup.SENSE, BrickKind.NXT),
+    COLOUR("colour", BlockGroup.SENSE, BrickFeature.COLOUR_SENSOR),
 
     /** `red` and the other colours. */
-    COLOUR_NAME("red", BlockGroup.SENSE, BrickKind.NXT),
-    TURNED("turned |A|", BlockGroup.SENSE, BrickKind.NXT),
+    COLOUR_NAME("red", BlockGroup.SENSE, BrickFeature.COLOUR_SENSOR),
+    TURNED("turned |A|", BlockGroup.SENSE, BrickFeature.MOTOR_COUNTERS),
     BRACKETS("(5)", BlockGroup.NUMBERS),
     ;
 
@@ -65,8 +65,11 @@ enum class ValueForm(
     val example: String? = marked?.replace("|", "")
 
     /** The example for a robot with [brick]; null if there is none. */
-    fun exampleOn(brick: BrickKind): String? =
-        if (this.brick == null || this.brick == brick) otherExamples[brick] ?: example else null
+    fun exampleOn(brick: BrickKind): String? = when {
+        needs?.isOn(brick) == false -> null
+        exampleWith?.first?.isOn(brick) == true -> exampleWith.second
+        else -> example
+    }
 }
 
 /** The types of values, as far as a beginner meets them. */

@@ -1,12 +1,12 @@
 package robotran.scene3d.model
 
-import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorCase
 import robotran.brick.sensors.SensorKind
 import robotran.scene3d.geometry.ConvexPolygon
 
 /** The bodies of sensors around their eyes, looking ahead. */
 internal class SensorBodies(
-    private val brick: BrickKind,
+    private val case: SensorCase,
     private val palette: RobotPalette,
     private val round: Round,
 ) {
@@ -21,7 +21,10 @@ internal class SensorBodies(
         ConvexPolygon.rectangle(back, -LOW_HALF, front, LOW_HALF),
         LOWEST,
         RobotPlan3D.CHASSIS_BOTTOM,
-        if (brick == BrickKind.RCX) palette.lightSensor else palette.nxtGrey,
+        when (case) {
+            SensorCase.STUDDED -> palette.lightSensor
+            SensorCase.ROUNDED -> palette.nxtGrey
+        },
     )
 
     /** A sensor that stands at the height [base], with its eyes on its front. */

@@ -40,7 +40,7 @@ internal class SensorSeats(
     private val palette: RobotPalette,
     private val round: Round,
 ) {
-    private val bodies = SensorBodies(robot.brick, palette, round)
+    private val bodies = SensorBodies(robot.brick.sensorCase, palette, round)
     private val box =
         Box(
             hull.corners.minOf { it.x },

@@ -1,7 +1,6 @@
 package robotran.simulation.nxt
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.NxtBrick
 import robotran.nxt.hardware.SensorPower
@@ -51,7 +50,7 @@ internal class NxtPorts(
     private val realism: Double,
 ) : BrickPorts {
     private val machine: SimulatedRobot = scene.machines[number]
-    private val pressed = BooleanArray(BrickKind.NXT.inputPorts)
+    private val pressed = BooleanArray(robot.brick.inputPorts)
     private var millivolts = 0
     private var lights = emptyList<NxtLightEye>()
     private var sonars = emptyList<SonarBeam>()
@@ -60,7 +59,7 @@ internal class NxtPorts(
     private val devices = I2cSensors(scene, machine, streams, realism, brick.clock, air, thermometer)
 
     /** What measures on each port; null if nothing at an analog pin does. */
-    private val sensors: List<NxtSensor?> = List(BrickKind.NXT.inputPorts) { port ->
+    private val sensors: List<NxtSensor?> = List(robot.brick.inputPorts) { port ->
         robot.parts.firstOrNull { it.port == port + 1 }?.let { plugIn(it, port) }
     }
 

@@ -1,6 +1,8 @@
 package robotran.simulation.robot
 
 import robotran.brick.Brick
+import robotran.rcxrom.memory.MemorySnapshot
+import robotran.rcxrom.state.RcxFirmwareState
 
 /** Connects a brick with the machine that carries it: sensors at its input ports, motors at its output ports. */
 internal interface BrickPorts {
@@ -8,6 +10,12 @@ internal interface BrickPorts {
 
     /** The errors of the sensors that are plugged in. */
     val sensorErrors: SensorErrors
+
+    /** What the brick's firmware knows now; null if it tells nothing, such as leJOS's. */
+    val firmwareState: RcxFirmwareState? get() = null
+
+    /** A copy of the brick's memory; null if it has none to look at. */
+    fun memory(): MemorySnapshot? = null
 
     /** Lets the sensors of a brick that has been on for a while measure; call it once, before time passes. */
     fun begin() = Unit

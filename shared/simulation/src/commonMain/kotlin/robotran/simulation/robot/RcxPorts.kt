@@ -3,8 +3,10 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.TouchSensor
+import robotran.rcxrom.state.RcxFirmwareState
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.Realism
 import robotran.world.BumperPart
@@ -50,6 +52,10 @@ internal class RcxPorts(
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
     private var millivolts = 0
+
+    override val firmwareState: RcxFirmwareState? get() = brick.firmwareState
+
+    override fun memory(): MemorySnapshot = brick.memory()
 
     override fun touch(port: Int, pressed: Boolean) {
         if (port in this.pressed.indices) this.pressed[port] = pressed

@@ -3,7 +3,6 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
-import robotran.brick.kind.BrickKind
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.BatteryNoise
 import robotran.simulation.noise.NoiseStreams
@@ -39,8 +38,8 @@ internal class SimulatedRobot(
     val leftNoise = WheelNoise(streams, "left wheel", realism)
     val rightNoise = WheelNoise(streams, "right wheel", realism)
 
-    /** null for a robot with an RCX. */
-    private val nxt = if (robot.brick == BrickKind.NXT) NxtMotors(robot, figures, streams, realism) else null
+    /** null for a brick whose motors do not count. */
+    private val nxt = if (robot.brick.hasMotorCounters) NxtMotors(robot, figures, streams, realism) else null
     val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(figures), figures, nxt?.play("left wheel"))
     val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(figures), figures, nxt?.play("right wheel"))
     val battery = if (nxt == null) {
@@ -91,7 +90,7 @@ internal class SimulatedRobot(
     /** The switch of a bumper of this robot, plugged in or not. */
     fun bumper(part: BumperPart): Bumper = bumpers[bumperParts.indexOfFirst { it.isSameThing(part) }]
 
-    /** Degrees that the hub of a motor of an NXT has turned since the session began, forwards for the motor positive. */
+    /** Degrees that the hub of a motor that counts has turned since the session began, forwards for the motor positive. */
     fun motorDegrees(port: MotorPort): Double = when {
         nxt == null -> 0.0
         port == robot.drive.left -> nxt.degreesOf(leftWheel.motorTravel)

@@ -8,6 +8,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
 import robotran.nxt.state.NxtState
 import robotran.rcxrom.state.RcxState
+import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.brick.nxt.NxtFront
 import robotran.ui.brick.nxt.NxtStrip
 import robotran.ui.brick.rcx.BrickPlan
@@ -57,6 +58,15 @@ internal fun BrickStrip(
     when (state.kind) {
         BrickKind.RCX -> RcxStrip(state as RcxState, down, onPress, onRelease, modifier, isLow)
         BrickKind.NXT -> NxtStrip(state as NxtState, down, onPress, onRelease, modifier, isLow)
+    }
+}
+
+/** What is below a hint about a brick: the calls of an exception; nothing on most. */
+@Composable
+internal fun BelowBrickHint(state: BrickState, modifier: Modifier = Modifier) {
+    when (state.kind) {
+        BrickKind.RCX -> Unit
+        BrickKind.NXT -> (state as NxtState).exception?.let { ExceptionCalls(it, modifier) }
     }
 }
 

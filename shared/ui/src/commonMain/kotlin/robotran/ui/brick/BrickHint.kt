@@ -17,16 +17,13 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
-import robotran.nxt.state.NxtState
-import robotran.ui.brick.nxt.ExceptionCalls
 import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.scrollHint
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
@@ -41,11 +38,7 @@ import robotran.ui.theme.TextSizes
 @Composable
 internal fun brickHintWords(state: BrickState, isSolved: Boolean = false): String? = state.explanation.takeUnless {
     isSolved && state.run is RunState.Ended
-} ?: when {
-    state.poweredOn -> null
-    state.kind == BrickKind.NXT -> NxtTexts.off(spoken)
-    else -> ScreenTexts.brickOff(spoken)
-}
+} ?: if (state.poweredOn) null else BrickLabels.of(state.kind).off(spoken)
 
 /**
  * Shows [brickHintWords] and the calls of an exception, with [action] and a close button if [onClose] is set; empty
@@ -83,7 +76,7 @@ internal fun BrickHint(
                     fontSize = TextSizes.BODY,
                     lineHeight = LineHeights.LABEL,
                 )
-                (state as? NxtState)?.exception?.let { ExceptionCalls(it, Modifier.padding(top = 8.dp)) }
+                BelowBrickHint(state, Modifier.padding(top = 8.dp))
             }
             action()
             if (onClose != null) {

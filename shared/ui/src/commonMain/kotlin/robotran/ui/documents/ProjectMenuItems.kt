@@ -7,13 +7,13 @@ import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import robotran.brick.kind.BrickKind
 import robotran.ui.language.spoken
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.ExportTexts
 import robotran.ui.texts.Label
 import robotran.ui.texts.NqcTexts
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.OTHER_BRICKS
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.SendTexts
 import robotran.ui.theme.Dimensions
@@ -39,7 +39,11 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
         HorizontalDivider(color = LocalRobotranColours.current.line)
     }
     ProjectMenuItem(DocumentTexts::new, "new") { choose(DocumentEvent.NewRequested) }
-    ProjectMenuItem(NxtTexts::documentsNewNxt, "new-nxt") { choose(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
+    for (brick in OTHER_BRICKS) {
+        ProjectMenuItem(BrickLabels.of(brick).newProject, "new-${brick.name.lowercase()}") {
+            choose(DocumentEvent.NewWithBrick(brick))
+        }
+    }
     ProjectMenuItem(DocumentTexts::myWork, "my-work") { choose(DocumentEvent.ProjectListRequested) }
     ProjectMenuItem(DocumentTexts::open, "open") { choose(DocumentEvent.OpenRequested) }
     ProjectMenuItem(DocumentTexts::openLink, "open-link") { choose(DocumentEvent.LinkPastingRequested) }

@@ -8,12 +8,12 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import robotran.brick.kind.BrickKind
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.language.spoken
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.OTHER_BRICKS
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
@@ -33,8 +33,10 @@ internal fun ProjectsDialog(
         close,
         buttons = {
             OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
-            OtherButton(NxtTexts.documentsNewNxt(spoken), "works-new-nxt") {
-                onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT))
+            for (brick in OTHER_BRICKS) {
+                OtherButton(BrickLabels.of(brick).newProject(spoken), "works-new-${brick.name.lowercase()}") {
+                    onEvent(DocumentEvent.NewWithBrick(brick))
+                }
             }
             MainButton(DocumentTexts.new(spoken), "works-new") { onEvent(DocumentEvent.NewRequested) }
         },

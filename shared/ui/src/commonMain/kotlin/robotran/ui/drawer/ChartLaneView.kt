@@ -33,6 +33,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.brick.controls.PowerUnit
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
 import robotran.ui.language.spoken
@@ -122,7 +123,7 @@ private fun valueText(line: ChartLine, brick: BrickKind, time: Long): String? {
  */
 private fun signed(line: ChartLine, brick: BrickKind, value: Int) = when {
     !line.lane.isMotor || value == 0 -> "$value"
-    brick == BrickKind.NXT -> if (value > 0) "+$value" else "$value"
+    brick.powerUnit == PowerUnit.PERCENT -> if (value > 0) "+$value" else "$value"
     value > 0 -> "+${value - 1}"
     else -> "-${-value - 1}"
 }
@@ -190,10 +191,10 @@ private fun valuesOf(line: ChartLine, pieces: IntRange): IntRange? {
     return all
 }
 
-/** Room for a value, so that the lanes end at the same place: "+7" of an RCX, "-100–+100" of an NXT. */
-private fun valueWidth(brick: BrickKind): Dp = when (brick) {
-    BrickKind.RCX -> 48.dp
-    BrickKind.NXT -> 76.dp
+/** Room for a value, so that the lanes end at the same place: "+7" in steps, "-100–+100" in percent. */
+private fun valueWidth(brick: BrickKind): Dp = when (brick.powerUnit) {
+    PowerUnit.STEPS -> 48.dp
+    PowerUnit.PERCENT -> 76.dp
 }
 
 /** In the place of a value that nobody has measured. */

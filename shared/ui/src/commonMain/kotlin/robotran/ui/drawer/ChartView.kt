@@ -19,6 +19,7 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import robotran.brick.controls.PowerUnit
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
 import robotran.nxt.hardware.SonarDevice
@@ -143,7 +144,10 @@ internal data class ChartWindow(val from: Long, val until: Long) {
  * battery, 0. Where a sonar hears nothing, its line is at the top: 255 would make all distances look small.
  */
 internal fun rangeOf(line: ChartLine, brick: BrickKind): IntRange {
-    if (line.lane.isMotor) return if (brick == BrickKind.RCX) -MAX_POWER..MAX_POWER else -PERCENT..PERCENT
+    if (line.lane.isMotor) {
+        val greatest = if (brick.powerUnit == PowerUnit.STEPS) MAX_POWER else PERCENT
+        return -greatest..greatest
+    }
     if (line.unit == MeasuringUnit.PERCENT) return 0..PERCENT
     val isBattery = line.unit == MeasuringUnit.MILLIVOLTS
     var min = if (isBattery) LOW_MILLIVOLTS else 0

@@ -33,7 +33,6 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
@@ -42,6 +41,7 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.language.spoken
 import robotran.ui.parts.scrollHint
 import robotran.ui.runbar.Chip
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.Label
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
@@ -57,8 +57,7 @@ import robotran.workshop.state.LogState
 @Composable
 internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
     if (state.total == 0L) {
-        val words = if (state.kind == BrickKind.RCX) RunTexts::logEmpty else NxtTexts::runLogEmptyCalls
-        return EmptyDrawer(words, EmptyPicture.LINES, modifier)
+        return EmptyDrawer(BrickLabels.of(state.kind).noCalls, EmptyPicture.LINES, modifier)
     }
     Column(modifier.padding(horizontal = 12.dp)) {
         LogTools(state, onEvent)
@@ -119,7 +118,7 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         Chip(RunTexts.logTroubled(spoken), filter.onlyReported, "log-troubled") {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
-        for (group in CallGroup.of(state.kind)) {
+        for (group in state.kind.callGroups) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
             Chip(group.word(spoken), only, "log-${group.name.lowercase()}") {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))

@@ -13,7 +13,7 @@ import robotran.world.World
 @Composable
 internal fun robotOf(world: World): String {
     val robot = world.robots.first().description
-    return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: RobotTexts.own(spoken, robot.brick.name)
+    return readyBase(robot)?.let { readyRobotWithBrick(it) } ?: RobotTexts.own(spoken, robot.brick.label)
 }
 
 /** The name of [robot] for people; in the pupil's language, if it is a ready one. */

@@ -14,7 +14,7 @@ internal fun readyRobotName(base: String): String = READY_ROBOT_WORDS.getValue(b
 @Composable
 internal fun readyRobotWithBrick(base: String): String {
     val name = readyRobotName(base)
-    val brick = ReadyRobots.all.getValue(base).brick.name
+    val brick = ReadyRobots.all.getValue(base).brick.label
     return if (brick in name) name else RobotTexts.readyWithBrick(spoken, name, brick)
 }
 

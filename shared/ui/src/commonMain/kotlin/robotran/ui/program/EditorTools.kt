@@ -19,6 +19,7 @@ import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
+import robotran.ui.texts.BrickLabels
 import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
@@ -35,7 +36,7 @@ internal fun EditorTools(
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val support = state.program.language.support
-    val send = sendWords(state.brick)
+    val send = BrickLabels.of(state.brick).send
     val translation = state.translationKind
     BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
         val places = toolPlaces(maxWidth, support.hasBlocks, translation?.translationTexts?.switch, send)

@@ -18,7 +18,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.ui.language.spoken
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.BrickLabels
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -28,10 +28,7 @@ import robotran.ui.theme.focusRing
 @Composable
 internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
     val colours = LocalRobotranColours.current
-    val (sentence, action) = when (brick) {
-        BrickKind.RCX -> NxtTexts::programForRcx to NxtTexts::programUseRcx
-        BrickKind.NXT -> NxtTexts::programForNxt to NxtTexts::programUseNxt
-    }
+    val labels = BrickLabels.of(brick)
     Column(
         Modifier
             .fillMaxWidth()
@@ -40,7 +37,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
             .padding(start = 16.dp, end = 8.dp),
     ) {
         Text(
-            sentence(spoken, robot),
+            labels.programIsFor(spoken, robot),
             Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
             color = colours.error,
             fontSize = TextSizes.BODY,
@@ -54,7 +51,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
                 .focusRing(),
         ) {
             Text(
-                action(spoken),
+                labels.use(spoken),
                 color = colours.focus,
                 fontSize = TextSizes.BODY,
                 fontWeight = FontWeight.SemiBold,

@@ -192,7 +192,7 @@ private fun ShownFile(
                 state,
                 { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
                 { onEvent(BlockEvent.ViewChosen(it)) },
-                { onEvent(if (state.brick == BrickKind.RCX) SendEvent.Requested else DocumentEvent.KitRequested) },
+                { onEvent(if (state.brick.receivesPrograms) SendEvent.Requested else DocumentEvent.KitRequested) },
             ) {
                 // Completions need the caret's focus, which the menu has taken.
                 if (it == EditorCommand.Plain.COMPLETE) focus.requestFocus()

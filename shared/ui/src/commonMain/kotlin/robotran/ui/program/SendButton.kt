@@ -2,14 +2,11 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
 import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.SignPicture
 import robotran.ui.parts.StrokeIcons
-import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.Label
-import robotran.ui.texts.SendTexts
 import robotran.ui.theme.LocalRobotranColours
 
 /**
@@ -30,12 +27,6 @@ private fun SendButton(label: String, hasRoom: Boolean, onClick: () -> Unit) {
     } else {
         RoundButton(StrokeIcons.SEND, label, "send-robot", SIGN, onClick = onClick)
     }
-}
-
-/** What the button for a real robot with a [brick] is called. */
-internal fun sendWords(brick: BrickKind): Label = when (brick) {
-    BrickKind.RCX -> SendTexts::robot
-    BrickKind.NXT -> DocumentTexts::kit
 }
 
 private val SIGN = 16.dp

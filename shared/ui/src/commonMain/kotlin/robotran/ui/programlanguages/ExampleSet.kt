@@ -1,6 +1,7 @@
 package robotran.ui.programlanguages
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.ui.texts.Label
 import robotran.ui.texts.NqcTexts
@@ -23,12 +24,12 @@ internal enum class ExampleSet(
     private val folder: String = "",
 ) {
     ROBOLANG(ProgramLanguage.ROBOLANG, null, ScreenTexts::programExamplesRobolang),
-    LEJOS(ProgramLanguage.JAVA, BrickKind.RCX, ScreenTexts::programExamplesJava, "_java"),
-    NQC(ProgramLanguage.NQC, BrickKind.RCX, NqcTexts::programExamplesNqc, "_nqc"),
-    NXJ(ProgramLanguage.JAVA, BrickKind.NXT, NxtTexts::programExamplesNxj, "_nxj", "nxj/"),
+    LEJOS(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.LEJOS), ScreenTexts::programExamplesJava, "_java"),
+    NQC(ProgramLanguage.NQC, BrickKind.OF_LEGO_FIRMWARE, NqcTexts::programExamplesNqc, "_nqc"),
+    NXJ(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.NXJ), NxtTexts::programExamplesNxj, "_nxj", "nxj/"),
     ;
 
-    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.RCX)
+    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.DEFAULT)
 
     /** What tells the example [name] from those of the other sets. */
     fun idOf(name: String): String = folder + name

@@ -1,6 +1,7 @@
 package robotran.ui.programlanguages
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.Label
@@ -51,7 +52,10 @@ private val TEXTS = mapOf(
         ScreenTexts::programNewClass,
         EditorTexts::removeClass,
         TranslationTexts(EditorTexts::translation, EditorTexts::translationLabel, EditorTexts::translationNone),
-        mapOf(BrickKind.RCX to LearningTexts::helpJava, BrickKind.NXT to NxtTexts::learningHelpNxj),
+        mapOf(
+            BrickKind.with(JavaPlatform.LEJOS) to LearningTexts::helpJava,
+            BrickKind.with(JavaPlatform.NXJ) to NxtTexts::learningHelpNxj,
+        ),
     ),
     ProgramLanguage.NQC to LanguageTexts(
         NqcTexts::programNewNqc,

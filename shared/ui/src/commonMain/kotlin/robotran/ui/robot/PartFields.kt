@@ -2,7 +2,6 @@ package robotran.ui.robot
 
 import androidx.compose.runtime.Composable
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
@@ -19,6 +18,7 @@ import robotran.world.Facing
 import robotran.world.RobotLimits
 import robotran.world.RotationPart
 import robotran.world.SensorPart
+import robotran.world.robot.BrickBuild
 import robotran.world.robot.things
 
 /** The figures of a bumper or a sensor. */
@@ -98,7 +98,8 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
             Facing.Ahead((part.facing as? Facing.Ahead)?.direction ?: 0.0) to
                 RobotTexts.looksAhead(spoken),
             (Facing.Free to RobotTexts.looksFree(spoken)).takeIf {
-                part.facing == Facing.Free || (part.sensor == SensorKind.LIGHT && scope.robot.brick == BrickKind.RCX)
+                part.facing == Facing.Free ||
+                    (part.sensor == SensorKind.LIGHT && BrickBuild.of(scope.robot.brick).hasShortForm)
             },
         )
         ChipRow(RobotTexts.looks(spoken), words, part.facing, "robot-looks") { facing ->
@@ -118,7 +119,7 @@ private fun SensorFields(scope: RobotScope, number: Int, part: SensorPart) {
     Centimetres(scope, RobotTexts::eyeHeight, part.height, RobotLimits.SENSOR_HEIGHTS, "robot-eye-height") {
         change("height") { old -> old.copy(height = it) }
     }
-    if (scope.robot.brick == BrickKind.NXT || part.turret != null) {
+    if (scope.robot.brick.hasMotorCounters || part.turret != null) {
         val motors = listOf<Pair<MotorPort?, String>>(null to RobotTexts.fixed(spoken)) +
             MotorPort.entries.map { it to it.name }
         ChipRow(RobotTexts.turret(spoken), motors, part.turret, "robot-turret") {

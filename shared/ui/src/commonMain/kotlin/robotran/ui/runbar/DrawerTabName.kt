@@ -3,25 +3,19 @@ package robotran.ui.runbar
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.compositionLocalOf
 import robotran.brick.kind.BrickKind
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.Label
-import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
 import robotran.workshop.state.DrawerTab
 
 /** The kind of brick of the watched robot. */
-internal val LocalBrickKind = compositionLocalOf { BrickKind.RCX }
+internal val LocalBrickKind = compositionLocalOf<BrickKind> { error("No robot is watched.") }
 
 /** The name of the tab. */
 internal val DrawerTab.word: Label
     @Composable get() = when (this) {
         DrawerTab.VARIABLES -> RunTexts::tabVariables
-
-        DrawerTab.LOG -> if (LocalBrickKind.current == BrickKind.RCX) {
-            RunTexts::tabLog
-        } else {
-            NxtTexts::runTabCalls
-        }
-
+        DrawerTab.LOG -> BrickLabels.of(LocalBrickKind.current).log
         DrawerTab.CHART -> RunTexts::tabChart
         DrawerTab.GOALS -> RunTexts::tabGoals
         DrawerTab.WHY -> RunTexts::tabWhy

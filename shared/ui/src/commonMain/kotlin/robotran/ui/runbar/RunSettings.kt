@@ -28,11 +28,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.ui.language.spoken
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
 import robotran.ui.theme.Dimensions
@@ -55,10 +55,10 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
         Seed(state.world.seed) { change(settings.copy(seed = it)) }
         Column {
             SectionName(RunTexts.java(spoken))
-            val isNxt = state.world.robots[state.watched].description.brick == BrickKind.NXT
+            val brick = state.world.robots[state.watched].description.brick
             Setting(
                 RunTexts::javaForgiving,
-                if (isNxt) RunTexts::javaForgivingHelpNxt else RunTexts::javaForgivingHelp,
+                BrickLabels.of(brick).forgivingJava,
                 "java-forgiving",
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {

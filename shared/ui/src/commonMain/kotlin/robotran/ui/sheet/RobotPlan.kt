@@ -5,12 +5,10 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.RoundRect
 import androidx.compose.ui.graphics.Path
-import robotran.brick.kind.BrickKind
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 import robotran.world.robot.brickSeat
 import robotran.world.robot.bumpers
-import kotlin.math.max
 
 /**
  * The parts of a robot from above in centimetres: x forwards from the pen, which is halfway between the wheels, y to
@@ -34,8 +32,8 @@ internal class RobotPlan(val robot: RobotDescription) {
 
     val brick = BrickTop.of(robot)
 
-    /** The motors of the wheels, and that of the pen of an NXT; behind the axle. */
-    val motors: List<MotorTop> = motorsOf(robot.brick)
+    /** The motors of the wheels, and that of the pen where it shows; behind the axle. */
+    val motors: List<MotorTop> = brick.look.motors(robot, chassisBox, minOf(inner, chassisBox.bottom))
 
     val bumpers: List<BumperTop> = robot.bumpers.map(::BumperTop)
 
@@ -68,25 +66,6 @@ internal class RobotPlan(val robot: RobotDescription) {
         addRoundRect(RoundRect(brick.box, round))
     }
 
-    private fun motorsOf(kind: BrickKind): List<MotorTop> = when (kind) {
-        BrickKind.RCX -> {
-            val back = max(RCX_MOTOR_BACK, chassisBox.left + EDGE)
-            listOf(Rect(back, -3.8f, back + 2.7f, -0.5f), Rect(back, 0.5f, back + 2.7f, 3.8f)).map { MotorTop(it) }
-        }
-
-        BrickKind.NXT -> {
-            val back = max(NXT_MOTOR_BACK, chassisBox.left + EDGE)
-            val outer = minOf(inner, chassisBox.bottom) - 0.1f
-            val wheels = listOf(-1, 1).map { side ->
-                val middle = side * (outer - NXT_MOTOR_WIDTH / 2)
-                val body = Rect(back, middle - NXT_MOTOR_WIDTH / 2, NXT_MOTOR_FRONT, middle + NXT_MOTOR_WIDTH / 2)
-                MotorTop(body, Offset(0f, body.center.y))
-            }
-            val pen = if (robot.pen == null) null else Rect(back, -1.2f, -1.5f, 1.2f)
-            wheels + listOfNotNull(pen?.let { MotorTop(it, Offset(it.right - 1f, 0f)) })
-        }
-    }
-
     /** How far the eyes are from the middle: farther where a sensor is between them. */
     private fun eyeSides(): Float {
         val x = eyesAhead
@@ -102,14 +81,6 @@ internal class RobotPlan(val robot: RobotDescription) {
         /** Half of the axle's thickness, and how far it reaches into the wheels. */
         private const val AXLE = 0.35f
         private const val AXLE_END = 0.87f
-
-        private const val RCX_MOTOR_BACK = -4.6f
-        private const val NXT_MOTOR_BACK = -7.4f
-        private const val NXT_MOTOR_FRONT = 1.4f
-        private const val NXT_MOTOR_WIDTH = 2.5f
-
-        /** What stays free at the edge of the chassis. */
-        private const val EDGE = 0.4f
 
         /** The number of treads around a tyre. */
         const val TREADS = 14

@@ -3,11 +3,10 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
-import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorCase
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotState
 import robotran.ui.theme.RobotranColours
-import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 
 /** Draws or writes the plates and discs of which a robot from above consists, in centimetres. */
@@ -32,13 +31,10 @@ internal fun RobotBrush.drawBody(plan: RobotPlan, build: RobotPlacement, robot: 
         shape(plan.chassis, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE)
     }
     for (motor in plan.motors) drawMotor(motor)
-    when (plan.brick.kind) {
-        BrickKind.RCX -> drawRcx(plan.brick, build.colour)
-        BrickKind.NXT -> drawNxt(plan.brick, build.colour)
-    }
+    with(plan.brick.look) { drawBrick(plan.brick, build.colour) }
     for (sensor in plan.sensors) {
         val degrees = sensor.degrees - robot.turn(sensor.part).toFloat()
-        turned(sensor.at, degrees) { drawSensor(sensor, plan.brick.kind) }
+        turned(sensor.at, degrees) { drawSensor(sensor, plan.robot.brick.sensorCase) }
     }
 }
 
@@ -61,28 +57,8 @@ private fun RobotBrush.drawMotor(motor: MotorTop) {
     }
 }
 
-private fun RobotBrush.drawRcx(top: BrickTop, colour: RobotColour) {
-    plate(top.box, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
-    plate(top.display, RobotColours.GLASS, 0.2f, RobotColours.CHASSIS)
-    for ((place, button) in BrickTop.RCX_BUTTONS.zip(RobotColours.BUTTONS)) disc(top.point(place), 0.55f, button)
-    for (place in BrickTop.RCX_INPUTS) plate(top.rect(place), RobotColours.BUMPER, 0.15f)
-    for (place in BrickTop.RCX_OUTPUTS) plate(top.rect(place), RobotColours.CHASSIS, 0.15f)
-}
-
-/** A grey brick in a frame of the robot's colour. */
-private fun RobotBrush.drawNxt(top: BrickTop, colour: RobotColour) {
-    plate(top.box, RobotColours.brick(colour), 0.7f, RobotColours.edge(colour))
-    plate(top.rect(BrickTop.NXT_FACE), RobotColours.NXT_FACE, 0.5f, RobotColours.edge(colour))
-    plate(top.rect(BrickTop.NXT_FRAME), RobotColours.BUMPER_EDGE, 0.3f)
-    plate(top.display, RobotColours.GLASS, 0.15f)
-    plate(top.rect(BrickTop.NXT_ENTER), RobotColours.ORANGE, 0.2f)
-    for (place in BrickTop.NXT_ARROWS) disc(top.point(place), 0.6f, RobotColours.BUMPER)
-    plate(top.rect(BrickTop.NXT_ESCAPE), RobotColours.BUMPER_EDGE, 0.2f)
-    for (place in BrickTop.NXT_MOTORS + BrickTop.NXT_SENSORS) plate(top.rect(place), RobotColours.CHASSIS, 0.1f)
-}
-
 /** Around its place, looking ahead. */
-private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
+private fun RobotBrush.drawSensor(sensor: SensorTop, case: SensorCase) {
     val body = sensor.body
     when (sensor.kind) {
         SensorKind.ULTRASONIC -> {
@@ -135,11 +111,13 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, brick: BrickKind) {
         }
 
         else -> {
-            if (brick == BrickKind.RCX) {
-                plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
-            } else {
-                plate(body, RobotColours.NXT_GREY, 0.3f, RobotColours.CHASSIS_EDGE)
-                disc(Offset(0.2f, 0f), 0.32f, RobotColours.PEN_TIP_DOWN)
+            when (case) {
+                SensorCase.STUDDED -> plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
+
+                SensorCase.ROUNDED -> {
+                    plate(body, RobotColours.NXT_GREY, 0.3f, RobotColours.CHASSIS_EDGE)
+                    disc(Offset(0.2f, 0f), 0.32f, RobotColours.PEN_TIP_DOWN)
+                }
             }
         }
     }

@@ -2,7 +2,6 @@ package robotran.ui.sheet
 
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SonarDevice
-import robotran.nxt.state.NxtState
 import robotran.simulation.state.RobotSnapshot
 import robotran.world.Facing
 import robotran.world.Light
@@ -90,7 +89,7 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
 /** What the brick has heard from an ultrasonic sensor last; null if it was nothing. */
 private fun heard(part: SensorPart, snapshot: RobotSnapshot): Double? {
     val port = part.port ?: return null
-    val distance = (snapshot.brick as? NxtState)?.sensorPorts?.getOrNull(port - 1)?.distance ?: return null
+    val distance = snapshot.brick.inputs.getOrNull(port - 1)?.distance ?: return null
     return distance.toDouble().takeIf { it < SonarDevice.NOTHING }
 }
 

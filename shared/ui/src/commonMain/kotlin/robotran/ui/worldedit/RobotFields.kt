@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
 import robotran.ui.brick.nxt.words
 import robotran.ui.language.LocalLanguage
 import robotran.ui.language.spoken
@@ -26,6 +25,7 @@ import robotran.world.RobotPlacement
 import robotran.world.WorldLimits
 import robotran.world.messages.sentence
 import robotran.world.pluggedSensors
+import robotran.world.robot.BrickBuild
 import robotran.world.robot.robotErrors
 import robotran.world.withPlugged
 import robotran.worldediting.EditError
@@ -60,9 +60,10 @@ internal fun RobotFields(editor: EditorScope, ref: ElementRef, piece: Element.Of
             Wrong(RobotTexts.impossible(spoken, draft.title, error.sentence(LocalLanguage.current)))
         }
     }
-    when (robot.description.brick) {
-        BrickKind.RCX -> RcxFields(robot, atOnce)
-        BrickKind.NXT -> NxtParts(robot.description)
+    if (BrickBuild.of(robot.description.brick).hasShortForm) {
+        ShortForm(robot, atOnce)
+    } else {
+        Parts(robot.description)
     }
     NumberRow(
         WorldEditorTexts.beacon(spoken),
@@ -79,7 +80,7 @@ internal fun RobotFields(editor: EditorScope, ref: ElementRef, piece: Element.Of
 
 /** The direction of light sensors, and what is on the ports. */
 @Composable
-private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
+private fun ShortForm(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
     val facings = listOf(
         null to WorldEditorTexts.facingFree(spoken),
         LightFacing.DOWN to WorldEditorTexts.facingDown(spoken),
@@ -93,7 +94,7 @@ private fun RcxFields(robot: RobotPlacement, atOnce: (RobotPlacement) -> Unit) {
 
 /** What is on the ports, which a program has to name. */
 @Composable
-private fun NxtParts(description: RobotDescription) {
+private fun Parts(description: RobotDescription) {
     RowHeading(WorldEditorTexts.ports(spoken))
     for (port in 1..description.brick.inputPorts) {
         val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: WorldEditorTexts::nothing

@@ -8,19 +8,19 @@ import androidx.compose.ui.input.key.KeyShortcut
 import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
-import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
 import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
 import robotran.ui.language.spoken
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.ExportTexts
 import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NqcTexts
-import robotran.ui.texts.NxtTexts
+import robotran.ui.texts.OTHER_BRICKS
 import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.SchoolTexts
@@ -125,7 +125,9 @@ private fun MenuScope.FileItems(
     quit: () -> Unit,
 ) {
     Choice(DocumentTexts::new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
-    Choice(NxtTexts::documentsNewNxt) { onEvent(DocumentEvent.NewWithBrick(BrickKind.NXT)) }
+    for (brick in OTHER_BRICKS) {
+        Choice(BrickLabels.of(brick).newProject) { onEvent(DocumentEvent.NewWithBrick(brick)) }
+    }
     Choice(DocumentTexts::newWindow, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(DocumentTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }

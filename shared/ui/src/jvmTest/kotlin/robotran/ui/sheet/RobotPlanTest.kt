@@ -46,11 +46,11 @@ class RobotPlanTest {
     @Test
     fun `the upper end of a brick is ahead, or to the left of one that lies across`() {
         val along = RobotPlan(ReadyRobots.SUMO).brick
-        assertTrue(along.rect(BrickTop.NXT_MOTORS[1]).center.x > along.display.center.x)
+        assertTrue(along.rect(NxtLook.motorPorts[1]).center.x > along.display.center.x)
         val across = RobotPlan(ReadyRobots.NXT_PENBOT).brick
-        assertTrue(across.rect(BrickTop.NXT_MOTORS[1]).center.y < across.display.center.y)
+        assertTrue(across.rect(NxtLook.motorPorts[1]).center.y < across.display.center.y)
         val turned = RobotPlan(ReadyRobots.SUMO.copy(brickAt = BrickMount(Point(0.0, 0.0), turned = true))).brick
-        assertTrue(turned.rect(BrickTop.NXT_MOTORS[1]).center.x < turned.display.center.x)
+        assertTrue(turned.rect(NxtLook.motorPorts[1]).center.x < turned.display.center.x)
     }
 
     @Test

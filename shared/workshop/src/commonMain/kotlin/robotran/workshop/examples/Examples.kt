@@ -1,10 +1,11 @@
 package robotran.workshop.examples
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 
-/** The built-in example programs in this language for an RCX, text by name. */
-val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.RCX)
+/** The built-in example programs in this language for the [BrickKind.DEFAULT], text by name. */
+val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.DEFAULT)
 
 /**
  * The built-in example programs in this language for a [brick], text by name. Those in Robolang are for every one; what
@@ -20,17 +21,13 @@ private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> =
         }
     },
     ProgramLanguage.JAVA to { brick ->
-        when (brick) {
-            BrickKind.RCX -> lejosExampleTexts
-            BrickKind.NXT -> nxjExampleTexts
+        when (brick.java) {
+            JavaPlatform.LEJOS -> lejosExampleTexts
+            JavaPlatform.NXJ -> nxjExampleTexts
+            null -> emptyMap()
         }
     },
-    ProgramLanguage.NQC to { brick ->
-        when (brick) {
-            BrickKind.RCX -> nqcExampleTexts
-            BrickKind.NXT -> emptyMap()
-        }
-    },
+    ProgramLanguage.NQC to { brick -> if (brick.hasLegoFirmware) nqcExampleTexts else emptyMap() },
 )
 
 /**

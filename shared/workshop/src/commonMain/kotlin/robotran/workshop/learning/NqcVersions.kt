@@ -1,6 +1,5 @@
 package robotran.workshop.learning
 
-import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
@@ -54,7 +53,7 @@ internal class NqcVersions {
 
     private fun translation(task: Lesson, file: SourceFile, name: String): Program? {
         val written = Program.of(file.name, file.text)
-        if (task.brick != BrickKind.RCX || language !in written.language.support.translations(task.brick)) return null
+        if (language !in written.language.support.translations(task.brick)) return null
         val compiled = compiler.compileNow(written) as? ProgramResult.Ready ?: return null
         return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
             ?.let { Program.of(name, it.text) }

@@ -148,7 +148,13 @@ internal class TutorialController(
         progress.programs[step.savedName]?.let { SourceFile(step.program.name, it) } ?: step.program
 
     /** The name under which the pupil's version of the program is saved: ports differ between bricks. */
-    private val Lesson.savedName: String get() = if (brick == BrickKind.NXT) "nxt/$name" else name
+    private val Lesson.savedName: String get() = if (brick ==
+        BrickKind.DEFAULT
+    ) {
+        name
+    } else {
+        "${brick.name.lowercase()}/$name"
+    }
 }
 
 /** The same with the solution in the editor if [shown]. */

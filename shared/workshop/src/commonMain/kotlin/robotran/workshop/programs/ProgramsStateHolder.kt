@@ -4,6 +4,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -305,7 +306,7 @@ class ProgramsStateHolder(
     /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */
     internal suspend fun loadHelp() {
         val needsIt = robots.any { robot ->
-            robot.brick == BrickKind.NXT && robot.list.programs.any { it.language.support.hasSlowCompiler }
+            robot.brick.java == JavaPlatform.NXJ && robot.list.programs.any { it.language.support.hasSlowCompiler }
         }
         if (needsIt) nxjSources()
     }

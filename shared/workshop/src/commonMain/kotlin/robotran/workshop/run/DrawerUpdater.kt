@@ -99,7 +99,7 @@ internal class DrawerUpdater {
 
     private fun updateVariables(player: RunPlayer): VariablesState {
         val threads = player.session.threads
-        val firmware = player.session.firmwareState as? FirmwareState
+        val firmware = player.session.firmwareState() as? FirmwareState
         val datalog = firmware?.datalog.orEmpty()
         val names = firmware?.variableNames.orEmpty()
         val current = threads.find { it.isCurrent } ?: threads.firstOrNull()

@@ -5,7 +5,6 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import robotran.brick.controls.BrickButton
-import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
 import robotran.language.Language

@@ -1,7 +1,7 @@
 package robotran.workshop.run
 
 import robotran.language.Language
-import robotran.nxt.state.NxtState
+import robotran.nxt.storage.HasFlash
 import robotran.nxt.storage.NxtFile
 import robotran.programs.Program
 import robotran.runcontrol.PlaybackState
@@ -150,7 +150,7 @@ internal class WatchedRun(
     fun keepFiles(): Boolean {
         if (player.isInPast || player.playback is PlaybackState.Seeking) return false
         return world.robots.zip(player.state.robots).map { (robot, state) ->
-            val files = (state.brick as? NxtState)?.files
+            val files = (state.brick as? HasFlash)?.files
             files != null && programs.keepFiles(robot.name, files)
         }.any { it }
     }

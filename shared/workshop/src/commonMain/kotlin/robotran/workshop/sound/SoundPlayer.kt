@@ -20,7 +20,7 @@ internal class SoundPlayer(private val speaker: LoudSpeaker) {
     fun listenTo(track: SoundTrack, brick: BrickKind) {
         if (this.track != null) speaker.silence()
         this.track = track
-        plan = SoundPlan(speaker, isSoft = brick == BrickKind.NXT)
+        plan = SoundPlan(speaker, isSoft = brick.hasSoftSound)
         heard = 0L
     }
 

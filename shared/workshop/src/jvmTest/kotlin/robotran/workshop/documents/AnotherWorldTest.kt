@@ -1,7 +1,6 @@
 package robotran.workshop.documents
 
 import kotlinx.coroutines.runBlocking
-import robotran.brick.controls.startButton
 import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.learning.Lessons

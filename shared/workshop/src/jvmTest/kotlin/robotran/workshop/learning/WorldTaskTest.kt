@@ -2,7 +2,6 @@ package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
 import robotran.blockediting.palette.Palette
-import robotran.brick.controls.startButton
 import robotran.language.ProgramLanguage
 import robotran.learning.HintStage
 import robotran.learning.WorldGallery

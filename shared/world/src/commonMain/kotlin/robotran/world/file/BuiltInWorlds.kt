@@ -18,14 +18,12 @@ object BuiltInWorlds {
         }
     }
 
-    /** The same sheet with the penbot of an NXT. */
-    private val plainWithNxt: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
-        plain.copy(robots = plain.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) })
+    private val plainByBrick: Map<BrickKind, World> by lazy(LazyThreadSafetyMode.PUBLICATION) {
+        BrickKind.entries.associateWith { brick ->
+            plain.copy(robots = plain.robots.map { it.copy(description = ReadyRobots.defaultOf(brick)) })
+        }
     }
 
     /** The default world for programs for a brick of this kind: the empty sheet with the penbot that has one. */
-    fun plainFor(brick: BrickKind): World = when (brick) {
-        BrickKind.RCX -> plain
-        BrickKind.NXT -> plainWithNxt
-    }
+    fun plainFor(brick: BrickKind): World = if (brick == BrickKind.DEFAULT) plain else plainByBrick.getValue(brick)
 }

@@ -1,6 +1,5 @@
 package robotran.world.robot
 
-import robotran.brick.kind.BrickKind
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 import kotlin.math.abs
@@ -33,21 +32,16 @@ val RobotDescription.brickSeat: BrickSeat
     get() {
         val at = brickAt.at
         val turned = if (brickAt.turned) HALF_TURN else 0
-        val (width, length) = if (brick == BrickKind.RCX) RCX_WIDTH to RCX_LENGTH else NXT_WIDTH to NXT_LENGTH
-        val along = BrickSeat(at, turned, width, length)
+        val build = BrickBuild.of(brick)
+        val width = build.seatWidth
+        val along = BrickSeat(at, turned, width, build.seatLength)
         val isOverPen = pen != null &&
             abs(at.x) < along.halfAlong + PEN_ROOM && abs(at.y) < along.halfAcross + PEN_ROOM
         if (!isOverPen) return along
-        return BrickSeat(Point(maxOf(at.x, PEN_ROOM + width / 2), at.y), HALF_TURN / 2 + turned, width, length)
+        return along.copy(middle = Point(maxOf(at.x, PEN_ROOM + width / 2), at.y), upperEnd = HALF_TURN / 2 + turned)
     }
 
 private const val HALF_TURN = 180
-
-/** Of the 6.4 by 11.2 cm of an RCX and the 7.2 by 11.2 cm of an NXT. */
-private const val RCX_WIDTH = 6.1
-private const val RCX_LENGTH = 9.8
-private const val NXT_WIDTH = 6.6
-private const val NXT_LENGTH = 10.2
 
 /** Around the tip of the pen, for its clip. */
 private const val PEN_ROOM = 1.5

@@ -1,6 +1,5 @@
 package robotran.world.robot
 
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.world.BumperPart
 import robotran.world.Facing
@@ -13,12 +12,6 @@ import robotran.world.geometry.Outline
 import robotran.world.geometry.Point
 import robotran.world.geometry.length
 import kotlin.math.floor
-
-/** What a brick can read. */
-internal fun readable(brick: BrickKind): Set<SensorKind> = when (brick) {
-    BrickKind.RCX -> setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION)
-    BrickKind.NXT -> SensorKind.entries.toSet()
-}
 
 /** Where a sensor looks, as a direction on the robot; 0 if it looks down or may be turned. */
 internal val SensorPart.towards: Double get() = (facing as? Facing.Ahead)?.direction ?: 0.0
@@ -69,7 +62,7 @@ private fun turretErrors(robot: RobotDescription, number: Int, part: SensorPart)
     val motor = part.turret ?: return emptyList()
     val byPen = robot.pen?.motor == motor
     return listOfNotNull(
-        RobotError.NoTurret(number, robot.brick).takeIf { robot.brick == BrickKind.RCX },
+        RobotError.NoTurret(number, robot.brick).takeIf { !robot.brick.hasMotorCounters },
         RobotError.TurretMotorTaken(number, motor, byPen)
             .takeIf { byPen || motor == robot.drive.left || motor == robot.drive.right },
     )

@@ -1,6 +1,5 @@
 package robotran.world.robot
 
-import robotran.brick.kind.BrickKind
 import robotran.world.BumperPart
 import robotran.world.RobotDescription
 import robotran.world.RobotLimits
@@ -115,14 +114,15 @@ private fun balanceErrors(robot: RobotDescription): List<RobotError> {
 }
 
 private fun plugErrors(robot: RobotDescription): List<RobotError> {
-    val atMost = if (robot.brick == BrickKind.RCX) 2 else 1
     return robot.parts.mapIndexedNotNull { number, part ->
         val port = part.port ?: return@mapIndexedNotNull null
         val before = robot.parts.take(number).filter { it.port == port }
         when {
             port !in 1..robot.brick.inputPorts -> RobotError.NoSuchPort(number, robot.brick, port)
-            part.kind !in readable(robot.brick) -> RobotError.UnreadableSensor(number, robot.brick, part.kind)
-            before.size >= atMost || before.any { it.isSameThing(part) } -> RobotError.PortTaken(number, port)
+            part.kind !in robot.brick.sensors -> RobotError.UnreadableSensor(number, robot.brick, part.kind)
+            before.size >= robot.brick.sensorsOnPort || before.any {
+                it.isSameThing(part)
+            } -> RobotError.PortTaken(number, port)
             else -> null
         }
     }

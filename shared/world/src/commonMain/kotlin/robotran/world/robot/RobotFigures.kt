@@ -1,9 +1,7 @@
 package robotran.world.robot
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.json.nearestDecimal
-import robotran.world.NxtMotorFigures
 import robotran.world.Penbot
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -16,7 +14,7 @@ import kotlin.math.PI
  *
  * @property wheelTrack between the middles of the tyres.
  * @property topSpeed of a tyre at full power, with fresh batteries and without load.
- * @property calibratedSpeed of a tyre at [Penbot.CALIBRATED_POWER]; on an NXT, at which a pilot drives by itself.
+ * @property calibratedSpeed of a tyre at [Penbot.CALIBRATED_POWER]; with motors that count, at which a pilot drives by itself.
  * @property motorLag time constant with which a motor starts and brakes.
  * @property stallForce at the tyre that stalls a motor at full power.
  * @property unfeltLoad a load below this is ignored.
@@ -80,41 +78,23 @@ class RobotFigures internal constructor(
         internal fun computed(robot: RobotDescription): RobotFigures {
             val drive = robot.drive
             val chassis = robot.chassis
-            val isRcx = robot.brick == BrickKind.RCX
+            val motor = BrickBuild.of(robot.brick).motor
             val circumference = PI * drive.wheelDiameter
             val width = maxOf(drive.track + drive.wheelWidth, chassis.outline.across)
             val length = chassis.outline.along
-            val top = if (isRcx) {
-                Penbot.MOTOR_NO_LOAD_SPEED / drive.gear / SECONDS_PER_MINUTE * circumference
-            } else {
-                NxtMotorFigures.FREE_SPEED / drive.gear / FULL_TURN * circumference
-            }
-            val calibrated = if (isRcx) {
-                top * (Penbot.CALIBRATED_SPEED / Penbot.TOP_SPEED)
-            } else {
-                NxtMotorFigures.PILOT_SPEED / drive.gear / FULL_TURN * circumference
-            }
-            val radius = drive.wheelDiameter / 2
+            val calibrated = motor.calibratedSpeed(drive, circumference)
             val pace = nearestDecimal(MILLISECONDS_PER_SECOND / calibrated)
             return RobotFigures(
                 wheelTrack = drive.track,
                 wheelDiameter = drive.wheelDiameter,
                 wheelCircumference = circumference,
                 wheelWidth = drive.wheelWidth,
-                topSpeed = top,
+                topSpeed = motor.topSpeed(drive, circumference),
                 calibratedSpeed = calibrated,
-                motorLag = if (isRcx) Penbot.MOTOR_LAG else NxtMotorFigures.LAG,
-                stallForce = if (isRcx) {
-                    RCX_STALL_TORQUE * drive.gear * RCX_GEAR_EFFICIENCY / radius * NEWTON
-                } else {
-                    NxtMotorFigures.STALL_TORQUE * drive.gear * NxtMotorFigures.GEAR_EFFICIENCY / radius * NEWTON
-                },
+                motorLag = motor.lag,
+                stallForce = motor.stallForce(drive),
                 unfeltLoad = Penbot.UNFELT_LOAD * (chassis.mass / Penbot.MASS),
-                rollingDeceleration = if (isRcx) {
-                    Penbot.ROLLING_DECELERATION
-                } else {
-                    NxtMotorFigures.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
-                },
+                rollingDeceleration = motor.rollingDeceleration(drive, circumference),
                 mass = chassis.mass,
                 massX = chassis.massAt.x,
                 massY = chassis.massAt.y,
@@ -134,13 +114,6 @@ class RobotFigures internal constructor(
             return weight * (1.0 - mass / caster.x) / 2.0
         }
 
-        /** At 9 V in N cm, and the part of it that the gears leave. */
-        private const val RCX_STALL_TORQUE = 6.0
-        private const val RCX_GEAR_EFFICIENCY = 0.85
-
-        /** In kg cm/s2. */
-        private const val NEWTON = 100.0
-        private const val SECONDS_PER_MINUTE = 60.0
         private const val MILLISECONDS_PER_SECOND = 1000.0
         private const val FULL_TURN = 360.0
 

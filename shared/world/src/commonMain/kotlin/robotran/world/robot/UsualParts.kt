@@ -1,6 +1,5 @@
 package robotran.world.robot
 
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.world.BumperPart
 import robotran.world.BumperSide
@@ -17,7 +16,7 @@ import robotran.world.withPlugged
 
 /**
  * A part of this kind for [port], in its usual place on this robot: a bumper on the left for port 1, on the right for
- * the last port of an RCX and port 2 of an NXT, and otherwise all across; a light or colour sensor that looks down in
+ * the [BrickBuild.rightBumperPort], and otherwise all across; a light or colour sensor that looks down in
  * front, a sonar ahead.
  */
 fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
@@ -51,9 +50,9 @@ fun RobotDescription.partFor(kind: SensorKind, port: Int): RobotPart {
  * in nowhere, or a new one. A penbot gets its own sensors, and both bumpers on port 2.
  */
 fun RobotDescription.withSensor(kind: SensorKind, port: Int): RobotDescription {
-    if (brick == BrickKind.RCX) {
+    if (BrickBuild.of(brick).hasShortForm) {
         val wanted = pluggedSensors.mapIndexed { index, plugged ->
-            if (index == port - 1) penbotSensors(kind, port) else plugged
+            if (index == port - 1) penbotSensors(kind, sideOf(port)) else plugged
         }
         if (wanted.getOrNull(port - 1)?.isNotEmpty() == true) return withPlugged(wanted)
     }
@@ -69,12 +68,12 @@ fun RobotDescription.withSensor(kind: SensorKind, port: Int): RobotDescription {
 }
 
 /** Empty for what no penbot has. */
-private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when (kind) {
+private fun penbotSensors(kind: SensorKind, side: BumperSide?): List<PortSensor> = when (kind) {
     SensorKind.TOUCH -> {
-        when (port) {
-            1 -> listOf(PortSensor.LEFT_BUMPER)
-            BrickKind.RCX.inputPorts -> listOf(PortSensor.RIGHT_BUMPER)
-            else -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
+        when (side) {
+            BumperSide.LEFT -> listOf(PortSensor.LEFT_BUMPER)
+            BumperSide.RIGHT -> listOf(PortSensor.RIGHT_BUMPER)
+            null -> listOf(PortSensor.LEFT_BUMPER, PortSensor.RIGHT_BUMPER)
         }
     }
 
@@ -82,7 +81,7 @@ private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when 
     SensorKind.LIGHT -> listOf(PortSensor.LIGHT)
 
     SensorKind.ROTATION -> {
-        listOf(if (port == BrickKind.RCX.inputPorts) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
+        listOf(if (side == BumperSide.RIGHT) PortSensor.RIGHT_ROTATION else PortSensor.LEFT_ROTATION)
     }
 
     else -> emptyList()
@@ -91,7 +90,7 @@ private fun penbotSensors(kind: SensorKind, port: Int): List<PortSensor> = when 
 /** null for a port between. */
 private fun RobotDescription.sideOf(port: Int): BumperSide? = when {
     port == 1 -> BumperSide.LEFT
-    port == (if (brick == BrickKind.RCX) brick.inputPorts else 2) -> BumperSide.RIGHT
+    port == BrickBuild.of(brick).rightBumperPort -> BumperSide.RIGHT
     else -> null
 }
 

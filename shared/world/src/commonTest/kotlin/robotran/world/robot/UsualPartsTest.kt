@@ -29,7 +29,7 @@ class UsualPartsTest {
     @Test
     fun `what a brick can read can be plugged into every port of every ready robot`() {
         for ((name, robot) in ReadyRobots.all) {
-            for (kind in readable(robot.brick)) {
+            for (kind in robot.brick.sensors) {
                 for (port in 1..robot.brick.inputPorts) {
                     val plugged = robot.withSensor(kind, port)
                     assertEquals(emptyList(), robotErrors(plugged), "$kind on $port of $name")

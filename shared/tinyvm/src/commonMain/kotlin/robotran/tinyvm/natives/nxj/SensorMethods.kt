@@ -1,6 +1,7 @@
 package robotran.tinyvm.natives.nxj
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.I2cStatus
 import robotran.nxt.program.NxtCall
@@ -15,7 +16,7 @@ import robotran.tinyvm.run.VmThread
 import robotran.tinyvm.run.brick
 
 private const val PORT = "lejos/nxt/SensorPort"
-private val PORTS = 0 until BrickKind.NXT.inputPorts
+private val PORTS = 0 until BrickKind.with(JavaPlatform.NXJ).inputPorts
 private const val MOST_ANALOG = 1023
 private const val COLOURS = 4
 

@@ -139,7 +139,7 @@ private fun look(button: BrickButton): NxtButtonLook = when (button) {
     BrickButton.LEFT -> NxtButtonLook(NxtTexts::left, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = -1f)
     BrickButton.RIGHT -> NxtButtonLook(NxtTexts::right, NxtColours.ARROW, NxtColours.ON_ARROW, arrow = 1f)
     BrickButton.ESCAPE -> NxtButtonLook(NxtTexts::escape, NxtColours.ESCAPE, NxtColours.ON_ESCAPE, "ESCAPE")
-    BrickButton.ON_OFF, BrickButton.VIEW, BrickButton.PRGM, BrickButton.RUN -> error("An NXT has no $button.")
+    else -> error("An NXT has no $button.")
 }
 
 /** In units of the [NxtPlan]. */

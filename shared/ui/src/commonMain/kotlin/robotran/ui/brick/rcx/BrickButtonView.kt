@@ -105,5 +105,5 @@ private fun look(button: BrickButton): ButtonLook = when (button) {
 
     BrickButton.PRGM -> ButtonLook(ScreenTexts::buttonPrgm, BrickColours.PRGM, BrickColours.LABEL)
     BrickButton.RUN -> ButtonLook(ScreenTexts::buttonRun, RobotranColours.RUN_GREEN, RobotranColours.ON_COLOUR)
-    BrickButton.ENTER, BrickButton.LEFT, BrickButton.RIGHT, BrickButton.ESCAPE -> error("An RCX has no $button.")
+    else -> error("An RCX has no $button.")
 }

@@ -22,7 +22,6 @@ import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.runComposeUiTest
 import androidx.compose.ui.unit.dp
-import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.nxt.state.NxtState
@@ -130,7 +129,7 @@ class NxtFrontTest {
 
     @Test
     fun `buttons are held until the finger leaves, and large enough for it`() = show {
-        for (button in BrickButton.of(BrickKind.NXT)) {
+        for (button in BrickKind.NXT.buttons) {
             val node = onNodeWithTag("brick-${button.name.lowercase()}")
             node.assertWidthIsAtLeast(48.dp).assertHeightIsAtLeast(48.dp)
             heard.clear()

@@ -1,0 +1,82 @@
+package robotran.scene3d.model
+
+import robotran.brick.kind.BrickKind
+import robotran.world.RobotPlacement
+
+/** A brick of this [kind] around the origin, its upper end at larger y. */
+internal fun brickBody(
+    kind: BrickKind,
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body = when (kind) {
+    BrickKind.RCX -> rcxBody(build, palette, round, halfWidth, halfLength)
+    BrickKind.NXT -> nxtBody(build, palette, round, halfWidth, halfLength)
+}
+
+/** An RCX with its display and buttons, without the details of the penbot's. */
+private fun rcxBody(
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body {
+    val colour = palette.brick(build.colour)
+    val top = RobotPlan3D.BRICK_TOP
+    val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+    return prism(
+        outline,
+        RobotPlan3D.CHASSIS_TOP,
+        top,
+        colour,
+        topDecals = listOf(
+            Round.plate(-1.05, -1.55, 1.05, 1.55, top, palette.chassis),
+            Round.plate(-0.85, -1.3, 0.85, 1.3, top, palette.glass),
+        ) + listOf(-1.7 to 0.85, -1.7 to -0.85, 1.7 to 0.85, 1.7 to -0.85).zip(palette.buttons) { (x, y), button ->
+            round.disc(x, y, top, 0.42, button)
+        },
+    )
+}
+
+/**
+ * An NXT around the origin, its upper end at larger y: a light face with its display, buttons and ports in a frame of
+ * the robot's colour.
+ */
+private fun nxtBody(
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body {
+    val colour = palette.brick(build.colour)
+    val top = RobotPlan3D.BRICK_TOP
+    val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+    // The parts of the face keep their proportions on a face that is less long.
+    val scale = halfLength / NXT_HALF_LENGTH
+
+    fun plate(left: Double, lower: Double, right: Double, upper: Double, colour: Int) =
+        Round.plate(left, lower * scale, right, upper * scale, top, colour)
+    val ports = listOf(-1.75, 0.0, 1.75).map { plate(it - 0.5, 4.0, it + 0.5, 4.65, palette.chassis) } +
+        listOf(-2.0, -0.67, 0.67, 2.0).map { plate(it - 0.45, -4.65, it + 0.45, -4.0, palette.chassis) }
+    return prism(
+        outline,
+        RobotPlan3D.CHASSIS_TOP,
+        top,
+        colour,
+        topDecals = listOf(
+            plate(-2.75, -4.75, 2.75, 4.75, palette.nxtFace),
+            plate(-2.4, 0.55, 2.4, 3.75, palette.bumperEdge),
+            plate(-2.05, 0.9, 2.05, 3.4, palette.glass),
+            plate(-0.75, -1.5, 0.75, 0.0, palette.orange),
+            round.disc(-1.65, -0.75 * scale, top, 0.55, palette.bumper),
+            round.disc(1.65, -0.75 * scale, top, 0.55, palette.bumper),
+            plate(-1.3, -2.75, 1.3, -1.85, palette.bumperEdge),
+        ) + ports,
+    )
+}
+
+private const val NXT_HALF_LENGTH = 5.1

@@ -1,0 +1,104 @@
+package robotran.world.robot
+
+import robotran.brick.kind.BrickKind
+import robotran.world.Drive
+import robotran.world.NxtMotorFigures
+import robotran.world.Penbot
+
+/**
+ * How robots are built around a kind of brick.
+ *
+ * @property seatWidth what the brick covers in pictures from its left to its right, in centimetres.
+ * @property seatLength the same from its upper to its lower end.
+ * @property rightBumperPort the port on which a bumper is usually the right one; on port 1 it is the left one.
+ * @property hasShortForm whether its penbot is described by what is on each port, see
+ * [PortSensor][robotran.world.PortSensor].
+ */
+class BrickBuild internal constructor(
+    internal val seatWidth: Double,
+    internal val seatLength: Double,
+    internal val rightBumperPort: Int,
+    val hasShortForm: Boolean,
+    internal val motor: DriveMotor,
+) {
+    companion object {
+        /** 6.4 by 11.2 cm, a little smaller in pictures. */
+        private val RCX = BrickBuild(
+            seatWidth = 6.1,
+            seatLength = 9.8,
+            rightBumperPort = 3,
+            hasShortForm = true,
+            RcxMotor,
+        )
+
+        /** 7.2 by 11.2 cm, a little smaller in pictures. */
+        private val NXT = BrickBuild(
+            seatWidth = 6.6,
+            seatLength = 10.2,
+            rightBumperPort = 2,
+            hasShortForm = false,
+            NxtMotor,
+        )
+
+        fun of(brick: BrickKind): BrickBuild = when (brick) {
+            BrickKind.RCX -> RCX
+            BrickKind.NXT -> NXT
+        }
+    }
+}
+
+/** The motor of a drive wheel. Units are those of [RobotFigures]. */
+internal interface DriveMotor {
+    val lag: Double
+
+    fun topSpeed(drive: Drive, circumference: Double): Double
+
+    /** At which timed statements drive; on a brick with counters, at which a pilot drives by itself. */
+    fun calibratedSpeed(drive: Drive, circumference: Double): Double
+
+    fun stallForce(drive: Drive): Double
+
+    fun rollingDeceleration(drive: Drive, circumference: Double): Double
+}
+
+private object RcxMotor : DriveMotor {
+    /** At 9 V in N cm, and the part of it that the gears leave. */
+    private const val STALL_TORQUE = 6.0
+    private const val GEAR_EFFICIENCY = 0.85
+
+    private const val SECONDS_PER_MINUTE = 60.0
+
+    override val lag = Penbot.MOTOR_LAG
+
+    override fun topSpeed(drive: Drive, circumference: Double) =
+        Penbot.MOTOR_NO_LOAD_SPEED / drive.gear / SECONDS_PER_MINUTE * circumference
+
+    override fun calibratedSpeed(drive: Drive, circumference: Double) =
+        topSpeed(drive, circumference) * (Penbot.CALIBRATED_SPEED / Penbot.TOP_SPEED)
+
+    override fun stallForce(drive: Drive) =
+        STALL_TORQUE * drive.gear * GEAR_EFFICIENCY / (drive.wheelDiameter / 2) * NEWTON
+
+    override fun rollingDeceleration(drive: Drive, circumference: Double) = Penbot.ROLLING_DECELERATION
+}
+
+private object NxtMotor : DriveMotor {
+    private const val FULL_TURN = 360.0
+
+    override val lag = NxtMotorFigures.LAG
+
+    override fun topSpeed(drive: Drive, circumference: Double) =
+        NxtMotorFigures.FREE_SPEED / drive.gear / FULL_TURN * circumference
+
+    override fun calibratedSpeed(drive: Drive, circumference: Double) =
+        NxtMotorFigures.PILOT_SPEED / drive.gear / FULL_TURN * circumference
+
+    override fun stallForce(drive: Drive) = NxtMotorFigures.STALL_TORQUE * drive.gear *
+        NxtMotorFigures.GEAR_EFFICIENCY / (drive.wheelDiameter / 2) * NEWTON
+
+    override fun rollingDeceleration(drive: Drive, circumference: Double) =
+        NxtMotorFigures.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
+}
+
+/** In kg cm/s2. */
+private const val NEWTON = 100.0
