@@ -18,7 +18,7 @@ import java.io.File
 
 /**
  * Fails if a module has an import that the module map in `docs/architecture.md` does not allow, is missing on the map,
- * or has cyclic package dependencies.
+ * has cyclic package dependencies, or names a constant that only registries may name.
  */
 @CacheableTask
 abstract class CheckModuleMap : DefaultTask() {

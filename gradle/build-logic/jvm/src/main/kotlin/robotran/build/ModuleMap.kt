@@ -17,8 +17,25 @@ data class MappedModule(
     val presentation: Boolean = false,
 )
 
-/** The module map in `docs/architecture.md`. The document is its only source. */
-class ModuleMap(val modules: List<MappedModule>) {
+/**
+ * A type whose constants only registries may name, so that a new one is one registration.
+ *
+ * @property type its simple name, such as `ProgramLanguage`.
+ * @property registries the folders and files that may, relative to the root.
+ */
+data class RegisteredType(val type: String, val registries: List<String>) {
+    private val constant = Regex("""\b$type\.[A-Z]""")
+
+    /** The constant in [file] that should not be there, in a sentence; null if there is none. */
+    fun violation(file: SourceFile): String? {
+        val isRegistry = registries.any { file.path == it || file.path.startsWith("$it/") }
+        if (file.isTest || isRegistry || !constant.containsMatchIn(file.text)) return null
+        return "${file.path}: names a constant of $type, which is for the registries in the map alone"
+    }
+}
+
+/** The module map in `docs/architecture.md`, and the table of registries below it. The document is its only source. */
+class ModuleMap(val modules: List<MappedModule>, private val registered: List<RegisteredType> = emptyList()) {
     private val byFolder = modules.associateBy { it.folder }
 
     /**
@@ -44,7 +61,7 @@ class ModuleMap(val modules: List<MappedModule>) {
                 !name.startsWith(STATE)
         }
             .map { "${file.path}: imports $it, which a presentation module must not know" }
-        return wrongPackage + foreign + impure + drawn
+        return wrongPackage + foreign + impure + drawn + registered.mapNotNull { it.violation(file) }
     }
 
     private fun owner(name: String): MappedModule? =
@@ -100,12 +117,12 @@ class ModuleMap(val modules: List<MappedModule>) {
         private val DRAWING = listOf("androidx.", "org.jetbrains.compose.")
         private const val STATE = "androidx.compose.runtime."
 
-        /** Parses the table with the header `| module | package |`; each later row is a module. */
+        /**
+         * Parses the table with the header `| module | package |`, each row of which is a module, and the one with the
+         * header `| constants of | only in |`, each row of which is a [RegisteredType].
+         */
         fun parse(document: String): ModuleMap {
-            val rows =
-                document.lines().dropWhile {
-                    !it.startsWith("| module | package |")
-                }.drop(2).takeWhile { it.startsWith("|") }
+            val rows = rowsBelow("| module | package |", document)
             require(rows.isNotEmpty()) { "no module map: a table with the header | module | package | .. is missing" }
             val modules =
                 rows.map { row ->
@@ -122,8 +139,15 @@ class ModuleMap(val modules: List<MappedModule>) {
             modules.flatMap { it.uses }.filter { used -> modules.none { it.folder == used } }.let { unknown ->
                 require(unknown.isEmpty()) { "the module map names modules it has no row for: $unknown" }
             }
-            return ModuleMap(modules)
+            val registered = rowsBelow("| constants of |", document).map { row ->
+                val cells = row.trim('|').split("|")
+                RegisteredType(code(cells[0]).single(), code(cells[1]))
+            }
+            return ModuleMap(modules, registered)
         }
+
+        private fun rowsBelow(header: String, document: String): List<String> =
+            document.lines().dropWhile { !it.startsWith(header) }.drop(2).takeWhile { it.startsWith("|") }
 
         private fun code(cell: String): List<String> = Regex("`([^`]+)`").findAll(cell).map {
             it.groupValues[1]
@@ -135,7 +159,7 @@ class ModuleMap(val modules: List<MappedModule>) {
 }
 
 /** The parts of a Kotlin or Java file that the check needs. */
-class SourceFile(val path: String, text: String) {
+class SourceFile(val path: String, val text: String) {
     /** Whether it belongs to a test source set. */
     val isTest: Boolean = Regex("/src/([a-z][A-Za-z]*)?[tT]est/").containsMatchIn(path)
     val packageName: String = PACKAGE.find(text)?.groupValues?.get(1) ?: ""

@@ -16,6 +16,10 @@ class ModuleMapTest {
             | `shared/world` | `robotran.world` | the world | `shared/rom` | core |
             | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
 
+            | constants of | only in |
+            |---|---|
+            | `Kind` | `shared/rom/src/commonMain/kotlin/rom`, `app/src/commonMain/kotlin/Kinds.kt` |
+
             More words.
             """.trimIndent(),
         )
@@ -62,6 +66,24 @@ class ModuleMapTest {
         val text = "package robotran.rom\n\n" + imports.joinToString("") { "import $it\n" }
         assertEquals(3, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", text).size)
         assertEquals(0, violations("shared/rom", "src/jvmTest/kotlin/BrickTest.kt", text).size)
+    }
+
+    @Test
+    fun `constants of a registered type stand in registries and tests alone`() {
+        fun found(folder: String, path: String) =
+            violations(folder, path, "package robotran.${folder.substringAfterLast('/')}\n\nval kind = Kind.RCX\n")
+        assertEquals(
+            listOf(
+                "app/src/commonMain/kotlin/Menu.kt: names a constant of Kind, which is for the registries in the map " +
+                    "alone",
+            ),
+            found("app", "src/commonMain/kotlin/Menu.kt"),
+        )
+        assertEquals(emptyList(), found("app", "src/commonMain/kotlin/Kinds.kt"))
+        assertEquals(emptyList(), found("shared/rom", "src/commonMain/kotlin/rom/Rom.kt"))
+        assertEquals(emptyList(), found("app", "src/commonTest/kotlin/MenuTest.kt"))
+        val others = "package robotran.app\n\nval all = Kind.entries + OtherKind.RCX\n"
+        assertEquals(emptyList(), violations("app", "src/commonMain/kotlin/Menu.kt", others))
     }
 
     @Test
