@@ -44,7 +44,7 @@ internal fun openPageInterface(workshop: Workshop, scope: CoroutineScope) = publ
 private suspend fun runOf(program: String, milliseconds: Int, name: String, brick: String?): JsAny? {
     val source = Program.of(name, program)
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
-    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.DEFAULT)
+    val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.default)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
         is RobotLoads.HasErrors -> {
             refusal(

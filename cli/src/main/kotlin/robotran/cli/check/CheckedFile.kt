@@ -173,7 +173,7 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
 
 /** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with the default one. */
 private fun ProgramCompiler.forBrickOf(source: ProgramSource, brick: BrickKind?): ProgramCompiler =
-    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.DEFAULT).penbotTarget)
+    forTarget((brick ?: likelyBrickOf(source) ?: BrickKind.default).penbotTarget)
 
 private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): Map<String, CheckedFile> {
     val language = compiler.language

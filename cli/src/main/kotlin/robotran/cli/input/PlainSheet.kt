@@ -8,4 +8,4 @@ import robotran.world.file.BuiltInWorlds
 
 /** The empty sheet with a penbot for [programs]; it has the brick of the first one that names a brick. */
 internal fun plainSheetFor(programs: List<NamedProgram>): World =
-    BuiltInWorlds.plainFor(programs.firstNotNullOfOrNull { likelyBrickOf(it.source) } ?: BrickKind.DEFAULT)
+    BuiltInWorlds.plainFor(programs.firstNotNullOfOrNull { likelyBrickOf(it.source) } ?: BrickKind.default)

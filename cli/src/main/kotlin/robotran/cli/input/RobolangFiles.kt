@@ -51,7 +51,7 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                 val result = compileRobolang(
                     Path(file.name).name,
                     file.text,
-                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.DEFAULT).penbotTarget,
+                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.default).penbotTarget,
                     RobolangMessages.of(language),
                 )
             ) {

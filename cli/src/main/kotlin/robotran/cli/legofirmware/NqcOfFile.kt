@@ -35,7 +35,7 @@ internal sealed interface NqcOfFile {
 
 /** Translates the Robolang program [name]. */
 internal fun nqcOf(name: String, language: Language): NqcOfFile =
-    when (val file = readRobolangFile(name, language, BrickKind.OF_LEGO_FIRMWARE)) {
+    when (val file = readRobolangFile(name, language, BrickKind.ofLegoFirmware)) {
         is RobolangFile.Unreadable -> NqcOfFile.Failed(listOf(file.reason), ExitCode.BAD_INPUT)
 
         is RobolangFile.HasErrors -> {

@@ -100,7 +100,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
                 is ProgramFiles.Read -> read.programs.single().also { read.remarks.forEach(console::complain) }
                 is ProgramFiles.Rejected -> return refuse(read.reason)
             }
-        val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.DEFAULT
+        val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.default
         val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
             is Reading.HasErrors -> {

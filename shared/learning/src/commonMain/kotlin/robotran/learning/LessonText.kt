@@ -30,7 +30,7 @@ data class LessonText(
             val parts = sections(sections(file).single().body, "## ")
             val harder = parts.filter { it.heading.startsWith(HARDER) }[index]
             val (task, nudge, part, solution) = paragraphsFor(inBlocks, paragraphs(harder.body))
-            return of(file, inBlocks, BrickKind.DEFAULT).copy(
+            return of(file, inBlocks, BrickKind.default).copy(
                 title = harder.heading.removePrefix(HARDER),
                 task = task,
                 nudge = nudge,

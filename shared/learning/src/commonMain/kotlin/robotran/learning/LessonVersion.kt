@@ -12,14 +12,14 @@ import robotran.world.World
 /** What a lesson has for one kind of brick. */
 internal class LessonVersion(val brick: BrickKind, val program: SourceFile, val solution: SourceFile, val world: World)
 
-/** The lesson in [files] as it is written: for a robot with the [BrickKind.DEFAULT]. */
+/** The lesson in [files] as it is written: for a robot with the [BrickKind.default]. */
 internal fun plainVersion(files: Map<String, String>): LessonVersion {
     val programs = files.filterKeys { file ->
         isProgram(file) && BrickKind.entries.none { file.startsWith(prefixFor(it)) }
     }
     val program = programs.entries.single { !it.key.startsWith(SOLUTION) }
     return LessonVersion(
-        BrickKind.DEFAULT,
+        BrickKind.default,
         SourceFile(program.key, program.value),
         SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
         worldOf(files.getValue(WORLD)),
@@ -45,7 +45,7 @@ internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<Strin
 }
 
 private fun onPenbot(brick: BrickKind, file: SourceFile): String {
-    val usual = lightPortOf(BrickKind.DEFAULT)
+    val usual = lightPortOf(BrickKind.default)
     val other = lightPortOf(brick) ?: usual
     return file.text.replace("light sensor on $usual", "light sensor on $other")
 }

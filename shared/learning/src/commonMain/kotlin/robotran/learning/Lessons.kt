@@ -10,7 +10,7 @@ import robotran.world.file.readWorld
 /**
  * The lessons. Each folder in `learning/lessons` is a strand, each folder in it a lesson, in the order of their names.
  * A lesson holds a text for each language, such as `text.en.md`, the world `world.world.json`, the program, and
- * `solution` with the program's extension. Its robot has the [BrickKind.DEFAULT]. The same lesson with another brick has the penbot
+ * `solution` with the program's extension. Its robot has the [BrickKind.default]. The same lesson with another brick has the penbot
  * of that; see [versionFor].
  */
 object Lessons {
@@ -41,10 +41,10 @@ object Lessons {
 
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
         val plain by lazy { plainVersion(files) }
-        val others = (BrickKind.entries - BrickKind.DEFAULT).associateWith { brick ->
+        val others = (BrickKind.entries - BrickKind.default).associateWith { brick ->
             lazy { lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
         }
-        return lesson(folder, BrickKind.DEFAULT, files, { plain }, others)
+        return lesson(folder, BrickKind.default, files, { plain }, others)
     }
 
     private fun lesson(

@@ -36,7 +36,7 @@ internal class WorldFolder(
             { plainWorld ->
                 start?.let {
                     lesson("world/$name", it, SOLUTION, plainWorld) { language, inBlocks ->
-                        LessonText.of(textIn(language), inBlocks, BrickKind.DEFAULT)
+                        LessonText.of(textIn(language), inBlocks, BrickKind.default)
                     }
                 }
             },

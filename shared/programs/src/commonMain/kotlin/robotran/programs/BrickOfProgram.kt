@@ -5,7 +5,7 @@ import robotran.brick.kind.BrickKind
 /** The kind of brick that this program is for; null if it does not tell, or names several. */
 fun brickOf(program: ProgramSource): BrickKind? = when (program) {
     is ProgramSource.CompiledClasses -> brickOfClasses(program.classFiles.values)
-    is ProgramSource.FirmwareImage -> BrickKind.OF_LEGO_FIRMWARE
+    is ProgramSource.FirmwareImage -> BrickKind.ofLegoFirmware
     else -> program.language?.support?.files?.brickOf(program.files)
 }
 

@@ -1,6 +1,5 @@
 package robotran.programs
 
-import kotlin.coroutines.cancellation.CancellationException
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.javacompiler.CompilerNotLoadedException
@@ -12,6 +11,7 @@ import robotran.robolang.robot.RobotTarget
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
+import kotlin.coroutines.cancellation.CancellationException
 
 /**
  * Compiles a pupil's program, in any language, to a program for the robot's brick. It loads the Java compiler and the

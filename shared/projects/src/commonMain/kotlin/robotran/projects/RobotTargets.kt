@@ -30,8 +30,8 @@ val RobotDescription.target: RobotTarget
         )
     }
 
-/** What the compiler must know of the penbot with the [BrickKind.DEFAULT]. */
-val PENBOT_TARGET: RobotTarget = BrickKind.DEFAULT.penbotTarget
+/** What the compiler must know of the penbot with the [BrickKind.default]. */
+val PENBOT_TARGET: RobotTarget = BrickKind.default.penbotTarget
 
 /** What the compiler must know of the penbot with a brick of this kind. */
 val BrickKind.penbotTarget: RobotTarget

@@ -25,8 +25,8 @@ object Palette {
         }
     }
 
-    /** All blocks for a robot with the [BrickKind.DEFAULT], as [blocksFor] has them. */
-    val blocks: List<PaletteBlock> get() = blocksFor(BrickKind.DEFAULT)
+    /** All blocks for a robot with the [BrickKind.default], as [blocksFor] has them. */
+    val blocks: List<PaletteBlock> get() = blocksFor(BrickKind.default)
 
     /**
      * All blocks for a robot with [brick], by group; in a group lines come before values. In [BlockGroup.SENSE] what

@@ -103,10 +103,10 @@ enum class BrickKind(
          * The brick where none is named: of a new project, of a robot in a file that names none, and of a program that
          * runs on any. File formats mean it, so it stays.
          */
-        val DEFAULT: BrickKind = RCX
+        val default: BrickKind = RCX
 
         /** The brick that runs programs for LEGO's own firmware. */
-        val OF_LEGO_FIRMWARE: BrickKind = entries.single { it.hasLegoFirmware }
+        val ofLegoFirmware: BrickKind = entries.single { it.hasLegoFirmware }
 
         /** The brick with this [java]. */
         fun with(java: JavaPlatform): BrickKind = entries.single { it.java == java }

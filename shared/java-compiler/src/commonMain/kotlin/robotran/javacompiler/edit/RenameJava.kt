@@ -9,7 +9,7 @@ import robotran.languagesupport.TextLines
 internal fun renamedInJava(source: String, old: String, new: String): String {
     val lines = TextLines(source)
     // On any brick the name of a class counts like any other.
-    val tokens = CodeTokens(lines, JavaSyntax, BrickKind.DEFAULT)
+    val tokens = CodeTokens(lines, JavaSyntax, BrickKind.default)
     val result = StringBuilder()
     for (line in 0..<lines.count) {
         if (line > 0) result.append('\n')

@@ -1,5 +1,6 @@
 package robotran.javacompiler.support
 
+import robotran.brick.kind.BrickKind
 import robotran.javacompiler.edit.JavaSyntax
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.CodeSyntax
@@ -13,6 +14,7 @@ object JavaSupport : LanguageSupport {
     override val code: CodeSyntax = JavaSyntax
     override val files: ProgramFiles = JavaFiles
     override val measure: ProgramMeasure = JavaMeasure
+    override val bricks = BrickKind.entries.filter { it.java != null }.toSet()
     override val hasSlowCompiler = true
     override val namesFileOfLines = true
 }

@@ -15,7 +15,7 @@ object LasmSupport : LanguageSupport {
     override val code: CodeSyntax = LasmSyntax
     override val files: ProgramFiles = LasmFiles
     override val measure: ProgramMeasure = LasmMeasure
-    override val bricks = setOf(BrickKind.OF_LEGO_FIRMWARE)
+    override val bricks = setOf(BrickKind.ofLegoFirmware)
     override val isForLegoFirmware = true
     override val isForExperts = true
 }
@@ -23,7 +23,7 @@ object LasmSupport : LanguageSupport {
 private object LasmFiles : ProgramFiles(ProgramLanguage.LASM) {
     override fun newProgram(name: String, brick: BrickKind): String = FIRST
 
-    override fun brickOf(files: List<SourceFile>): BrickKind = BrickKind.OF_LEGO_FIRMWARE
+    override fun brickOf(files: List<SourceFile>): BrickKind = BrickKind.ofLegoFirmware
 
     /** Drives for one second. */
     private val FIRST = listOf(

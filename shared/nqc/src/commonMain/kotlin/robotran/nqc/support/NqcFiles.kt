@@ -30,7 +30,7 @@ internal object NqcFiles : ProgramFiles(ProgramLanguage.NQC) {
         Regex("(?m)^([ \\t]*#[ \\t]*include[ \\t]+\")" + Regex.escape(old) + "\"")
             .replace(text) { "${it.groupValues[1]}$new\"" }
 
-    override fun brickOf(files: List<SourceFile>): BrickKind = BrickKind.OF_LEGO_FIRMWARE
+    override fun brickOf(files: List<SourceFile>): BrickKind = BrickKind.ofLegoFirmware
 
     private const val HEADER = ".nqh"
 

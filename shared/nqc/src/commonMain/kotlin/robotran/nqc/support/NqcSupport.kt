@@ -16,7 +16,7 @@ object NqcSupport : LanguageSupport {
     override val code: CodeSyntax = NqcSyntax
     override val files: ProgramFiles = NqcFiles
     override val measure: ProgramMeasure = NqcMeasure
-    override val bricks = setOf(BrickKind.OF_LEGO_FIRMWARE)
+    override val bricks = setOf(BrickKind.ofLegoFirmware)
     override val isForLegoFirmware = true
 
     override fun translations(brick: BrickKind): List<ProgramLanguage> = listOf(ProgramLanguage.LASM)

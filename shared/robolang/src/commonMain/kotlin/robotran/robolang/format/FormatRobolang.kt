@@ -32,7 +32,7 @@ fun formatRobolang(source: String, messages: RobolangMessages = RobolangMessages
         return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
     }
     val lines = scan(source, diagnostics)
-    diagnostics.brick = brickIn(lines) ?: BrickKind.DEFAULT
+    diagnostics.brick = brickIn(lines) ?: BrickKind.default
     val parsed = Parser(lines, diagnostics).program()
     return if (diagnostics.isEmpty) {
         FormatResult.Formatted(layout(parsed))

@@ -28,7 +28,7 @@ fun outlineRobolang(
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
     val lines = scan(source, diagnostics)
-    diagnostics.brick = brickIn(lines) ?: BrickKind.DEFAULT
+    diagnostics.brick = brickIn(lines) ?: BrickKind.default
     val parsed = Parser(lines, diagnostics).program()
     val offsets = LineOffsets(source, parsed.lines)
     return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) {

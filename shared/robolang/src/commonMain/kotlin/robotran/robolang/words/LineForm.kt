@@ -93,7 +93,7 @@ enum class LineForm(
         BlockGroup.SENSE,
         isOpener = true,
         isOutermost = true,
-        otherExample = { if (it == BrickKind.DEFAULT) null else block("robot", "  ${brickSetting(it)}") },
+        otherExample = { if (it == BrickKind.default) null else block("robot", "  ${brickSetting(it)}") },
     ),
     LIGHT_SENSOR(
         "light sensor on 2 facing down",

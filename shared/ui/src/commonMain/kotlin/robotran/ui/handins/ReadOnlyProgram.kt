@@ -118,7 +118,7 @@ private fun barColour(colours: RobotranColours): Color = colours.onPane
 
 private fun coloured(text: String, language: ProgramLanguage, colours: CodeColours): List<AnnotatedString> {
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, language.support.code, BrickKind.DEFAULT)
+    val tokens = CodeTokens(lines, language.support.code, BrickKind.default)
     return (0..<minOf(lines.count, MAX_LINES)).map { index ->
         buildAnnotatedString {
             append(lines.line(index))

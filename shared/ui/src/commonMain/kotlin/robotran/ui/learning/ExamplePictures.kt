@@ -32,7 +32,7 @@ internal object ExamplePictures : CardPictures<String> {
     override suspend fun of(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap {
         val id = twinOf(subject) ?: subject
         val (set, name) = ExampleSet.find(id) ?: (ExampleSet.ROBOLANG to id)
-        val brick = set.brick ?: BrickKind.DEFAULT
+        val brick = set.brick ?: BrickKind.default
         return pictures.of(id, BuiltInWorlds.plainFor(brick), colours, room) {
             listOfNotNull(programOf(set, name, brick)).map { RobotLoad(listOf(it)) }
         }

@@ -78,7 +78,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
     }
     items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
         ExampleCard(name, set.idOf(name), aboutExample(set, name, spoken)) {
-            onEvent(LearningEvent.ExampleChosen(set.language, name, set.brick ?: BrickKind.DEFAULT))
+            onEvent(LearningEvent.ExampleChosen(set.language, name, set.brick ?: BrickKind.default))
         }
     }
 }

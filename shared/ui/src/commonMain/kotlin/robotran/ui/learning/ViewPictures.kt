@@ -94,7 +94,7 @@ internal fun TextPicture() {
 
 private fun coloured(line: String, colours: CodeColours): AnnotatedString = buildAnnotatedString {
     append(line)
-    for (token in blockLanguage.support.code.tokens(line, startsInComment = false, BrickKind.DEFAULT).tokens) {
+    for (token in blockLanguage.support.code.tokens(line, startsInComment = false, BrickKind.default).tokens) {
         addStyle(SpanStyle(color = colours.of(token.kind)), token.start, token.end)
     }
 }

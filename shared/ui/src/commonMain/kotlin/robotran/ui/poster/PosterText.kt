@@ -13,7 +13,7 @@ import robotran.ui.theme.RobotranColours
 internal fun codeLines(program: Program): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->
     val text = file.text.trimEnd()
     val lines = TextLines(text)
-    val tokens = CodeTokens(lines, program.language.support.code, BrickKind.DEFAULT)
+    val tokens = CodeTokens(lines, program.language.support.code, BrickKind.default)
     val heading = if (program.files.size == 1) emptyList() else headingOf(file.name, isFirst = index == 0)
     heading + (0..<lines.count).map { line -> runsOf(lines.line(line), tokens, line) }
 }

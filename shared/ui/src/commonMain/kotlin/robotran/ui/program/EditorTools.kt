@@ -19,8 +19,8 @@ import robotran.ui.language.spoken
 import robotran.ui.parts.RoundButton
 import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
-import robotran.ui.texts.BrickLabels
 import robotran.ui.programlanguages.translationTexts
+import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.EditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours

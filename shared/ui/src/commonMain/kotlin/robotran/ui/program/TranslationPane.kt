@@ -143,7 +143,7 @@ private fun TranslatedText(
     val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
     val language = translation.language
     val brick = remember(draft) {
-        language.support.code.brickOf(draft.lines) ?: BrickKind.DEFAULT
+        language.support.code.brickOf(draft.lines) ?: BrickKind.default
     }
     val layouts = rememberLineLayouts(language, brick, codeSize)
     val pieces = remember(draft) { CodeTokens(draft.lines, language.support.code, brick) }

@@ -25,11 +25,11 @@ internal enum class ExampleSet(
 ) {
     ROBOLANG(ProgramLanguage.ROBOLANG, null, ScreenTexts::programExamplesRobolang),
     LEJOS(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.LEJOS), ScreenTexts::programExamplesJava, "_java"),
-    NQC(ProgramLanguage.NQC, BrickKind.OF_LEGO_FIRMWARE, NqcTexts::programExamplesNqc, "_nqc"),
+    NQC(ProgramLanguage.NQC, BrickKind.ofLegoFirmware, NqcTexts::programExamplesNqc, "_nqc"),
     NXJ(ProgramLanguage.JAVA, BrickKind.with(JavaPlatform.NXJ), NxtTexts::programExamplesNxj, "_nxj", "nxj/"),
     ;
 
-    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.DEFAULT)
+    val programs: Map<String, String> get() = language.examplesFor(brick ?: BrickKind.default)
 
     /** What tells the example [name] from those of the other sets. */
     fun idOf(name: String): String = folder + name

@@ -55,4 +55,4 @@ internal class BrickLabels private constructor(
 }
 
 /** The bricks with which a project can begin instead of the default one. */
-internal val OTHER_BRICKS: List<BrickKind> = BrickKind.entries - BrickKind.DEFAULT
+internal val OTHER_BRICKS: List<BrickKind> = BrickKind.entries - BrickKind.default

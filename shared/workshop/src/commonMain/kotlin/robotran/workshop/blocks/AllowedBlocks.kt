@@ -25,7 +25,7 @@ private val WORDS: Map<BlockGroup, Set<String>> by lazy {
     // Nothing is allowed, so that all words of a block are forbidden.
     val nothing = Assignment("", words = listOf(""))
     BlockGroup.entries.associateWith { group ->
-        forbiddenWords(nothing, Palette.blocksOf(group, BrickKind.DEFAULT).map(::programOf)).toSet()
+        forbiddenWords(nothing, Palette.blocksOf(group, BrickKind.default).map(::programOf)).toSet()
     }
 }
 

@@ -87,7 +87,7 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> beginNew(BrickKind.DEFAULT)
+            DocumentEvent.NewRequested -> beginNew(BrickKind.default)
             is DocumentEvent.NewWithBrick -> beginNew(event.brick)
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }

@@ -4,8 +4,8 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 
-/** The built-in example programs in this language for the [BrickKind.DEFAULT], text by name. */
-val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.DEFAULT)
+/** The built-in example programs in this language for the [BrickKind.default], text by name. */
+val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.default)
 
 /**
  * The built-in example programs in this language for a [brick], text by name. Those in Robolang are for every one; what

@@ -367,4 +367,4 @@ class LearningStateHolder(
 
 /** Before [LearningStateHolder.start] knows better. */
 private val BEFORE_START =
-    LearningState(Language.ENGLISH, HelpState(ProgramLanguage.default, word = null, found = null, BrickKind.DEFAULT))
+    LearningState(Language.ENGLISH, HelpState(ProgramLanguage.default, word = null, found = null, BrickKind.default))

@@ -149,7 +149,7 @@ internal class TutorialController(
 
     /** The name under which the pupil's version of the program is saved: ports differ between bricks. */
     private val Lesson.savedName: String get() = if (brick ==
-        BrickKind.DEFAULT
+        BrickKind.default
     ) {
         name
     } else {

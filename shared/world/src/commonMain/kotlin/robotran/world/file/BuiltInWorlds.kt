@@ -25,5 +25,5 @@ object BuiltInWorlds {
     }
 
     /** The default world for programs for a brick of this kind: the empty sheet with the penbot that has one. */
-    fun plainFor(brick: BrickKind): World = if (brick == BrickKind.DEFAULT) plain else plainByBrick.getValue(brick)
+    fun plainFor(brick: BrickKind): World = if (brick == BrickKind.default) plain else plainByBrick.getValue(brick)
 }

@@ -33,7 +33,7 @@ import robotran.world.roundToThousandths
  */
 internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = false): RobotDescription {
     val base = cursor.optional("like")?.let(::readyRobot)
-    val brick = cursor.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.DEFAULT
+    val brick = cursor.optional("brick")?.choice(BRICKS) ?: base?.brick ?: BrickKind.default
     val like = base ?: ReadyRobots.defaultOf(brick)
     val robot = RobotDescription(
         title = cursor.member("title").text(RobotLimits.MAXIMUM_TITLE_CHARACTERS),

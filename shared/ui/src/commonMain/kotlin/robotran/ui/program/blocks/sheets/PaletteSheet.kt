@@ -233,7 +233,7 @@ private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: Bri
 }
 
 private val HELP =
-    PaletteHelp { word, language -> WordHelp.of(language, blockLanguage, word, BrickKind.DEFAULT)?.sentence }
+    PaletteHelp { word, language -> WordHelp.of(language, blockLanguage, word, BrickKind.default)?.sentence }
 
 private const val CARRIED_FROM = 0.2f
 
