@@ -47,7 +47,7 @@ internal fun parseIntent(intent: Intent): IncomingIntent = when (intent.action) 
     else -> IncomingIntent()
 }
 
-private fun isGiven(place: Uri) = place.scheme == ContentResolver.SCHEME_CONTENT
+private fun isGiven(uri: Uri) = uri.scheme == ContentResolver.SCHEME_CONTENT
 
 /** The first link in a message; all of [text] if it has none. */
 private fun linkIn(text: String): String = text.split(' ', '\n', '\t', '\r').firstOrNull(::isLink) ?: text

@@ -56,7 +56,7 @@ internal class RunPersistence(private val file: File) {
     private fun Project.withoutRun() = copy(robots = robots.map { it.copy(firstProgram = 0) }, inputs = emptyList())
 
     private fun read(): Project? = try {
-        (readProject(file.readBytes(), Language.ENGLISH) as? ProjectFileResult.Loaded)?.project
+        (readProject(file.readBytes(), Language.ENGLISH) as? ProjectFileResult.Success)?.project
     } catch (_: IOException) {
         null
     }

@@ -30,12 +30,12 @@ class OpeningTest {
     @get:Rule
     val app = TestedApp()
 
-    private val place: Uri = Uri.parse("content://files.example/document/wave.robo")
+    private val uri: Uri = Uri.parse("content://files.example/document/wave.robo")
 
     @Test
     fun `a program that a file manager opens is in a tab`() {
         offer("pen down\nforward 3\n")
-        app.open(intent = viewing(place))
+        app.open(intent = viewing(uri))
         app.settle()
         assertTrue(app.workshop.state.programs.programs.any { it.files.single().text == "pen down\nforward 3\n" })
     }
@@ -44,14 +44,14 @@ class OpeningTest {
     fun `a program comes while the app is open, too`() {
         app.open()
         offer("beep\n")
-        app.receive(viewing(place))
+        app.receive(viewing(uri))
         assertTrue(app.workshop.state.programs.programs.any { it.files.single().text == "beep\n" })
     }
 
     @Test
     fun `what was opened once is not opened again from the list of apps`() {
         offer("beep\n")
-        app.open(intent = viewing(place).addFlags(Intent.FLAG_ACTIVITY_LAUNCHED_FROM_HISTORY))
+        app.open(intent = viewing(uri).addFlags(Intent.FLAG_ACTIVITY_LAUNCHED_FROM_HISTORY))
         app.settle()
         assertTrue(app.workshop.state.programs.programs.none { it.files.single().text == "beep\n" })
     }
@@ -59,7 +59,7 @@ class OpeningTest {
     @Test
     fun `what was opened once is not opened again when the process comes back`() {
         offer("beep\n")
-        app.open(intent = viewing(place), saved = Bundle())
+        app.open(intent = viewing(uri), saved = Bundle())
         app.settle()
         assertTrue(app.workshop.state.programs.programs.none { it.files.single().text == "beep\n" })
     }
@@ -119,18 +119,18 @@ class OpeningTest {
     }
 
     private fun refusing(stream: () -> InputStream) {
-        shadowOf(RuntimeEnvironment.getApplication().contentResolver).registerInputStreamSupplier(place, stream)
+        shadowOf(RuntimeEnvironment.getApplication().contentResolver).registerInputStreamSupplier(uri, stream)
         app.open()
-        app.receive(viewing(place))
+        app.receive(viewing(uri))
         assertNull(app.workshop.state.document.dialog)
-        val notice = app.workshop.state.notice as Notice.ForeignError
+        val notice = app.workshop.state.notice as Notice.ExternalError
         assertTrue(notice.sentence, "wave.robo cannot be read" in notice.sentence)
     }
 
-    private fun offer(text: String, at: Uri = place) {
+    private fun offer(text: String, at: Uri = uri) {
         val resolver = shadowOf(RuntimeEnvironment.getApplication().contentResolver)
         resolver.registerInputStreamSupplier(at) { ByteArrayInputStream(text.toByteArray()) }
     }
 
-    private fun viewing(place: Uri) = Intent(Intent.ACTION_VIEW).setDataAndType(place, "application/octet-stream")
+    private fun viewing(uri: Uri) = Intent(Intent.ACTION_VIEW).setDataAndType(uri, "application/octet-stream")
 }

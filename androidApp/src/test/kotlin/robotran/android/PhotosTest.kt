@@ -120,9 +120,9 @@ class PhotosTest {
         app.waitUntil("The picture is not looked at") { !page.isScanning }
     }
 
-    private fun write(place: Uri, picture: Bitmap) {
-        assertEquals("${context.packageName}.photos", place.authority)
-        checkNotNull(context.contentResolver.openOutputStream(place)).use {
+    private fun write(uri: Uri, picture: Bitmap) {
+        assertEquals("${context.packageName}.photos", uri.authority)
+        checkNotNull(context.contentResolver.openOutputStream(uri)).use {
             picture.compress(Bitmap.CompressFormat.JPEG, 90, it)
         }
     }

@@ -86,7 +86,7 @@ class WorkshopViewModelTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
         endTheProcess()
-        assertTrue(readProject(file.readBytes(), Language.ENGLISH) is ProjectFileResult.Loaded)
+        assertTrue(readProject(file.readBytes(), Language.ENGLISH) is ProjectFileResult.Success)
         assertEquals("the run before", before.readText())
     }
 

@@ -1,5 +1,6 @@
 package robotran.benchmarks
 
+import kotlin.time.DurationUnit
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockPlace
@@ -7,19 +8,20 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.BlockRun
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
-import kotlin.time.DurationUnit
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 
 /** The time to read a long program as blocks. */
 internal suspend fun blocksTime(): Figure {
     val program = longProgram()
-    return milliseconds(program) { blocksOf(program.text) }
+    return milliseconds(program) { blocksOf(program.text, messages = RobolangMessages.of(Language.ENGLISH)) }
 }
 
 /** The time to move a block in a long program. */
 internal suspend fun blockEditTime(): Figure {
     val program = longProgram()
     val edit = BlockEdit.Move(BlockRun(program.blocks.last().id), BlockPlace(parent = null, slot = 0, index = 1))
-    return milliseconds(program) { check(apply(program, edit) is BlockEditResult.Done) }
+    return milliseconds(program) { check(apply(program, edit) is BlockEditResult.Success) }
 }
 
 private fun milliseconds(program: BlockProgram, work: () -> Unit): Figure {
@@ -27,7 +29,7 @@ private fun milliseconds(program: BlockProgram, work: () -> Unit): Figure {
     return Figure(time, "ms", "${program.outline.lines.size} lines, ${program.all.size} blocks")
 }
 
-private fun longProgram(): BlockProgram = blocksOf(programOfLines(LINES))
+private fun longProgram(): BlockProgram = blocksOf(programOfLines(LINES), messages = RobolangMessages.of(Language.ENGLISH))
 
 /** As long as a file may be that the editor of texts is measured with. */
 private const val LINES = 2_000

@@ -1,19 +1,21 @@
 package robotran.benchmarks
 
+import kotlin.time.Duration
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.lejoslibrary.LejosLibrary
-import kotlin.time.Duration
-import kotlin.time.DurationUnit
-import kotlin.time.TimeSource
 
 /** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
 internal suspend fun compileTime(): Figure {
     val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
     val begun = TimeSource.Monotonic.markNow()
-    val compiler = loadJavaCompiler()
+    val compiler = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH))
     val loaded = begun.elapsedNow()
     compile(compiler, javaPrograms.entries.first(), library)
     val first = begun.elapsedNow()
@@ -26,7 +28,7 @@ internal suspend fun compileTime(): Figure {
 
 private fun compile(compiler: JavaCompiler, program: Map.Entry<String, String>, library: Map<String, ByteArray>) {
     val result = compiler.compile(listOf(JavaSource(program.key, program.value)), library)
-    check(result is CompilationResult.Compiled) { "${program.key} does not compile." }
+    check(result is CompilationResult.Success) { "${program.key} does not compile." }
 }
 
 private fun milliseconds(time: Duration): String = "${rounded(time.toDouble(DurationUnit.MILLISECONDS))} ms"

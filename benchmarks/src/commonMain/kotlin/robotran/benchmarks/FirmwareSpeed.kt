@@ -36,7 +36,7 @@ internal suspend fun nqcLineFollowerSpeed(): Figure {
         readWorld(
             BuiltInWorlds.texts.getValue("line-loop.world.json"),
             Language.ENGLISH,
-        ) as WorldFileResult.Loaded
+        ) as WorldFileResult.Success
     ).world
     val program = nqcProgramOf(LINE_FOLLOWER_NQC, nqcPrograms.getValue(LINE_FOLLOWER_NQC))
     return realTime(running(program, world, loadPhysicsEngine()))
@@ -49,8 +49,8 @@ private suspend fun nqcProgramOf(name: String, source: String): RcxProgram = whe
         language = Language.ENGLISH,
     ).read(Program.of(name, source))
 ) {
-    is ProgramResult.Ready -> result.program as RcxProgram
-    is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
+    is ProgramResult.Success -> result.program as RcxProgram
+    is ProgramResult.Failure -> error(result.diagnostics.first().message)
 }
 
 private val MIXED_NQC =

@@ -16,6 +16,6 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             language = Language.ENGLISH,
         ).read(Program.of(name, source))
     ) {
-        is ProgramResult.Ready -> result.program as RcxProgram
-        is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
+        is ProgramResult.Success -> result.program as RcxProgram
+        is ProgramResult.Failure -> error(result.diagnostics.first().message)
     }

@@ -32,7 +32,7 @@ internal suspend fun nxjLineFollowerSpeed(): Figure {
         readWorld(
             BuiltInWorlds.texts.getValue("line-loop.world.json"),
             Language.ENGLISH,
-        ) as WorldFileResult.Loaded
+        ) as WorldFileResult.Success
     ).world
     val robots = world.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }
     val program = nxjProgramOf("LineFollower", LINE_FOLLOWER_NXJ)
@@ -63,8 +63,8 @@ private suspend fun nxjProgramOf(name: String, source: String, settings: JavaSet
     val target = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
     val program = Program.of("$name.java", source)
     return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).read(program)) {
-        is ProgramResult.Ready -> result.program as NxtProgram
-        is ProgramResult.HasErrors -> error(result.diagnostics.first().message)
+        is ProgramResult.Success -> result.program as NxtProgram
+        is ProgramResult.Failure -> error(result.diagnostics.first().message)
     }
 }
 

@@ -1,8 +1,10 @@
 package robotran.benchmarks
 
+import robotran.language.Language
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.RobolangLimits
 
@@ -22,7 +24,7 @@ internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
     val seconds = seconds {
-        told = (compileRobolang("mistakes", source, ANY_TARGET) as RobolangResult.HasErrors).diagnostics.size
+        told = (compileRobolang("mistakes", source, ANY_TARGET, messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Failure).diagnostics.size
     }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")
@@ -30,9 +32,9 @@ internal suspend fun mistakesTime(): Figure {
 
 /** The valid program [source]. */
 internal fun programOf(source: String, target: RobotTarget = ANY_TARGET): RobolangProgram =
-    when (val result = compileRobolang("benchmark", source, target)) {
-        is RobolangResult.Ready -> result.program
-        is RobolangResult.HasErrors -> error(result.diagnostics.first().message)
+    when (val result = compileRobolang("benchmark", source, target, messages = RobolangMessages.of(Language.ENGLISH))) {
+        is RobolangResult.Success -> result.program
+        is RobolangResult.Failure -> error(result.diagnostics.first().message)
     }
 
 /** A program with all language features of about [lines] lines. */

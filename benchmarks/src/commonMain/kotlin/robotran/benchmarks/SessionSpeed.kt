@@ -3,7 +3,7 @@ package robotran.benchmarks
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -85,7 +85,7 @@ internal fun running(program: BrickProgram, world: World, physics: PhysicsEngine
 private fun driveOnce(world: World, physics: PhysicsEngine) = runOnce(drivingProgram(), world, physics)
 
 private fun runOnce(program: BrickProgram, world: World, physics: PhysicsEngine) {
-    val session = Session(world, world.robots.map { RobotLoad(listOf(program)) }, physics, Language.ENGLISH)
+    val session = Session(world, world.robots.map { RobotProgramSet(listOf(program)) }, physics, Language.ENGLISH)
     session.pressRun()
     session.advance(VIRTUAL_TIME.inWholeMilliseconds.toInt())
     session.close()

@@ -11,7 +11,7 @@ import androidx.compose.ui.unit.Density
 import org.jetbrains.skiko.MainUIDispatcher
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
@@ -103,7 +103,7 @@ private class Screen(val workshop: Workshop) {
 private suspend fun onScreen(groups: Int, view: ProgramView, measure: (Screen) -> Figure): Figure {
     val workshop: Workshop = openWorkshop()
     val text = List(groups) { NESTED }.flatten().joinToString("\n", postfix = "\n")
-    workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(0), EditKind.OTHER))
+    workshop.handle(ProgramEvent.DraftChanged(TextDocument(text).withCaret(0), EditKind.OTHER))
     workshop.handle(BlockEvent.ViewChosen(view))
     val screen = Screen(workshop)
     repeat(SETTLING) { screen.frame() }

@@ -8,7 +8,7 @@ import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.unit.Density
 import org.jetbrains.skiko.MainUIDispatcher
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.RobotranApp
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.openWorkshop
@@ -41,7 +41,7 @@ private suspend fun keystrokes(lines: Int): List<Duration> {
             "forward ${line % EVERY}"
         }
     }
-    workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length / 2), EditKind.OTHER))
+    workshop.handle(ProgramEvent.DraftChanged(TextDocument(text).withCaret(text.length / 2), EditKind.OTHER))
     val scene =
         ImageComposeScene(SCREEN_WIDTH, SCREEN_HEIGHT, Density(1f), MainUIDispatcher) {
             RobotranApp(workshop, dark = false)

@@ -13,7 +13,7 @@ import robotran.programs.ProgramResult
 import robotran.projects.PENBOT_TARGET
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.picture.WorldFrames
@@ -31,10 +31,10 @@ internal suspend fun movingPictureTime(faster: Int): Figure {
         ProgramCompiler(
             PENBOT_TARGET,
             language = Language.ENGLISH,
-        ).read(source) as ProgramResult.Ready
+        ).read(source) as ProgramResult.Success
     ).program
     val world = BuiltInWorlds.plain
-    val player = RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
+    val player = RunPlayer(RunSetup(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
     player.apply(SessionInput.Press(BrickButton.RUN, 0))
     player.apply(SessionInput.Release(BrickButton.RUN, 0))
     player.pass(MINUTE)

@@ -42,8 +42,8 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
     private fun format(name: String): ExitCode {
         val isNqc = isNamed(name, NQC)
         return when (val file = if (isNqc) readTextFile(name, sentences) else readRobolangText(name, spoken.language)) {
-            is TextFile.Rejected -> refuse(file.reason)
-            is TextFile.Read -> if (isNqc) {
+            is TextFile.Failure -> refuse(file.reason)
+            is TextFile.Success -> if (isNqc) {
                 settle(
                     name,
                     file,
@@ -55,18 +55,18 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
         }
     }
 
-    private fun format(name: String, file: TextFile.Read): ExitCode =
+    private fun format(name: String, file: TextFile.Success): ExitCode =
         when (val result = formatRobolang(file.text, RobolangMessages.of(spoken.language))) {
-            is FormatResult.Formatted -> settle(name, file, result.text)
+            is FormatResult.Success -> settle(name, file, result.text)
 
-            is FormatResult.HasErrors -> {
+            is FormatResult.Failure -> {
                 result.diagnostics.forEach { console.complain(lineOf(name, it)) }
                 ExitCode.PROGRAM_FAILED
             }
         }
 
     /** A program in another encoding becomes one in UTF-8, which others can read, too. */
-    private fun settle(name: String, file: TextFile.Read, formatted: String): ExitCode {
+    private fun settle(name: String, file: TextFile.Success, formatted: String): ExitCode {
         val encoding = file.changes.firstNotNullOfOrNull { (it as? TextChange.Decoded)?.encoding?.ownName }
         if (file.text == formatted && encoding == null) return ExitCode.DONE
         if (onlyChecks) {

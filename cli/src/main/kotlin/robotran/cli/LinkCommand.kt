@@ -107,12 +107,12 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
     private fun compilePrograms(): Project? {
         val programs =
             when (val read = readProgramFiles(files, console.messages)) {
-                is ProgramFiles.Read -> {
+                is ProgramFiles.Success -> {
                     read.remarks.forEach(console::complain)
                     read.programs.map { it to programOf(it) }
                 }
 
-                is ProgramFiles.Rejected -> {
+                is ProgramFiles.Failure -> {
                     console.complain(read.reason)
                     return null
                 }

@@ -27,12 +27,12 @@ internal class RobotCommand(private val process: Console) : CoreCliktCommand("ro
     }
 
     private fun check(file: String): ExitCode = when (val read = readDescribedRobot(file, console)) {
-        is DescribedRobot.Read -> {
+        is DescribedRobot.Success -> {
             console.say(console.messages.robotIsFine(file, read.robot.title, read.robot.brick.label))
             ExitCode.DONE
         }
 
-        is DescribedRobot.Rejected -> {
+        is DescribedRobot.Failure -> {
             console.complain(read.reason)
             if (read.isReadable) ExitCode.PROGRAM_FAILED else ExitCode.BAD_INPUT
         }

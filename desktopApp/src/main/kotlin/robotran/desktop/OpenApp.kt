@@ -21,8 +21,8 @@ import java.nio.file.Path
 internal fun openApp(files: List<String>): ExitCode {
     val arrival =
         when (val read = readOpenRequest(files)) {
-            is OpenRequestResult.Read -> read.arrival
-            is OpenRequestResult.Rejected -> return refuse(read.reason, ExitCode.BAD_INPUT)
+            is OpenRequestResult.Success -> read.arrival
+            is OpenRequestResult.Failure -> return refuse(read.reason, ExitCode.BAD_INPUT)
         }
     if (!hasDisplay()) return refuse(NO_DISPLAY, ExitCode.NO_DISPLAY)
     showWindows(arrival)
@@ -32,30 +32,30 @@ internal fun openApp(files: List<String>): ExitCode {
 /** The result of reading the files named on the command line. */
 internal sealed interface OpenRequestResult {
     /** [arrival] is null if no file was named. */
-    data class Read(val arrival: OpenRequest?) : OpenRequestResult
+    data class Success(val arrival: OpenRequest?) : OpenRequestResult
 
-    data class Rejected(val reason: String) : OpenRequestResult
+    data class Failure(val reason: String) : OpenRequestResult
 }
 
 /** Reads the files [names]. The shell reports unreadable files; the window reports errors in their content. */
 internal fun readOpenRequest(names: List<String>): OpenRequestResult {
-    if (names.isEmpty()) return OpenRequestResult.Read(null)
-    names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Read(OpenRequest.OfLink(it)) }
+    if (names.isEmpty()) return OpenRequestResult.Success(null)
+    names.singleOrNull()?.takeIf(::isLink)?.let { return OpenRequestResult.Success(OpenRequest.OfLink(it)) }
     names.firstOrNull {
         it.endsWith(".class") || it.endsWith(".jar")
-    }?.let { return OpenRequestResult.Rejected(COMPILED.replace("NAME", it)) }
+    }?.let { return OpenRequestResult.Failure(COMPILED.replace("NAME", it)) }
     val opened =
         names.distinct().map { name ->
             val path =
                 try {
                     Path.of(name)
                 } catch (_: InvalidPathException) {
-                    return OpenRequestResult.Rejected(noFile(name, appLanguage(null)))
+                    return OpenRequestResult.Failure(noFile(name, appLanguage(null)))
                 }
             var error = ""
-            openedFile(path) { error = it } ?: return OpenRequestResult.Rejected(error)
+            openedFile(path) { error = it } ?: return OpenRequestResult.Failure(error)
         }
-    return OpenRequestResult.Read(OpenRequest.OfFiles(opened))
+    return OpenRequestResult.Success(OpenRequest.OfFiles(opened))
 }
 
 private fun refuse(message: String, status: ExitCode): ExitCode {

@@ -12,7 +12,7 @@ import robotran.programs.likelyBrickOf
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.forFirstRobot
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
@@ -46,7 +46,7 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
     val kind = BrickKind.entries.firstOrNull { it.name.equals(brick, ignoreCase = true) }
     val world = BuiltInWorlds.plainFor(kind ?: likelyBrickOf(source) ?: BrickKind.default)
     return when (val result = readRobotLoads(world, reader, world.forFirstRobot(listOf(source)))) {
-        is RobotLoads.HasErrors -> {
+        is RobotProgramSets.Failure -> {
             refusal(
                 result.diagnostics.first().let { diagnostic ->
                     diagnostic.range?.let { "Line ${it.line}: " }.orEmpty() +
@@ -55,19 +55,19 @@ private suspend fun runOf(program: String, milliseconds: Int, name: String, bric
             )
         }
 
-        is RobotLoads.Ready -> {
+        is RobotProgramSets.Success -> {
             val session = Session(world, result.loads, loadPhysicsEngine(), Language.ENGLISH)
             session.runUnattended(milliseconds)
             session.close()
-            runResult(session.report().toJson(), session.romLog.entries.joinToString("") { it.text + "\n" })
+            runResult(session.report().toJson(), session.callLog.entries.joinToString("") { it.text + "\n" })
         }
     }
 }
 
 private suspend fun projectRunOf(text: String, milliseconds: Int): JsAny? =
     when (val file = readProject(text, Language.ENGLISH)) {
-        is ProjectFileResult.Rejected -> refusal(file.message)
-        is ProjectFileResult.Loaded -> runOf(file.project, milliseconds)
+        is ProjectFileResult.Failure -> refusal(file.message)
+        is ProjectFileResult.Success -> runOf(file.project, milliseconds)
     }
 
 private suspend fun runOf(project: Project, milliseconds: Int): JsAny = when (
@@ -76,9 +76,9 @@ private suspend fun runOf(project: Project, milliseconds: Int): JsAny = when (
         ProgramCompiler(PENBOT_TARGET, project.settings.java, Language.ENGLISH),
     )
 ) {
-    is RobotLoads.HasErrors -> refusal(robots.diagnostics.first().message)
+    is RobotProgramSets.Failure -> refusal(robots.diagnostics.first().message)
 
-    is RobotLoads.Ready -> {
+    is RobotProgramSets.Success -> {
         val session = Session.replay(
             project.worldToRun,
             robots.loads,
@@ -89,14 +89,14 @@ private suspend fun runOf(project: Project, milliseconds: Int): JsAny = when (
         )
         session.finish()
         session.close()
-        runResult(session.report().toJson(), romLog = "")
+        runResult(session.report().toJson(), callLog = "")
     }
 }
 
 /** A promise rejected with an error that scripts can read. To them a Kotlin exception is an opaque object. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
-private fun runResult(report: String, romLog: String): JsAny = js("({ report, romLog })")
+private fun runResult(report: String, callLog: String): JsAny = js("({ report, romLog })")
 
 private fun publish(
     report: () -> String,

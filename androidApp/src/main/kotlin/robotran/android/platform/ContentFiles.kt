@@ -15,59 +15,59 @@ import java.io.InputStream
 
 /** Files at content URIs. Handles all exceptions of other apps' providers. */
 internal class ContentFiles(private val resolver: ContentResolver) {
-    /** The file at [place]; null if it cannot be read or exceeds the size limit. */
-    suspend fun read(place: Uri): OpenedFile? = withContext(Dispatchers.IO) {
-        keepAccess(place)
-        bytesAt(place)?.let { OpenedFile(nameOf(place), it, place.toString()) }
+    /** The file at [uri]; null if it cannot be read or exceeds the size limit. */
+    suspend fun read(uri: Uri): OpenedFile? = withContext(Dispatchers.IO) {
+        keepAccess(uri)
+        bytesAt(uri)?.let { OpenedFile(nameOf(uri), it, uri.toString()) }
     }
 
-    suspend fun bytes(place: Uri): ByteArray? = withContext(Dispatchers.IO) { bytesAt(place) }
+    suspend fun bytes(uri: Uri): ByteArray? = withContext(Dispatchers.IO) { bytesAt(uri) }
 
-    /** The display name of the file at [place]. */
-    suspend fun name(place: Uri): String = withContext(Dispatchers.IO) { nameOf(place) }
+    /** The display name of the file at [uri]. */
+    suspend fun name(uri: Uri): String = withContext(Dispatchers.IO) { nameOf(uri) }
 
-    /** Writes [bytes] to the file at [place]. On failure restores the previous content. */
-    suspend fun write(place: Uri, name: String, bytes: ByteArray): Saving = withContext(Dispatchers.IO) {
-        val before = bytesAt(place)
-        val problem = guarded { put(place, bytes) }
+    /** Writes [bytes] to the file at [uri]. On failure restores the previous content. */
+    suspend fun write(uri: Uri, name: String, bytes: ByteArray): Saving = withContext(Dispatchers.IO) {
+        val before = bytesAt(uri)
+        val problem = guarded { put(uri, bytes) }
         if (problem == null) {
-            keepAccess(place)
-            Saving.Saved(name, place.toString())
+            keepAccess(uri)
+            Saving.Saved(name, uri.toString())
         } else {
-            if (before != null) guarded { put(place, before) }
+            if (before != null) guarded { put(uri, before) }
             Saving.Failed(problem.message.orEmpty(), isFull = FULL in problem.message.orEmpty())
         }
     }
 
     /** Deletes a file that was created but not written. */
-    suspend fun delete(place: Uri) {
-        withContext(Dispatchers.IO) { guarded { DocumentsContract.deleteDocument(resolver, place) } }
+    suspend fun delete(uri: Uri) {
+        withContext(Dispatchers.IO) { guarded { DocumentsContract.deleteDocument(resolver, uri) } }
     }
 
-    private fun put(place: Uri, bytes: ByteArray) {
-        val stream = resolver.openOutputStream(place, "wt") ?: throw IOException("")
+    private fun put(uri: Uri, bytes: ByteArray) {
+        val stream = resolver.openOutputStream(uri, "wt") ?: throw IOException("")
         stream.use { it.write(bytes) }
     }
 
-    private fun bytesAt(place: Uri): ByteArray? {
+    private fun bytesAt(uri: Uri): ByteArray? {
         var bytes: ByteArray? = null
-        guarded { bytes = resolver.openInputStream(place)?.use { it.readUpTo(LARGEST_FILE) } }
+        guarded { bytes = resolver.openInputStream(uri)?.use { it.readUpTo(LARGEST_FILE) } }
         return bytes
     }
 
     /** Keeps the permission for later saves, if the other app allows it. */
-    private fun keepAccess(place: Uri) {
+    private fun keepAccess(uri: Uri) {
         val access = Intent.FLAG_GRANT_READ_URI_PERMISSION or Intent.FLAG_GRANT_WRITE_URI_PERMISSION
-        guarded { resolver.takePersistableUriPermission(place, access) }
+        guarded { resolver.takePersistableUriPermission(uri, access) }
     }
 
-    private fun nameOf(place: Uri): String {
+    private fun nameOf(uri: Uri): String {
         var found: String? = null
         guarded {
-            val rows = resolver.query(place, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
+            val rows = resolver.query(uri, arrayOf(OpenableColumns.DISPLAY_NAME), null, null, null)
             rows?.use { if (it.moveToFirst()) found = it.getString(0) }
         }
-        return found ?: place.lastPathSegment.orEmpty().substringAfterLast('/')
+        return found ?: uri.lastPathSegment.orEmpty().substringAfterLast('/')
     }
 
     /** Runs [action] and returns its exception; null on success. */

@@ -45,7 +45,7 @@ internal class AndroidTowers(private val context: Context) : TowerPorts {
         val connection = manager?.openDevice(tower) ?: return failed(OpenFailure.BUSY)
         val port = prepare(connection, tower)
         if (port == null) connection.close()
-        return port?.let { OpenedTower.Open(it) } ?: failed(OpenFailure.HELD_BY_DRIVER)
+        return port?.let { OpenedTower.Success(it) } ?: failed(OpenFailure.HELD_BY_DRIVER)
     }
 
     /** Null if something else holds the tower. */
@@ -74,7 +74,7 @@ internal class AndroidTowers(private val context: Context) : TowerPorts {
 
     private fun deviceOf(tower: UsbDevice) = TowerDevice(tower.deviceName, tower.productName.orEmpty(), TowerKind.USB)
 
-    private fun failed(reason: OpenFailure) = OpenedTower.Failed(reason)
+    private fun failed(reason: OpenFailure) = OpenedTower.Failure(reason)
 
     private companion object {
         /** Milliseconds. */

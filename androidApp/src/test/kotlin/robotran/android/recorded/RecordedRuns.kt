@@ -8,12 +8,12 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.projects.ProjectFileResult
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.lightFacingOf
 import robotran.projects.readProject
 import robotran.projects.readRobotLoads
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -55,20 +55,20 @@ internal class RecordedRuns(private val tree: File) {
 
     private suspend fun example(reader: ProgramCompiler, source: ProgramSource, physics: PhysicsEngine): Session {
         val result = reader.read(source)
-        check(result is ProgramResult.Ready) { "$source has mistakes: $result" }
-        val load = RobotLoad(listOf(result.program), lightFacing = lightFacingOf(result.program))
+        check(result is ProgramResult.Success) { "$source has mistakes: $result" }
+        val load = RobotProgramSet(listOf(result.program), lightFacing = lightFacingOf(result.program))
         return Session(BuiltInWorlds.plain, listOf(load), physics, Language.ENGLISH).apply {
             runUnattended(EXAMPLE_MILLISECONDS)
         }
     }
 
     private suspend fun project(text: String, physics: PhysicsEngine): Session {
-        val project = (readProject(text, Language.ENGLISH) as ProjectFileResult.Loaded).project
+        val project = (readProject(text, Language.ENGLISH) as ProjectFileResult.Success).project
         val loads = (
             readRobotLoads(
                 project,
                 ProgramCompiler(target, project.settings.java, Language.ENGLISH),
-            ) as RobotLoads.Ready
+            ) as RobotProgramSets.Success
         ).loads
         return Session.replay(
             project.worldToRun,
@@ -90,7 +90,7 @@ internal class RecordedRuns(private val tree: File) {
         if (report != record) return "${file.name} leaves the report\n$report and not\n$record"
         val recordedLog = tree.resolve("$module/$RUNS/${file.nameWithoutExtension}.rom-log.txt")
         if (!recordedLog.exists()) return null
-        val log = session.romLog.entries.toLogText()
+        val log = session.callLog.entries.toLogText()
         return if (log == recordedLog.readText()) null else "${file.name} makes other ROM calls:\n$log"
     }
 

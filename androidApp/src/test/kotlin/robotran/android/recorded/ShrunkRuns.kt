@@ -33,7 +33,7 @@ private suspend fun mistakeFaults(): List<String> {
         )
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
     val result = reader.read(Program("Oops.java", ProgramLanguage.JAVA, text))
-    val diagnostic = (result as? ProgramResult.HasErrors)?.diagnostics?.singleOrNull()
+    val diagnostic = (result as? ProgramResult.Failure)?.diagnostics?.singleOrNull()
     val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
     return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
 }

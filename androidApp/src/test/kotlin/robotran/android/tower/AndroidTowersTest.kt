@@ -85,19 +85,19 @@ class AndroidTowersTest {
         yield()
         answer { putExtra(UsbManager.EXTRA_PERMISSION_GRANTED, true) }
         assertNull(chosen.await())
-        assertEquals(OpenedTower.Failed(OpenFailure.NOT_ALLOWED), towers.open(TOWER))
+        assertEquals(OpenedTower.Failure(OpenFailure.NOT_ALLOWED), towers.open(TOWER))
     }
 
     @Test
     fun `without a tower nobody is asked, and one that was unplugged cannot be opened`() = runBlocking {
         assertNull(towers.choose(TowerKind.USB))
-        assertEquals(OpenedTower.Failed(OpenFailure.GONE), towers.open(TOWER))
+        assertEquals(OpenedTower.Failure(OpenFailure.GONE), towers.open(TOWER))
     }
 
     @Test
     fun `an open tower was reset and flushed, sends what it is given and hands over what comes`() = runBlocking {
         plug(tower, isAllowed = true)
-        val port = (towers.open(TOWER) as OpenedTower.Open).port
+        val port = (towers.open(TOWER) as OpenedTower.Success).port
         assertEquals(listOf("C0 FD 0", "C0 4 0", "claim", "C0 3 3"), RecordedConnection.calls)
         assertEquals(TowerKind.USB, port.kind)
         val connection = checkNotNull(RecordedConnection.latest)
@@ -117,7 +117,7 @@ class AndroidTowersTest {
     fun `a tower whose interface is held by something else is told`() = runBlocking {
         plug(tower, isAllowed = true)
         RecordedConnection.isHeld = true
-        assertEquals(OpenedTower.Failed(OpenFailure.HELD_BY_DRIVER), towers.open(TOWER))
+        assertEquals(OpenedTower.Failure(OpenFailure.HELD_BY_DRIVER), towers.open(TOWER))
     }
 
     private fun plug(device: UsbDevice, isAllowed: Boolean) = shadowOf(manager).addOrUpdateUsbDevice(device, isAllowed)

@@ -34,7 +34,7 @@ internal class BrickClockCommand(console: Console, towers: () -> Towers) : Brick
                 console.say(console.messages.clockSet(WORDS.format(moment)))
             }
 
-            is TowerResult.Failed -> failed(set)
+            is TowerResult.Failure -> failed(set)
         }
 
     private fun read(text: String?): LocalTime = try {

@@ -27,7 +27,7 @@ internal class BrickDatalogCommand(console: Console, towers: () -> Towers) :
         val report = TransferReport.on(console)
         val datalog = tower.readLegoDatalog(report::showEntries).also { report.clear() }
         return when (datalog) {
-            is TowerResult.Failed -> failed(datalog)
+            is TowerResult.Failure -> failed(datalog)
 
             is TowerResult.Success -> when {
                 datalog.value.isEmpty() -> ExitCode.DONE.also { console.mention("${console.messages.noDatalog()}\n") }

@@ -23,7 +23,7 @@ internal class BrickEmptyCommand(console: Console, towers: () -> Towers) : Brick
         for (slot in slots.distinct()) {
             when (val deleted = tower.deleteLegoProgram(slot)) {
                 is TowerResult.Success -> console.say(console.messages.slotEmptied(slot))
-                is TowerResult.Failed -> return failed(deleted)
+                is TowerResult.Failure -> return failed(deleted)
             }
         }
         return ExitCode.DONE

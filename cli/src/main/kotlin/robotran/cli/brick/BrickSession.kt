@@ -26,8 +26,8 @@ internal class BrickSession(private val console: Console, private val towers: To
     }
 
     private suspend fun open(name: String): TowerPort? = when (val result = towers.ports.open(towers.named(name))) {
-        is OpenedTower.Open -> result.port
-        is OpenedTower.Failed -> null.also { console.complain(sentence(result.reason, name)) }
+        is OpenedTower.Success -> result.port
+        is OpenedTower.Failure -> null.also { console.complain(sentence(result.reason, name)) }
     }
 
     private suspend fun search(): TowerPort? = when (val found = findTower(towers.ports)) {

@@ -14,7 +14,7 @@ internal class BrickStatusCommand(console: Console, towers: () -> Towers) : Bric
 
     override suspend fun use(tower: RcxTower): ExitCode = when (val status = tower.status()) {
         is TowerResult.Success -> ExitCode.DONE.also { sentences(status.value).forEach(console::say) }
-        is TowerResult.Failed -> failed(status)
+        is TowerResult.Failure -> failed(status)
     }
 
     private fun sentences(status: BrickStatus): List<String> = when (status) {

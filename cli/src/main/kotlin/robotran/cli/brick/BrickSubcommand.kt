@@ -25,7 +25,7 @@ internal abstract class BrickSubcommand(name: String, private val process: Conso
         throw ProgramResult(BrickSession(console, towers()).use(port, ::use).status)
     }
 
-    protected fun failed(result: TowerResult.Failed): ExitCode {
+    protected fun failed(result: TowerResult.Failure): ExitCode {
         console.complain(console.messages.sentence(result.error))
         return ExitCode.NO_BRICK
     }

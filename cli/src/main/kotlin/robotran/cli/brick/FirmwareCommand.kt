@@ -39,15 +39,15 @@ internal class FirmwareCommand(private val process: Console, private val towers:
     }
 
     private fun read(): FirmwareImage {
-        val content = reading(file, console.messages, FileContent::Rejected) {
+        val content = reading(file, console.messages, FileContent::Failure) {
             readContent(Path.of(file), file, LARGEST_FIRMWARE_FILE, console.messages)
         }
         return when (content) {
-            is FileContent.Rejected -> refuse(content.reason)
+            is FileContent.Failure -> refuse(content.reason)
 
-            is FileContent.Read -> when (val result = readFirmwareFile(content.bytes)) {
-                is FirmwareFile.Read -> result.firmware
-                is FirmwareFile.Rejected -> refuse(console.messages.sentence(result.reason, file))
+            is FileContent.Success -> when (val result = readFirmwareFile(content.bytes)) {
+                is FirmwareFile.Success -> result.firmware
+                is FirmwareFile.Failure -> refuse(console.messages.sentence(result.reason, file))
             }
         }
     }

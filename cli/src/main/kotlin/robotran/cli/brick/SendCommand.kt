@@ -58,8 +58,8 @@ internal class SendCommand(private val process: Console, private val towers: () 
 
     override fun run() {
         val programs = when (val read = readProgramFiles(files, console.messages)) {
-            is ProgramFiles.Read -> read.programs.also { read.remarks.forEach(console::complain) }
-            is ProgramFiles.Rejected -> refuse(read.reason)
+            is ProgramFiles.Success -> read.programs.also { read.remarks.forEach(console::complain) }
+            is ProgramFiles.Failure -> refuse(read.reason)
         }
         val forLego = programs.count { it.source.isForLegoFirmware }
         val code = when (forLego) {
@@ -74,8 +74,8 @@ internal class SendCommand(private val process: Console, private val towers: () 
         if (slot != 1) refuse(console.messages.lejosHasNoSlots())
         val version = lejos ?: LejosVersion.DEFAULT
         val image = when (val built = buildImageOf(programs, spoken.language, version)) {
-            is ImageOfFiles.Built -> built.also { it.warnings.forEach(console::complain) }.image
-            is ImageOfFiles.Failed -> refuse(built.lines, built.code)
+            is ImageOfFiles.Success -> built.also { it.warnings.forEach(console::complain) }.image
+            is ImageOfFiles.Failure -> refuse(built.lines, built.code)
         }
         return BrickSession(console, towers()).use(port) { tower ->
             val report = TransferReport.on(console)
@@ -91,8 +91,8 @@ internal class SendCommand(private val process: Console, private val towers: () 
         // All are compiled before the first is sent.
         val images = programs.map { program ->
             when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
-                is FirmwareImageOfFile.Built -> built.also { it.warnings.forEach(console::complain) }.image
-                is FirmwareImageOfFile.Failed -> refuse(built.lines, built.code)
+                is FirmwareImageOfFile.Success -> built.also { it.warnings.forEach(console::complain) }.image
+                is FirmwareImageOfFile.Failure -> refuse(built.lines, built.code)
             }
         }
         return BrickSession(console, towers()).use(port) { tower -> send(images, tower) }

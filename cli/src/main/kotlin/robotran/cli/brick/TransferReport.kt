@@ -43,12 +43,12 @@ internal class TransferReport(
     fun end(result: TransferResult, success: (Int) -> String): ExitCode {
         clear()
         return when (result) {
-            is TransferResult.Complete -> {
+            is TransferResult.Success -> {
                 console.say(success(result.bytes))
                 ExitCode.DONE
             }
 
-            is TransferResult.Failed -> {
+            is TransferResult.Failure -> {
                 console.complain(console.messages.sentence(result.error))
                 console.complain(console.messages.sentence(result.remains, slot))
                 ExitCode.NO_BRICK

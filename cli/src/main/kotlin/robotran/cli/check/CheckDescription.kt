@@ -22,8 +22,8 @@ import robotran.world.file.readWorld
 internal fun checkDescription(name: String, language: Language): CheckedFile {
     val messages = CommandMessages.of(language)
     val file = when (val file = readTextFile(name, messages)) {
-        is TextFile.Rejected -> return CheckedFile.Unreadable(file.reason)
-        is TextFile.Read -> file
+        is TextFile.Failure -> return CheckedFile.Unreadable(file.reason)
+        is TextFile.Success -> file
     }
     return when (jsonKindOf(name, file.text)) {
         null -> CheckedFile.Unreadable(messages.notToBeChecked(name, PROGRAM_ENDINGS + DESCRIPTION_ENDINGS))
@@ -37,27 +37,27 @@ internal fun checkDescription(name: String, language: Language): CheckedFile {
 /** Checks the course [name], which may be a folder, with the assignments beside it. */
 internal fun checkCourse(name: String, language: Language): CheckedFile =
     when (val reading = readCourseFile(name, language)) {
-        is CourseReading.Unreadable -> CheckedFile.Unreadable(reading.reason)
+        is CourseReading.Failure -> CheckedFile.Unreadable(reading.reason)
 
-        is CourseReading.Read -> when (val result = reading.result) {
-            is CourseFileResult.Loaded -> CheckedFile.Described(null, result.warnings)
-            is CourseFileResult.Rejected -> mistake(result.message, result.line, result.path)
+        is CourseReading.Success -> when (val result = reading.result) {
+            is CourseFileResult.Success -> CheckedFile.Described(null, result.warnings)
+            is CourseFileResult.Failure -> mistake(result.message, result.line, result.path)
         }
     }
 
 private fun checked(result: ProjectFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is ProjectFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
-    is ProjectFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+    is ProjectFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
+    is ProjectFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
 }
 
 private fun checked(result: RobotFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is RobotFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
-    is RobotFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+    is RobotFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
+    is RobotFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
 }
 
 private fun checked(result: WorldFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is WorldFileResult.Loaded -> CheckedFile.Described(null, result.warnings, remarks)
-    is WorldFileResult.Rejected -> mistake(result.message, result.line, result.path, remarks)
+    is WorldFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
+    is WorldFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
 }
 
 private fun mistake(message: String, line: Int?, path: String, remarks: List<String> = emptyList()) =

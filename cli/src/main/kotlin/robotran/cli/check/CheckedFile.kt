@@ -118,27 +118,27 @@ internal fun checkFiles(
 /** Checks the program that [names] hold, compiled. */
 private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(names, CommandMessages.of(compiler.language))) {
-        is ProgramFiles.Rejected -> CheckedFile.Unreadable(files.reason)
+        is ProgramFiles.Failure -> CheckedFile.Unreadable(files.reason)
 
-        is ProgramFiles.Read -> {
+        is ProgramFiles.Success -> {
             val program = files.programs.single()
             val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
-            val diagnostics = (result as? ProgramResult.HasErrors)?.diagnostics
+            val diagnostics = (result as? ProgramResult.Failure)?.diagnostics
             CheckedFile.Java(diagnostics.orEmpty(), emptyList(), isCompiled = true)
         }
     }
 
 private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(listOf(name), CommandMessages.of(compiler.language))) {
-        is ProgramFiles.Rejected -> CheckedFile.Unreadable(files.reason)
+        is ProgramFiles.Failure -> CheckedFile.Unreadable(files.reason)
 
-        is ProgramFiles.Read -> {
+        is ProgramFiles.Success -> {
             val program = files.programs.single()
             val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
             CheckedFile.Firmware(
                 program,
-                (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(),
-                (result as? ProgramResult.Ready)?.warnings.orEmpty(),
+                (result as? ProgramResult.Failure)?.diagnostics.orEmpty(),
+                (result as? ProgramResult.Success)?.warnings.orEmpty(),
                 files.remarks,
             )
         }
@@ -161,10 +161,10 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
     val kind = file.program.kind
     return runBlocking {
         when (kind.java) {
-            JavaPlatform.LEJOS -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.HasErrors)?.diagnostics
+            JavaPlatform.LEJOS -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.Failure)?.diagnostics
 
             JavaPlatform.NXJ -> compiler.forTarget(kind.penbotTarget).readTranslation(source)
-                .let { it as? ProgramResult.HasErrors }?.diagnostics
+                .let { it as? ProgramResult.Failure }?.diagnostics
 
             null -> null
         }
@@ -179,21 +179,21 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
     val language = compiler.language
     val messages = CommandMessages.of(language)
     val read = names.associateWith { readJavaFile(it, isAlone = names.size == 1, messages) }
-    val sources = read.mapNotNull { (_, file) -> (file as? TextFile.Read)?.let { SourceFile(it.name, it.text) } }
+    val sources = read.mapNotNull { (_, file) -> (file as? TextFile.Success)?.let { SourceFile(it.name, it.text) } }
     if (sources.isEmpty()) {
         return read.mapValues { (_, file) ->
-            CheckedFile.Unreadable((file as TextFile.Rejected).reason)
+            CheckedFile.Unreadable((file as TextFile.Failure).reason)
         }
     }
     val source = Program.of(sources)
     val result = runBlocking { compiler.forBrickOf(source, brick).read(source) }
-    val diagnostics = byFile((result as? ProgramResult.HasErrors)?.diagnostics.orEmpty(), sources)
-    val warnings = byFile((result as? ProgramResult.Ready)?.warnings.orEmpty(), sources)
+    val diagnostics = byFile((result as? ProgramResult.Failure)?.diagnostics.orEmpty(), sources)
+    val warnings = byFile((result as? ProgramResult.Success)?.warnings.orEmpty(), sources)
     return read.mapValues { (_, file) ->
         when (file) {
-            is TextFile.Rejected -> CheckedFile.Unreadable(file.reason)
+            is TextFile.Failure -> CheckedFile.Unreadable(file.reason)
 
-            is TextFile.Read -> CheckedFile.Java(
+            is TextFile.Success -> CheckedFile.Java(
                 diagnostics[file.name].orEmpty(),
                 warnings[file.name].orEmpty(),
                 remarks = file.remarks,

@@ -12,11 +12,11 @@ import kotlin.io.path.nameWithoutExtension
 
 /** Reads the class files [names] and their nested classes, which must lie next to them. */
 internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadProgram =
-    reading(names.first(), messages, ReadProgram::Rejected) {
+    reading(names.first(), messages, ReadProgram::Failure) {
         val paths = names.map(Path::of).flatMap { listOf(it) + innerClassesOf(it) }.distinct()
         if (paths.size > 1) {
             paths.firstOrNull(::isLinkOutside)?.let {
-                return@reading ReadProgram.Rejected(messages.leadsOutside("$it"))
+                return@reading ReadProgram.Failure(messages.leadsOutside("$it"))
             }
         }
         val areNamesUnique = paths.distinctBy { it.name }.size == paths.size
@@ -25,12 +25,12 @@ internal fun readClassFiles(names: List<String>, messages: FileMessages): ReadPr
 
 /** Reads all class files in the folder [name] and its subfolders. */
 internal fun readClassFolder(name: String, messages: FileMessages): ReadProgram =
-    reading(name, messages, ReadProgram::Rejected) {
+    reading(name, messages, ReadProgram::Failure) {
         val folder = Path.of(name)
         val paths = filesIn(folder, MAX_FILES_IN_FOLDER) { _, problem -> throw problem }
             .filter { isClassFile(folder.relativize(it).toString()) }
         paths.firstOrNull { !liesIn(folder, it) }?.let {
-            return@reading ReadProgram.Rejected(messages.leadsOutside("$it"))
+            return@reading ReadProgram.Failure(messages.leadsOutside("$it"))
         }
         compiled(nameOf(name), paths.take(TinyVmLimits.CLASSES + 1), messages) { folder.relativize(it).toString() }
     }
@@ -45,14 +45,14 @@ internal fun programOf(
     messages: FileMessages,
     mainClass: String? = null,
 ): ReadProgram = when {
-    files.isEmpty() -> ReadProgram.Rejected(messages.noClassFile(name))
-    files.size > TinyVmLimits.CLASSES -> ReadProgram.Rejected(messages.tooManyClasses(name, TinyVmLimits.CLASSES))
-    else -> ReadProgram.Read(ProgramSource.CompiledClasses(name, files, mainClass))
+    files.isEmpty() -> ReadProgram.Failure(messages.noClassFile(name))
+    files.size > TinyVmLimits.CLASSES -> ReadProgram.Failure(messages.tooManyClasses(name, TinyVmLimits.CLASSES))
+    else -> ReadProgram.Success(ProgramSource.CompiledClasses(name, files, mainClass))
 }
 
 /** Reports that the class file [file] exceeds the size limit. */
 internal fun tooLarge(file: String, messages: FileMessages): ReadProgram =
-    ReadProgram.Rejected(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
+    ReadProgram.Failure(messages.classFileTooLarge(file, TinyVmLimits.CLASS_FILE_BYTES))
 
 /**
  * Whether [file], a path in a folder or a jar, is a class of the program. Classes in META-INF (for newer Java versions)
@@ -67,8 +67,8 @@ private fun compiled(name: String, paths: List<Path>, messages: FileMessages, na
         val file = nameOf(path)
         val limit = TinyVmLimits.CLASS_FILE_BYTES
         when (val content = readContent(path, file, limit, messages) { messages.classFileTooLarge(file, limit) }) {
-            is FileContent.Rejected -> return ReadProgram.Rejected(content.reason)
-            is FileContent.Read -> files[file] = content.bytes
+            is FileContent.Failure -> return ReadProgram.Failure(content.reason)
+            is FileContent.Success -> files[file] = content.bytes
         }
     }
     return programOf(name, files, messages)

@@ -13,16 +13,16 @@ import kotlin.io.path.name
 
 /** The result of reading a whole file. */
 sealed interface FileContent {
-    class Read(val bytes: ByteArray) : FileContent
+    class Success(val bytes: ByteArray) : FileContent
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
-    data class Rejected(val reason: String) : FileContent
+    data class Failure(val reason: String) : FileContent
 }
 
 /** Reads the file at [path]. Errors are in [language] and name the file without its folders. */
 fun readFile(path: Path, language: Language): FileContent {
     val messages = CommandMessages.of(language)
-    return reading(path.name, messages, FileContent::Rejected) {
+    return reading(path.name, messages, FileContent::Failure) {
         readContent(path, path.name, LARGEST_FILE_BYTES, messages)
     }
 }
@@ -48,9 +48,9 @@ internal fun readContent(
     messages: FileMessages,
     tooLarge: () -> String = { messages.fileTooLarge(name, limit.toLong()) },
 ): FileContent {
-    notAFile(path, name, messages)?.let { return FileContent.Rejected(it) }
+    notAFile(path, name, messages)?.let { return FileContent.Failure(it) }
     val bytes = path.inputStream().use { it.readNBytes(limit + 1) }
-    return if (bytes.size > limit) FileContent.Rejected(tooLarge()) else FileContent.Read(bytes)
+    return if (bytes.size > limit) FileContent.Failure(tooLarge()) else FileContent.Success(bytes)
 }
 
 /**

@@ -2,7 +2,6 @@ package robotran.cli.files
 
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
-import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.legofirmware.image.FirmwareLimits
@@ -20,7 +19,7 @@ import kotlin.io.path.isRegularFile
 internal fun readWithIncluded(
     name: String,
     language: ProgramLanguage,
-    messages: FileMessages = CommandMessages.of(Language.ENGLISH),
+    messages: FileMessages,
 ): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
     val remarks = mutableListOf<String>()
@@ -29,9 +28,9 @@ internal fun readWithIncluded(
         val next = waiting.removeFirst()
         if (next in files) continue
         when (val file = readTextFile(next, messages)) {
-            is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
+            is TextFile.Failure -> return ReadProgram.Failure(file.reason)
 
-            is TextFile.Read -> {
+            is TextFile.Success -> {
                 files[next] = SourceFile(file.name, file.text)
                 remarks += file.remarks
                 for (included in language.support.files.includes(file.text)) {
@@ -41,7 +40,7 @@ internal fun readWithIncluded(
                         IncludedFile.Outside -> {
                             val line =
                                 file.text.lines().indexOfFirst { included in language.support.files.includes(it) } + 1
-                            return ReadProgram.Rejected(messages.includesOutside(next, line, included))
+                            return ReadProgram.Failure(messages.includesOutside(next, line, included))
                         }
 
                         IncludedFile.Missing -> {}
@@ -50,7 +49,7 @@ internal fun readWithIncluded(
             }
         }
     }
-    return ReadProgram.Read(Program(nameOf(files.getValue(name).name), language, files.values.toList()), remarks)
+    return ReadProgram.Success(Program(nameOf(files.getValue(name).name), language, files.values.toList()), remarks)
 }
 
 private sealed interface IncludedFile {
@@ -80,10 +79,10 @@ private fun findIncluded(included: String, file: String, program: String): Inclu
 }
 
 internal fun readFirmwareImage(name: String, messages: FileMessages): ReadProgram =
-    reading(name, messages, ReadProgram::Rejected) {
+    reading(name, messages, ReadProgram::Failure) {
         when (val file = readContent(Path.of(name), name, FirmwareLimits.IMAGE_BYTES, messages)) {
-            is FileContent.Rejected -> ReadProgram.Rejected(file.reason)
-            is FileContent.Read -> ReadProgram.Read(ProgramSource.FirmwareImage(nameOf(name), file.bytes))
+            is FileContent.Failure -> ReadProgram.Failure(file.reason)
+            is FileContent.Success -> ReadProgram.Success(ProgramSource.FirmwareImage(nameOf(name), file.bytes))
         }
     }
 

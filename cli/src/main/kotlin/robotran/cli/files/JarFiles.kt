@@ -16,11 +16,11 @@ import kotlin.io.path.fileSize
  * size of a program.
  */
 internal fun readJar(name: String, messages: FileMessages): ReadProgram =
-    reading(name, messages, ReadProgram::Rejected) {
+    reading(name, messages, ReadProgram::Failure) {
         val path = Path.of(name)
-        notAFile(path, name, messages)?.let { return@reading ReadProgram.Rejected(it) }
+        notAFile(path, name, messages)?.let { return@reading ReadProgram.Failure(it) }
         if (path.fileSize() > LARGEST_JAR_BYTES) {
-            return@reading ReadProgram.Rejected(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
+            return@reading ReadProgram.Failure(messages.fileTooLarge(name, LARGEST_JAR_BYTES))
         }
         ZipFile(path.toFile()).use { jar ->
             val entries = jar.entries().asSequence().filter { !it.isDirectory && isClassFile(it.name) }
@@ -33,7 +33,7 @@ internal fun readJar(name: String, messages: FileMessages): ReadProgram =
                 }
                 bytes += content.size
                 if (bytes > MAX_JAR_BYTES) {
-                    return@reading ReadProgram.Rejected(messages.jarTooLarge(name, MAX_JAR_BYTES))
+                    return@reading ReadProgram.Failure(messages.jarTooLarge(name, MAX_JAR_BYTES))
                 }
                 files[entry.name] = content
             }

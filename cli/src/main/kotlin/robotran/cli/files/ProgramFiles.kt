@@ -3,7 +3,6 @@ package robotran.cli.files
 import robotran.brick.program.BrickProgram
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
-import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramSource
@@ -18,10 +17,10 @@ internal sealed interface ProgramFiles {
      * @property programs at least one, at most as many as fit on a brick, ordered by the first file of each.
      * @property remarks how their files were read although they are unusual, in sentences.
      */
-    data class Read(val programs: List<NamedProgram>, val remarks: List<String> = emptyList()) : ProgramFiles
+    data class Success(val programs: List<NamedProgram>, val remarks: List<String> = emptyList()) : ProgramFiles
 
     /** The files cannot be used. [reason] is a sentence that names the file. */
-    data class Rejected(val reason: String) : ProgramFiles
+    data class Failure(val reason: String) : ProgramFiles
 }
 
 /**
@@ -38,23 +37,23 @@ internal data class NamedProgram(val path: String, val source: ProgramSource, va
  */
 internal fun readProgramFiles(
     names: List<String>,
-    messages: FileMessages = CommandMessages.of(Language.ENGLISH),
+    messages: FileMessages,
 ): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
         FILES_OF_ONE_PROGRAM.firstOrNull { isNamed(name, it) } ?: name
     }.values
     if (groups.size > BrickProgram.MAX_PROGRAMS) {
-        return ProgramFiles.Rejected(messages.tooManyPrograms(BrickProgram.MAX_PROGRAMS, groups.size))
+        return ProgramFiles.Failure(messages.tooManyPrograms(BrickProgram.MAX_PROGRAMS, groups.size))
     }
     val remarks = mutableListOf<String>()
     val programs =
         groups.map { files ->
             when (val result = readProgram(files, messages)) {
-                is ReadProgram.Read -> NamedProgram(files.first(), result.source).also { remarks += result.remarks }
-                is ReadProgram.Rejected -> return ProgramFiles.Rejected(result.reason)
+                is ReadProgram.Success -> NamedProgram(files.first(), result.source).also { remarks += result.remarks }
+                is ReadProgram.Failure -> return ProgramFiles.Failure(result.reason)
             }
         }
-    return ProgramFiles.Read(programs, remarks)
+    return ProgramFiles.Success(programs, remarks)
 }
 
 private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
@@ -67,7 +66,7 @@ private fun readProgram(names: List<String>, messages: FileMessages): ReadProgra
         isNamed(first, CLASS) -> readClassFiles(names, messages)
         isNamed(first, JAR) -> readJar(first, messages)
         isFolder(first) -> readClassFolder(first, messages)
-        else -> ReadProgram.Rejected(messages.notAProgram(first, PROGRAM_ENDINGS))
+        else -> ReadProgram.Failure(messages.notAProgram(first, PROGRAM_ENDINGS))
     }
 }
 
@@ -76,11 +75,11 @@ private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
     val files =
         names.map { name ->
             when (val file = readJavaFile(name, isAlone = names.size == 1, messages)) {
-                is TextFile.Read -> SourceFile(file.name, file.text).also { remarks += file.remarks }
-                is TextFile.Rejected -> return ReadProgram.Rejected(file.reason)
+                is TextFile.Success -> SourceFile(file.name, file.text).also { remarks += file.remarks }
+                is TextFile.Failure -> return ReadProgram.Failure(file.reason)
             }
         }
-    return ReadProgram.Read(Program.of(files).copy(name = nameOf(files.first().name)), remarks)
+    return ReadProgram.Success(Program.of(files).copy(name = nameOf(files.first().name)), remarks)
 }
 
 /**
@@ -91,7 +90,7 @@ private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
  */
 internal fun readJavaFile(name: String, isAlone: Boolean, messages: FileMessages): TextFile =
     if (!isAlone && isLinkOutside(name)) {
-        TextFile.Rejected(messages.leadsOutside(name))
+        TextFile.Failure(messages.leadsOutside(name))
     } else {
         readTextFile(name, messages)
     }

@@ -7,7 +7,6 @@ import robotran.documents.TextReading
 import robotran.documents.plainFileName
 import robotran.documents.readText
 import robotran.documents.sentenceFor
-import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.languageOfFile
 import java.nio.file.Path
@@ -18,27 +17,27 @@ internal sealed interface TextFile {
      * @property name the path, with the name of the file as Robotran names such files.
      * @property remarks how it was read although it is unusual, in sentences.
      */
-    data class Read(val text: String, val name: String, val changes: List<TextChange>, val remarks: List<String>) :
+    data class Success(val text: String, val name: String, val changes: List<TextChange>, val remarks: List<String>) :
         TextFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
-    data class Rejected(val reason: String) : TextFile
+    data class Failure(val reason: String) : TextFile
 }
 
 /** Reads the file [name] of at most [LARGEST_FILE_BYTES], see [readText]. */
-internal fun readTextFile(name: String, messages: FileMessages = CommandMessages.of(Language.ENGLISH)): TextFile =
-    reading(name, messages, TextFile::Rejected) {
+internal fun readTextFile(name: String, messages: FileMessages): TextFile =
+    reading(name, messages, TextFile::Failure) {
         when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
-            is FileContent.Rejected -> TextFile.Rejected(file.reason)
-            is FileContent.Read -> textIn(name, file.bytes, messages)
+            is FileContent.Failure -> TextFile.Failure(file.reason)
+            is FileContent.Success -> textIn(name, file.bytes, messages)
         }
     }
 
 private fun textIn(name: String, bytes: ByteArray, messages: FileMessages): TextFile =
     when (val reading = readText(name, bytes)) {
-        TextReading.NotText -> TextFile.Rejected(messages.notText(name))
+        TextReading.Failure -> TextFile.Failure(messages.notText(name))
 
-        is TextReading.Read -> TextFile.Read(
+        is TextReading.Success -> TextFile.Success(
             reading.text,
             reading.name,
             reading.changes,

@@ -43,7 +43,7 @@ internal class CourseGrader(private val console: Console, private val desktop: D
         val report = reportOn(course, tasks, collected, files, request)
         val rows = rowsOf(report, files)
         collected.notes.forEach(console::complain)
-        val rejected = rows.filterIsInstance<ProgramGrades.Rejected>()
+        val rejected = rows.filterIsInstance<ProgramGrades.Failure>()
         rejected.forEach { row -> row.reasons.forEach { console.complain("${row.shownName}: $it") } }
         if (rows.isEmpty()) console.complain(messages.noHandIns())
         val unwritten = write(report, rows, request)

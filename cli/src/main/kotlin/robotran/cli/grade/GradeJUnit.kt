@@ -30,24 +30,24 @@ private class JUnitSuite(
     private val messages: CommandMessages,
 ) {
     fun write(program: ProgramGrades) {
-        val grades = (program as? ProgramGrades.Graded)?.grades.orEmpty()
+        val grades = (program as? ProgramGrades.Success)?.grades.orEmpty()
         val figures = listOf(
             "name" to program.shownName,
             "tests" to maxOf(1, grades.size),
             "failures" to grades.count { !it.passed },
-            "errors" to if (program is ProgramGrades.Rejected) 1 else 0,
+            "errors" to if (program is ProgramGrades.Failure) 1 else 0,
             "skipped" to 0,
             "time" to grades.sumOf { it.seconds },
         )
         xml.element("testsuite", *figures.toTypedArray()) {
             when (program) {
-                is ProgramGrades.Rejected -> case(program.shownName, 0.0) {
+                is ProgramGrades.Failure -> case(program.shownName, 0.0) {
                     xml.element("error", "message" to program.reasons.first(), "type" to "mistakes") {
                         xml.characters(program.reasons)
                     }
                 }
 
-                is ProgramGrades.Graded -> program.grades.zip(program.worlds, ::case)
+                is ProgramGrades.Success -> program.grades.zip(program.worlds, ::case)
             }
         }
     }

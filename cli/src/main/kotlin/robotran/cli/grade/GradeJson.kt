@@ -26,9 +26,9 @@ internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<Pro
 private fun json(program: ProgramGrades): JsonObject = buildJsonObject {
     put("program", program.name)
     when (program) {
-        is ProgramGrades.Rejected -> put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
+        is ProgramGrades.Failure -> put("mistakes", JsonArray(program.reasons.map(::JsonPrimitive)))
 
-        is ProgramGrades.Graded -> {
+        is ProgramGrades.Success -> {
             put("passed", program.passed)
             put("runs", JsonArray(program.grades.zip(program.worlds, ::json)))
         }

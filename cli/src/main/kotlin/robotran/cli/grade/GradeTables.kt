@@ -26,7 +26,7 @@ internal class GradeTables(
     private val commandFor: (program: String, seed: Int) -> String?,
 ) {
     /** The full result of one program: each goal, then the failed seeds. */
-    fun ofProgram(program: ProgramGrades.Graded): String {
+    fun ofProgram(program: ProgramGrades.Success): String {
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(listOf(messages.goalHeading(), messages.seedsMetHeading(), messages.worstHeading()), rows)
         val failed = program.grades.filterNot { it.passed }
@@ -49,7 +49,7 @@ internal class GradeTables(
         val headings =
             listOf(messages.programHeading(), messages.seedsPassedHeading(), messages.missedGoalHeading())
         val table = render(headings, rows)
-        val failures = programs.filterIsInstance<ProgramGrades.Graded>().mapNotNull { program ->
+        val failures = programs.filterIsInstance<ProgramGrades.Success>().mapNotNull { program ->
             val missed = program.grades.indexOfFirst { !it.passed }
             // The command line cannot run a variation of an assignment's world.
             missed.takeIf { it >= 0 && program.worlds[it].isEmpty() }
@@ -59,12 +59,12 @@ internal class GradeTables(
     }
 
     private fun classRow(program: ProgramGrades): List<String> = when (program) {
-        is ProgramGrades.Graded -> {
+        is ProgramGrades.Success -> {
             val missed = program.grades.firstNotNullOfOrNull { firstUnmet(it.goals) }
             listOf(messages.countOf(program.passed, program.grades.size), missed?.sentence.orEmpty())
         }
 
-        is ProgramGrades.Rejected -> {
+        is ProgramGrades.Failure -> {
             listOf("-", if (program.isReadable) messages.cannotRun() else messages.cannotBeUsed())
         }
     }
@@ -79,7 +79,7 @@ internal class GradeTables(
                 goalRows(goals.map { it.parts }, "$indentation  ")
         }
 
-    private fun sentence(program: ProgramGrades.Graded): String = when (program.passed) {
+    private fun sentence(program: ProgramGrades.Success): String = when (program.passed) {
         program.grades.size -> messages.meetsAll(program.shownName, inWords())
         else -> messages.meetsSome(program.shownName, program.passed, program.grades.size, inWords())
     }

@@ -1,7 +1,7 @@
 package robotran.cli.grade
 
 import robotran.language.Language
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.grade.Grade
 import robotran.simulation.grade.runForGoals
@@ -28,7 +28,7 @@ internal class Grader(
     private val onDone: () -> Unit,
 ) {
     /** Returns the grades for all [seeds], in order, for each of [loads]. */
-    fun grade(loads: List<List<RobotLoad>>, seeds: IntRange): List<List<Grade>> {
+    fun grade(loads: List<List<RobotProgramSet>>, seeds: IntRange): List<List<Grade>> {
         val threads = Executors.newFixedThreadPool(jobs)
         try {
             val runs = loads.map { load -> seeds.map { seed -> threads.submit<Grade> { grade(load, seed) } } }
@@ -38,7 +38,7 @@ internal class Grader(
         }
     }
 
-    private fun grade(loads: List<RobotLoad>, seed: Int): Grade {
+    private fun grade(loads: List<RobotProgramSet>, seed: Int): Grade {
         val session = Session(world.copy(seed = seed), loads, physics, language)
         try {
             return session.runForGoals(milliseconds)

@@ -56,12 +56,12 @@ internal class GradingTasks(private val console: Console) {
         val given = request.options.robots.groupBy({ it.robot }, { it.file }).map { (robot, names) ->
             val read = readProgramFiles(names, messages)
             val reason = when {
-                read is ProgramFiles.Rejected -> read.reason
+                read is ProgramFiles.Failure -> read.reason
                 place.world.robots.none { it.name == robot } -> messages.noRobot(robot)
                 robot == place.world.robots.first().name -> messages.firstRobotNamed(robot)
                 else -> null
             }
-            if (reason != null || read !is ProgramFiles.Read) {
+            if (reason != null || read !is ProgramFiles.Success) {
                 console.complain(reason.orEmpty())
                 return null
             }

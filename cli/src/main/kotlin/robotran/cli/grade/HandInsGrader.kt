@@ -42,7 +42,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
             gradesOf(result, files, name)
         }
         collected.notes.forEach(console::complain)
-        val rejected = rows.filterIsInstance<ProgramGrades.Rejected>()
+        val rejected = rows.filterIsInstance<ProgramGrades.Failure>()
         rejected.forEach { row -> row.reasons.forEach { console.complain("${row.shownName}: $it") } }
         if (rows.isEmpty()) console.complain(messages.noHandIns())
         val unwritten = write(report, rows, request)
@@ -85,7 +85,7 @@ internal class HandInsGrader(private val console: Console, private val desktop: 
         val tables = GradeTables(report.plan.seeds, messages) { program, seed ->
             if (program in paths) run.command(program, seed) else null
         }
-        val single = rows.singleOrNull() as? ProgramGrades.Graded
+        val single = rows.singleOrNull() as? ProgramGrades.Success
         val table = if (single != null && report.plan.worlds.size == 1) {
             tables.ofProgram(single)
         } else {

@@ -22,7 +22,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.support
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.isLink
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.grade.Grade
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.World
@@ -55,17 +55,17 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
-        loadings.values.filterIsInstance<RobotProgramsResult.Loaded>().flatMap { it.remarks }.distinct()
+        loadings.values.filterIsInstance<RobotProgramsResult.Success>().flatMap { it.remarks }.distinct()
             .forEach(console::complain)
-        loadings.values.filterIsInstance<RobotProgramsResult.Rejected>().flatMap {
+        loadings.values.filterIsInstance<RobotProgramsResult.Failure>().flatMap {
             it.reasons
         }.forEach(console::complain)
-        if (loadings.values.none { it is RobotProgramsResult.Loaded }) return ExitCode.BAD_INPUT
+        if (loadings.values.none { it is RobotProgramsResult.Success }) return ExitCode.BAD_INPUT
 
         val seeds = request.seeds ?: world.seed..world.seed
         val milliseconds = request.options.milliseconds ?: (world.timeLimit * MILLISECONDS_PER_SECOND)
         val loads = loadings.mapNotNull { (name, loading) ->
-            (loading as? RobotProgramsResult.Loaded)?.let {
+            (loading as? RobotProgramsResult.Success)?.let {
                 name to
                     it.loads
             }
@@ -74,9 +74,9 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         val programs = loadings.map { (name, loading) ->
             val shownName = shownNames.getValue(name)
             when (loading) {
-                is RobotProgramsResult.Loaded -> ProgramGrades.Graded(name, shownName, grades.getValue(name))
+                is RobotProgramsResult.Success -> ProgramGrades.Success(name, shownName, grades.getValue(name))
 
-                is RobotProgramsResult.Rejected -> ProgramGrades.Rejected(
+                is RobotProgramsResult.Failure -> ProgramGrades.Failure(
                     name,
                     shownName,
                     loading.reasons,
@@ -90,8 +90,8 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
             console.say(words(programs, seeds, GradedRun(request.world, milliseconds, request.options.words)))
         }
         return when {
-            problems.isNotEmpty() || programs.any { it is ProgramGrades.Rejected } -> ExitCode.BAD_INPUT
-            programs.all { it is ProgramGrades.Graded && it.passed == it.grades.size } -> ExitCode.DONE
+            problems.isNotEmpty() || programs.any { it is ProgramGrades.Failure } -> ExitCode.BAD_INPUT
+            programs.all { it is ProgramGrades.Success && it.passed == it.grades.size } -> ExitCode.DONE
             else -> ExitCode.PROGRAM_FAILED
         }
     }
@@ -116,13 +116,13 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         place: LoadedWorld,
         request: GradeRequest,
     ): RobotProgramsResult = when (val read = readSubmission(listOf(name), console, shownName)) {
-        is SubmissionResult.Read -> {
+        is SubmissionResult.Success -> {
             val reader =
                 ProgramCompiler(PENBOT_TARGET, request.options.java, console.language, request.options.firmware)
             readLoads(place, reader, read.handIn.namedByClasses(), request.options.robots)
         }
 
-        is SubmissionResult.Rejected -> RobotProgramsResult.Rejected(listOf(read.reason), isReadable = false)
+        is SubmissionResult.Failure -> RobotProgramsResult.Failure(listOf(read.reason), isReadable = false)
     }
 
     /** A hand-in's file name never decides: platforms and browsers change it. */
@@ -141,7 +141,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
 
     private fun grade(
         world: World,
-        loads: Map<String, List<RobotLoad>>,
+        loads: Map<String, List<RobotProgramSet>>,
         seeds: IntRange,
         milliseconds: Int,
         jobs: Int,
@@ -164,7 +164,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
     private fun words(programs: List<ProgramGrades>, seeds: IntRange, run: GradedRun): String {
         val tables = GradeTables(seeds, console.messages, run::command)
         val single = programs.singleOrNull()
-        return if (single is ProgramGrades.Graded) tables.ofProgram(single) else tables.ofClass(programs)
+        return if (single is ProgramGrades.Success) tables.ofProgram(single) else tables.ofClass(programs)
     }
 
     private companion object {

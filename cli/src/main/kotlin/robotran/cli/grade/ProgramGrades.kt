@@ -22,7 +22,7 @@ internal sealed interface ProgramGrades {
      * @property grades one per world and seed, in order; never empty.
      * @property worlds the world of each of [grades]: empty for the assignment's own, or the name of a variation.
      */
-    data class Graded(
+    data class Success(
         override val name: String,
         override val shownName: String,
         val grades: List<Grade>,
@@ -32,7 +32,7 @@ internal sealed interface ProgramGrades {
     }
 
     /** The program cannot run. Each of [reasons] is one line of text. If it is readable, it has errors. */
-    data class Rejected(
+    data class Failure(
         override val name: String,
         override val shownName: String,
         val reasons: List<String>,
@@ -47,14 +47,14 @@ internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: St
     val shown = visibleLine(shownName)
     return when (result) {
         is GradedHandIn.Graded -> {
-            ProgramGrades.Graded(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
+            ProgramGrades.Success(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
         }
 
-        is GradedHandIn.HasMistakes -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = true)
-        is GradedHandIn.Failed -> ProgramGrades.Rejected(name, shown, result.reasons, isReadable = false)
+        is GradedHandIn.HasMistakes -> ProgramGrades.Failure(name, shown, result.reasons, isReadable = true)
+        is GradedHandIn.Failed -> ProgramGrades.Failure(name, shown, result.reasons, isReadable = false)
 
         is GradedHandIn.Unusable -> {
-            ProgramGrades.Rejected(name, shown, listOf(result.submission.reason), isReadable = false)
+            ProgramGrades.Failure(name, shown, listOf(result.submission.reason), isReadable = false)
         }
     }
 }

@@ -72,12 +72,12 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     private fun build(): ExitCode {
         val version = lejos ?: LejosVersion.DEFAULT
         return when (val built = buildImage(files, spoken.language, version)) {
-            is ImageOfFiles.Built -> {
+            is ImageOfFiles.Success -> {
                 built.warnings.forEach(console::say)
                 write(built.image, version)
             }
 
-            is ImageOfFiles.Failed -> {
+            is ImageOfFiles.Failure -> {
                 built.lines.forEach(console::complain)
                 built.code
             }
@@ -87,12 +87,12 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     /** For LEGO's own firmware. */
     private fun build(program: String): ExitCode =
         when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
-            is FirmwareImageOfFile.Built -> {
+            is FirmwareImageOfFile.Success -> {
                 built.warnings.forEach(console::say)
                 write(built.image)
             }
 
-            is FirmwareImageOfFile.Failed -> {
+            is FirmwareImageOfFile.Failure -> {
                 built.lines.forEach(console::complain)
                 built.code
             }

@@ -17,21 +17,21 @@ import robotran.tinyvm.config.LejosVersion
 /** The result of building an image of program files. */
 internal sealed interface ImageOfFiles {
     /** @property warnings one line each. */
-    class Built(val image: LejosImage, val warnings: List<String>) : ImageOfFiles
+    class Success(val image: LejosImage, val warnings: List<String>) : ImageOfFiles
 
     /** @property lines what is wrong, one line each. */
-    class Failed(val lines: List<String>, val code: ExitCode) : ImageOfFiles
+    class Failure(val lines: List<String>, val code: ExitCode) : ImageOfFiles
 }
 
 /** Builds one image of the programs in [files] for leJOS [version]. */
 internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles =
     when (val read = readProgramFiles(files, CommandMessages.of(language))) {
-        is ProgramFiles.Read -> when (val built = buildImageOf(read.programs, language, version)) {
-            is ImageOfFiles.Built -> ImageOfFiles.Built(built.image, read.remarks + built.warnings)
-            is ImageOfFiles.Failed -> ImageOfFiles.Failed(read.remarks + built.lines, built.code)
+        is ProgramFiles.Success -> when (val built = buildImageOf(read.programs, language, version)) {
+            is ImageOfFiles.Success -> ImageOfFiles.Success(built.image, read.remarks + built.warnings)
+            is ImageOfFiles.Failure -> ImageOfFiles.Failure(read.remarks + built.lines, built.code)
         }
 
-        is ProgramFiles.Rejected -> ImageOfFiles.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+        is ProgramFiles.Failure -> ImageOfFiles.Failure(listOf(read.reason), ExitCode.BAD_INPUT)
     }
 
 /** Builds one image of [programs] for leJOS [version]. */
@@ -39,12 +39,12 @@ internal fun buildImageOf(programs: List<NamedProgram>, language: Language, vers
     val messages = CommandMessages.of(language)
     val compiler = ProgramCompiler(PENBOT_TARGET, language = language)
     return when (val result = runBlocking { compiler.buildImage(programs.map { it.source }, version) }) {
-        is ImageBuildResult.Built -> ImageOfFiles.Built(
+        is ImageBuildResult.Success -> ImageOfFiles.Success(
             result.image,
             result.warnings.map { messages.warning(lineOf(programs, it)) },
         )
 
-        is ImageBuildResult.HasErrors -> ImageOfFiles.Failed(
+        is ImageBuildResult.Failure -> ImageOfFiles.Failure(
             result.diagnostics.map { lineOf(programs, it) },
             ExitCode.PROGRAM_FAILED,
         )

@@ -30,27 +30,27 @@ internal fun isCourse(name: String): Boolean =
 
 /** The result of reading a course file. */
 internal sealed interface CourseReading {
-    class Read(val result: CourseFileResult) : CourseReading
+    class Success(val result: CourseFileResult) : CourseReading
 
     /** [reason] is a sentence that names the file. */
-    class Unreadable(val reason: String) : CourseReading
+    class Failure(val reason: String) : CourseReading
 }
 
 /** Reads the course file [name], or that in the folder [name], with the assignments beside it. */
 internal fun readCourseFile(name: String, language: Language): CourseReading {
     val folder = listIn(name)
     val messages = CommandMessages.of(language)
-    val content = reading(name, messages, FileContent::Rejected) {
+    val content = reading(name, messages, FileContent::Failure) {
         readContent(folder ?: Path(name), name, LARGEST_FILE_BYTES, messages)
     }
     return when (content) {
-        is FileContent.Rejected -> CourseReading.Unreadable(content.reason)
+        is FileContent.Failure -> CourseReading.Failure(content.reason)
 
-        is FileContent.Read -> {
+        is FileContent.Success -> {
             val files = FilesBeside(folder ?: Path(name), messages)
             val result = readCourse(content.bytes, language, files::read)
-            val problem = files.problem.takeIf { result is CourseFileResult.Rejected }
-            if (problem == null) CourseReading.Read(result) else CourseReading.Unreadable("$name: $problem")
+            val problem = files.problem.takeIf { result is CourseFileResult.Failure }
+            if (problem == null) CourseReading.Success(result) else CourseReading.Failure("$name: $problem")
         }
     }
 }
@@ -59,19 +59,19 @@ internal fun readCourseFile(name: String, language: Language): CourseReading {
 internal fun courseOf(name: String, console: Console): Course? {
     if (isCourseLink(name)) return linkedCourse(name, console)
     return when (val reading = readCourseFile(name, console.language)) {
-        is CourseReading.Unreadable -> {
+        is CourseReading.Failure -> {
             console.complain(reading.reason)
             null
         }
 
-        is CourseReading.Read -> {
+        is CourseReading.Success -> {
             when (val result = reading.result) {
-                is CourseFileResult.Loaded -> {
+                is CourseFileResult.Success -> {
                     console.warn(name, emptyList(), result.warnings)
                     result.course
                 }
 
-                is CourseFileResult.Rejected -> {
+                is CourseFileResult.Failure -> {
                     console.complain("$name: ${result.message}")
                     null
                 }
@@ -109,15 +109,15 @@ private class FilesBeside(private val course: Path, private val messages: Comman
         } catch (_: InvalidPathException) {
             return null
         }
-        val content = reading(name, messages, FileContent::Rejected) {
+        val content = reading(name, messages, FileContent::Failure) {
             val isInside = course.toAbsolutePath().parent?.let { liesIn(it, path) } ?: false
             if (isInside) {
                 readContent(path, name, LARGEST_FILE_BYTES, messages)
             } else {
-                FileContent.Rejected(messages.leadsOutside(name))
+                FileContent.Failure(messages.leadsOutside(name))
             }
         }
-        if (content is FileContent.Rejected) problem = content.reason
-        return (content as? FileContent.Read)?.bytes
+        if (content is FileContent.Failure) problem = content.reason
+        return (content as? FileContent.Success)?.bytes
     }
 }

@@ -15,29 +15,29 @@ import robotran.world.file.readRobot
 
 /** The result of reading a robot file. */
 internal sealed interface DescribedRobot {
-    data class Read(val robot: RobotDescription) : DescribedRobot
+    data class Success(val robot: RobotDescription) : DescribedRobot
 
     /**
      * The robot cannot be used. [reason] is a sentence that names the file.
      *
      * @property isReadable whether the file could be read, and the robot has a mistake.
      */
-    data class Rejected(val reason: String, val isReadable: Boolean) : DescribedRobot
+    data class Failure(val reason: String, val isReadable: Boolean) : DescribedRobot
 }
 
 /** Reads the robot file [name]. */
 internal fun readDescribedRobot(name: String, console: Console): DescribedRobot =
     when (val file = readTextFile(name, console.messages)) {
-        is TextFile.Rejected -> DescribedRobot.Rejected(file.reason, isReadable = false)
+        is TextFile.Failure -> DescribedRobot.Failure(file.reason, isReadable = false)
 
-        is TextFile.Read -> {
+        is TextFile.Success -> {
             when (val result = readRobot(file.text, console.language)) {
-                is RobotFileResult.Loaded -> {
+                is RobotFileResult.Success -> {
                     console.warn(name, file.remarks, result.warnings)
-                    DescribedRobot.Read(result.robot)
+                    DescribedRobot.Success(result.robot)
                 }
 
-                is RobotFileResult.Rejected -> DescribedRobot.Rejected("$name: ${result.message}", isReadable = true)
+                is RobotFileResult.Failure -> DescribedRobot.Failure("$name: ${result.message}", isReadable = true)
             }
         }
     }
@@ -63,9 +63,9 @@ internal fun withDescribedRobots(world: World, files: List<RobotFile>, console: 
             ProjectMessages.of(console.language).unknownRobot(name, names)
         } else {
             when (val read = readDescribedRobot(file.file, console)) {
-                is DescribedRobot.Rejected -> read.reason
+                is DescribedRobot.Failure -> read.reason
 
-                is DescribedRobot.Read -> {
+                is DescribedRobot.Success -> {
                     val robots = changed.robots.toMutableList()
                     robots[number] = robots[number].copy(description = read.robot, draft = null)
                     changed = changed.copy(robots = robots)

@@ -16,10 +16,10 @@ import robotran.projects.readProject
 
 /** The result of reading a project. */
 internal sealed interface ReadProject {
-    data class Read(val project: Project) : ReadProject
+    data class Success(val project: Project) : ReadProject
 
     /** The project cannot be used. [reason] is a sentence that names the file or link. */
-    data class Rejected(val reason: String) : ReadProject
+    data class Failure(val reason: String) : ReadProject
 }
 
 /** Whether [name] is a project file or a link. */
@@ -35,9 +35,9 @@ internal fun readProjectFile(name: String, console: Console, linkName: String? =
 
 /** The project [name]. On error prints it and returns null. */
 internal fun projectOf(name: String, console: Console): Project? = when (val result = readProjectFile(name, console)) {
-    is ReadProject.Read -> result.project
+    is ReadProject.Success -> result.project
 
-    is ReadProject.Rejected -> {
+    is ReadProject.Failure -> {
         console.complain(result.reason)
         null
     }
@@ -45,24 +45,24 @@ internal fun projectOf(name: String, console: Console): Project? = when (val res
 
 private fun openProjectLink(link: String, linkName: String?, console: Console): ReadProject =
     when (val result = runBlocking { openLink(link, console.language) }) {
-        is LinkResult.OfProject -> ReadProject.Read(result.project)
-        is LinkResult.OfWorld -> ReadProject.Read(Project(result.world))
-        is LinkResult.OfCourse -> ReadProject.Rejected(console.messages.isCourse(linkName ?: result.course.title))
-        is LinkResult.Rejected -> ReadProject.Rejected(listOfNotNull(linkName, result.message).joinToString(": "))
+        is LinkResult.OfProject -> ReadProject.Success(result.project)
+        is LinkResult.OfWorld -> ReadProject.Success(Project(result.world))
+        is LinkResult.OfCourse -> ReadProject.Failure(console.messages.isCourse(linkName ?: result.course.title))
+        is LinkResult.Rejected -> ReadProject.Failure(listOfNotNull(linkName, result.message).joinToString(": "))
     }
 
 private fun readProjectText(name: String, console: Console): ReadProject =
     when (val file = readTextFile(name, console.messages)) {
-        is TextFile.Rejected -> ReadProject.Rejected(file.reason)
+        is TextFile.Failure -> ReadProject.Failure(file.reason)
 
-        is TextFile.Read -> {
+        is TextFile.Success -> {
             when (val result = readProject(file.text, console.language)) {
-                is ProjectFileResult.Loaded -> {
+                is ProjectFileResult.Success -> {
                     console.warn(name, file.remarks, result.warnings)
-                    ReadProject.Read(result.project)
+                    ReadProject.Success(result.project)
                 }
 
-                is ProjectFileResult.Rejected -> ReadProject.Rejected("$name: ${result.message}")
+                is ProjectFileResult.Failure -> ReadProject.Failure("$name: ${result.message}")
             }
         }
     }

@@ -44,9 +44,9 @@ internal sealed interface RobolangFile {
  */
 internal fun readRobolangFile(name: String, language: Language, brick: BrickKind? = null): RobolangFile =
     when (val file = readRobolangText(name, language)) {
-        is TextFile.Rejected -> RobolangFile.Unreadable(file.reason)
+        is TextFile.Failure -> RobolangFile.Unreadable(file.reason)
 
-        is TextFile.Read -> {
+        is TextFile.Success -> {
             when (
                 val result = compileRobolang(
                     Path(file.name).name,
@@ -55,8 +55,8 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                     RobolangMessages.of(language),
                 )
             ) {
-                is RobolangResult.Ready -> RobolangFile.Ready(file.text, result.program, result.warnings, file.remarks)
-                is RobolangResult.HasErrors -> RobolangFile.HasErrors(result.diagnostics, file.remarks)
+                is RobolangResult.Success -> RobolangFile.Ready(file.text, result.program, result.warnings, file.remarks)
+                is RobolangResult.Failure -> RobolangFile.HasErrors(result.diagnostics, file.remarks)
             }
         }
     }
@@ -65,5 +65,5 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
 internal fun readRobolangText(name: String, language: Language): TextFile = if (isNamed(name, ROBOLANG)) {
     readTextFile(name, CommandMessages.of(language))
 } else {
-    TextFile.Rejected(CommandMessages.of(language).notRobolang(name, ROBOLANG))
+    TextFile.Failure(CommandMessages.of(language).notRobolang(name, ROBOLANG))
 }

@@ -9,11 +9,11 @@ import robotran.cli.messages.CommandMessages
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.projects.ProjectRobot
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.projects.target
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 
 /** A file for a robot of the world, such as `--robot red=Ram.robo`. */
 internal data class RobotFile(val robot: String, val file: String)
@@ -35,10 +35,10 @@ internal sealed interface RobotProgramsResult {
      * @property loads one per robot, in the world's order.
      * @property remarks how files of the others were read although they are unusual, in sentences.
      */
-    data class Loaded(val loads: List<RobotLoad>, val remarks: List<String> = emptyList()) : RobotProgramsResult
+    data class Success(val loads: List<RobotProgramSet>, val remarks: List<String> = emptyList()) : RobotProgramsResult
 
     /** The programs cannot run. Each of [reasons] is one line of text. If the files are readable, they have errors. */
-    data class Rejected(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
+    data class Failure(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
 }
 
 /**
@@ -57,12 +57,12 @@ internal fun readLoads(
     val remarks = mutableListOf<String>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
         when (val read = readProgramFiles(files, messages)) {
-            is ProgramFiles.Read -> given[robot] = read.programs.also { remarks += read.remarks }
-            is ProgramFiles.Rejected -> return RobotProgramsResult.Rejected(listOf(read.reason))
+            is ProgramFiles.Success -> given[robot] = read.programs.also { remarks += read.remarks }
+            is ProgramFiles.Failure -> return RobotProgramsResult.Failure(listOf(read.reason))
         }
     }
     val first = world.robots.first().name
-    if (first in given) return RobotProgramsResult.Rejected(listOf(messages.firstRobotNamed(first)))
+    if (first in given) return RobotProgramsResult.Failure(listOf(messages.firstRobotNamed(first)))
     val robots = place.others.filter { it.name !in given }
     robots.forEach { robot -> given[robot.name] = robot.programs.map { NamedProgram(it.name, it.program) } }
     given[first] = own.programs
@@ -77,23 +77,23 @@ internal fun readLoads(
     }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotLoads.Ready -> RobotProgramsResult.Loaded(loadsWith(choices, world, result.loads), remarks)
+        is RobotProgramSets.Success -> RobotProgramsResult.Success(loadsWith(choices, world, result.loads), remarks)
 
-        is RobotLoads.HasErrors -> {
+        is RobotProgramSets.Failure -> {
             val target = world.robots.firstOrNull { it.name == result.robot }?.description?.target
             val itsReader = if (target == null) reader else reader.forTarget(target)
-            RobotProgramsResult.Rejected(linesOf(result, given[result.robot].orEmpty(), itsReader))
+            RobotProgramsResult.Failure(linesOf(result, given[result.robot].orEmpty(), itsReader))
         }
     }
 }
 
 /** The diagnostics with file names as the user entered them. This needs a separate read of each program. */
 private fun linesOf(
-    mistaken: RobotLoads.HasErrors,
+    mistaken: RobotProgramSets.Failure,
     programs: List<NamedProgram>,
     reader: ProgramCompiler,
 ): List<String> = programs
     .flatMap { program ->
         val result = runBlocking { reader.read(program.source) }
-        (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty().map { lineOf(program, it) }
+        (result as? ProgramResult.Failure)?.diagnostics.orEmpty().map { lineOf(program, it) }
     }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

@@ -26,10 +26,10 @@ internal data class Submission(
 
 /** The result of reading a submission. */
 internal sealed interface SubmissionResult {
-    data class Read(val handIn: Submission) : SubmissionResult
+    data class Success(val handIn: Submission) : SubmissionResult
 
     /** The submission cannot be used. [reason] is a sentence that names the file. */
-    data class Rejected(val reason: String) : SubmissionResult
+    data class Failure(val reason: String) : SubmissionResult
 }
 
 /**
@@ -42,21 +42,21 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
     val project = names.singleOrNull()?.takeIf(::isProject)
     if (project != null) {
         return when (val read = readProjectFile(project, console, linkName)) {
-            is ReadProject.Read -> handInOf(read.project, if (isLink(project)) linkName else project, console)
-            is ReadProject.Rejected -> SubmissionResult.Rejected(read.reason)
+            is ReadProject.Success -> handInOf(read.project, if (isLink(project)) linkName else project, console)
+            is ReadProject.Failure -> SubmissionResult.Failure(read.reason)
         }
     }
     names.filter { filesOfProgram(it) != listOf(it) && hasClassFiles(it) }
         .forEach { console.complain(console.messages.sourceCounts(it)) }
     val found = names.flatMap(::filesOfProgram)
-    linkOutside(found, names)?.let { return SubmissionResult.Rejected(console.messages.leadsOutside(it)) }
+    linkOutside(found, names)?.let { return SubmissionResult.Failure(console.messages.leadsOutside(it)) }
     return when (val files = readProgramFiles(found, console.messages)) {
-        is ProgramFiles.Read -> {
+        is ProgramFiles.Success -> {
             files.remarks.forEach(console::complain)
-            SubmissionResult.Read(Submission(files.programs))
+            SubmissionResult.Success(Submission(files.programs))
         }
 
-        is ProgramFiles.Rejected -> SubmissionResult.Rejected(files.reason)
+        is ProgramFiles.Failure -> SubmissionResult.Failure(files.reason)
     }
 }
 
@@ -64,8 +64,8 @@ private fun handInOf(project: Project, name: String?, console: Console): Submiss
     val first = project.world.robots.first().name
     val robot = project.robots.firstOrNull { it.name == first }
     if (robot == null || robot.programs.isEmpty()) {
-        return SubmissionResult.Rejected(console.messages.noProgramIn(name ?: console.messages.theLink(), first))
+        return SubmissionResult.Failure(console.messages.noProgramIn(name ?: console.messages.theLink(), first))
     }
     val programs = robot.programs.map { NamedProgram(it.name, it.program, name) }
-    return SubmissionResult.Read(Submission(programs, robot.firstProgram, robot.lightFacing))
+    return SubmissionResult.Success(Submission(programs, robot.firstProgram, robot.lightFacing))
 }

@@ -34,20 +34,20 @@ internal data class WorldChanges(
 internal fun readWorldFile(name: String, console: Console): World? {
     val file =
         when (val file = readTextFile(name, console.messages)) {
-            is TextFile.Read -> file
+            is TextFile.Success -> file
 
-            is TextFile.Rejected -> {
+            is TextFile.Failure -> {
                 console.complain(file.reason)
                 return null
             }
         }
     return when (val result = readWorld(file.text, console.language)) {
-        is WorldFileResult.Loaded -> {
+        is WorldFileResult.Success -> {
             console.warn(name, file.remarks, result.warnings)
             result.world
         }
 
-        is WorldFileResult.Rejected -> {
+        is WorldFileResult.Failure -> {
             console.complain("$name: ${result.message}")
             null
         }

@@ -16,10 +16,10 @@ import robotran.projects.PENBOT_TARGET
 /** The result of compiling a program for LEGO's own firmware. */
 internal sealed interface FirmwareImageOfFile {
     /** @property warnings one line each. */
-    class Built(val image: RcxImage, val warnings: List<String>) : FirmwareImageOfFile
+    class Success(val image: RcxImage, val warnings: List<String>) : FirmwareImageOfFile
 
     /** @property lines what is wrong, one line each. */
-    class Failed(val lines: List<String>, val code: ExitCode) : FirmwareImageOfFile
+    class Failure(val lines: List<String>, val code: ExitCode) : FirmwareImageOfFile
 }
 
 /** Compiles [program], which must be for LEGO's own firmware. */
@@ -30,12 +30,12 @@ internal fun firmwareImageOf(
 ): FirmwareImageOfFile {
     val compiler = ProgramCompiler(PENBOT_TARGET, language = language, firmware = settings)
     return when (val result = runBlocking { compiler.read(program.source) }) {
-        is ProgramResult.Ready -> FirmwareImageOfFile.Built(
+        is ProgramResult.Success -> FirmwareImageOfFile.Success(
             checkNotNull(result.firmwareImage) { "${program.path} is not for LEGO's firmware." },
             result.warnings.map { CommandMessages.of(language).warning(lineOf(program, it)) },
         )
 
-        is ProgramResult.HasErrors -> FirmwareImageOfFile.Failed(
+        is ProgramResult.Failure -> FirmwareImageOfFile.Failure(
             result.diagnostics.map { lineOf(program, it) },
             ExitCode.PROGRAM_FAILED,
         )

@@ -25,21 +25,21 @@ internal sealed interface NqcOfFile {
      * @property lost what NQC cannot do, one line each; the program leaves it out.
      * @property changed what NQC does nearly the same, one line each.
      */
-    class Translated(val program: NamedProgram, val lost: List<String>, val changed: List<String>) : NqcOfFile {
+    class Success(val program: NamedProgram, val lost: List<String>, val changed: List<String>) : NqcOfFile {
         val text: String get() = program.source.files.single().text
     }
 
     /** @property lines what is wrong, one line each. */
-    class Failed(val lines: List<String>, val code: ExitCode) : NqcOfFile
+    class Failure(val lines: List<String>, val code: ExitCode) : NqcOfFile
 }
 
 /** Translates the Robolang program [name]. */
 internal fun nqcOf(name: String, language: Language): NqcOfFile =
     when (val file = readRobolangFile(name, language, BrickKind.ofLegoFirmware)) {
-        is RobolangFile.Unreadable -> NqcOfFile.Failed(listOf(file.reason), ExitCode.BAD_INPUT)
+        is RobolangFile.Unreadable -> NqcOfFile.Failure(listOf(file.reason), ExitCode.BAD_INPUT)
 
         is RobolangFile.HasErrors -> {
-            NqcOfFile.Failed(file.remarks + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
+            NqcOfFile.Failure(file.remarks + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
         }
 
         is RobolangFile.Ready -> {
@@ -48,7 +48,7 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
             val source = Program.of(translation.fileName, translation.nqc)
             val line = { remark: NqcRemark -> "$name:${remark.range.line}:${remark.range.column}: ${remark.message}" }
             val messages = CommandMessages.of(language)
-            NqcOfFile.Translated(
+            NqcOfFile.Success(
                 NamedProgram(name, source),
                 lost.map(line),
                 file.remarks + changed.map { messages.warning(line(it)) },
@@ -60,30 +60,30 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
 internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language: Language): FirmwareImageOfFile {
     if (isNamed(name, ROBOLANG)) {
         return when (val translated = nqcOf(name, language)) {
-            is NqcOfFile.Failed -> FirmwareImageOfFile.Failed(translated.lines, translated.code)
-            is NqcOfFile.Translated -> imageOf(translated, settings, language)
+            is NqcOfFile.Failure -> FirmwareImageOfFile.Failure(translated.lines, translated.code)
+            is NqcOfFile.Success -> imageOf(translated, settings, language)
         }
     }
     return when (val read = readProgramFiles(listOf(name), CommandMessages.of(language))) {
-        is ProgramFiles.Rejected -> FirmwareImageOfFile.Failed(listOf(read.reason), ExitCode.BAD_INPUT)
+        is ProgramFiles.Failure -> FirmwareImageOfFile.Failure(listOf(read.reason), ExitCode.BAD_INPUT)
 
-        is ProgramFiles.Read -> {
+        is ProgramFiles.Success -> {
             when (val built = firmwareImageOf(read.programs.single(), settings, language)) {
-                is FirmwareImageOfFile.Failed -> FirmwareImageOfFile.Failed(read.remarks + built.lines, built.code)
-                is FirmwareImageOfFile.Built -> FirmwareImageOfFile.Built(built.image, read.remarks + built.warnings)
+                is FirmwareImageOfFile.Failure -> FirmwareImageOfFile.Failure(read.remarks + built.lines, built.code)
+                is FirmwareImageOfFile.Success -> FirmwareImageOfFile.Success(built.image, read.remarks + built.warnings)
             }
         }
     }
 }
 
 private fun imageOf(
-    translated: NqcOfFile.Translated,
+    translated: NqcOfFile.Success,
     settings: FirmwareSettings,
     language: Language,
 ): FirmwareImageOfFile {
-    if (translated.lost.isNotEmpty()) return FirmwareImageOfFile.Failed(translated.lost, ExitCode.PROGRAM_FAILED)
+    if (translated.lost.isNotEmpty()) return FirmwareImageOfFile.Failure(translated.lost, ExitCode.PROGRAM_FAILED)
     return when (val built = firmwareImageOf(translated.program, settings, language)) {
-        is FirmwareImageOfFile.Failed -> built
-        is FirmwareImageOfFile.Built -> FirmwareImageOfFile.Built(built.image, translated.changed + built.warnings)
+        is FirmwareImageOfFile.Failure -> built
+        is FirmwareImageOfFile.Success -> FirmwareImageOfFile.Success(built.image, translated.changed + built.warnings)
     }
 }

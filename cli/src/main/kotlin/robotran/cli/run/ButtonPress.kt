@@ -13,10 +13,10 @@ internal data class ButtonPress(val text: String, val button: BrickButton, val f
 
 /** The result of parsing a [ButtonPress]. */
 internal sealed interface ButtonPressResult {
-    data class Read(val press: ButtonPress) : ButtonPressResult
+    data class Success(val press: ButtonPress) : ButtonPressResult
 
     /** @property reason a sentence. */
-    data class Rejected(val reason: String) : ButtonPressResult
+    data class Failure(val reason: String) : ButtonPressResult
 }
 
 /**
@@ -24,7 +24,7 @@ internal sealed interface ButtonPressResult {
  * [longest] is the max time in seconds.
  */
 internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
-    fun refuse(reason: String) = ButtonPressResult.Rejected("$reason, as in run@2.5 or run@2.5+1.")
+    fun refuse(reason: String) = ButtonPressResult.Failure("$reason, as in run@2.5 or run@2.5+1.")
     val (name, times) = text.split('@').takeIf { it.size == 2 } ?: return refuse("$text is not a button and a time")
     val button = BrickButton.entries.find { buttonName(it) == name.lowercase() }
         ?: return refuse(
@@ -37,7 +37,7 @@ internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     val length = if (seconds.size == 1) DEFAULT_SECONDS else seconds[1].takeIf { seconds.size == 2 && it != 0.0 }
     if (length == null) return refuse("${times.substringAfter('+')} is not a number of seconds to hold a button down")
     val from = milliseconds(begin)
-    return ButtonPressResult.Read(ButtonPress(text, button, from, from + milliseconds(length).coerceAtLeast(1)))
+    return ButtonPressResult.Success(ButtonPress(text, button, from, from + milliseconds(length).coerceAtLeast(1)))
 }
 
 /** The command-line name of [button]. */

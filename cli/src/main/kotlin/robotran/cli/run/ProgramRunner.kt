@@ -25,10 +25,10 @@ import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.RecordedInput
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
@@ -103,11 +103,11 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             val result =
                 runBlocking { readRobotLoads(project, compilerFor(request, java)) }
         ) {
-            is RobotLoads.Ready -> {
+            is RobotProgramSets.Success -> {
                 run(request.changes.of(project.worldToRun), result.loads, request, outputs, project.inputs)
             }
 
-            is RobotLoads.HasErrors -> {
+            is RobotProgramSets.Failure -> {
                 result.diagnostics.forEach {
                     console.complain(if (it.file.isEmpty()) it.message else lineOf(it.file, it))
                 }
@@ -128,7 +128,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
 
     private fun run(
         world: World,
-        loads: List<RobotLoad>,
+        loads: List<RobotProgramSet>,
         request: RunRequest,
         outputs: RunOutputs,
         inputs: List<RecordedInput> = emptyList(),
@@ -173,25 +173,25 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
 
     /** Prints an error and returns null if a program cannot be read. */
     private fun readOwn(names: List<String>): Submission? = when (val read = readSubmission(names, console)) {
-        is SubmissionResult.Read -> read.handIn
+        is SubmissionResult.Success -> read.handIn
 
-        is SubmissionResult.Rejected -> {
+        is SubmissionResult.Failure -> {
             console.complain(read.reason)
             null
         }
     }
 
     /** Prints an error and returns null if a program cannot run. */
-    private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotLoad>? = when (
+    private fun readLoads(place: LoadedWorld, own: Submission, request: RunRequest): List<RobotProgramSet>? = when (
         val loading =
             readLoads(place, compilerFor(request, request.java), own, request.robots)
     ) {
-        is RobotProgramsResult.Loaded -> {
+        is RobotProgramsResult.Success -> {
             loading.remarks.forEach(console::complain)
             loading.loads
         }
 
-        is RobotProgramsResult.Rejected -> {
+        is RobotProgramsResult.Failure -> {
             loading.reasons.forEach(console::complain)
             null
         }

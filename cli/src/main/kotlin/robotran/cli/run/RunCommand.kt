@@ -60,11 +60,11 @@ internal class RunCommand(private val process: Console, private val desktop: Des
                 "May be given several times. With it nothing is pressed by itself, not even Run or ENTER.",
     ).convert { text ->
         when (val result = readButtonPress(text, LONGEST_RUN_SECONDS)) {
-            is ButtonPressResult.Read -> result.press
-            is ButtonPressResult.Rejected -> fail(result.reason)
+            is ButtonPressResult.Success -> result.press
+            is ButtonPressResult.Failure -> fail(result.reason)
         }
     }.multiple()
-    private val romLog by option(
+    private val callLog by option(
         "--rom-log",
         metavar = "FILE|-",
         help = "writes every ROM call, on an NXT every call of its firmware, one a line; a table if FILE ends in .csv",
@@ -108,7 +108,7 @@ internal class RunCommand(private val process: Console, private val desktop: Des
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
         conflictIn(presses, options.milliseconds ?: DEFAULT_RUN_MILLISECONDS)?.let { throw UsageError(it) }
-        val outputs = RunOutputs(picture, romLog, romLogOnly, report, brickReport, memory, explain)
+        val outputs = RunOutputs(picture, callLog, romLogOnly, report, brickReport, memory, explain)
         val request = RunRequest(
             programs,
             options.robots,
@@ -147,12 +147,12 @@ internal class RunCommand(private val process: Console, private val desktop: Des
  */
 internal class RunOutputs(
     val picture: String?,
-    val romLog: String?,
+    val callLog: String?,
     val romLogGroups: Set<CallGroup>?,
     val report: String?,
     val brickReport: String?,
     val memory: String?,
     val explains: Boolean,
 ) {
-    val names: List<String?> get() = listOf(picture, romLog, report, brickReport, memory)
+    val names: List<String?> get() = listOf(picture, callLog, report, brickReport, memory)
 }

@@ -37,7 +37,7 @@ internal class RunResults(
         val problems =
             listOfNotNull(
                 outputs.picture?.let { writeFile(it, pictureFor(it), messages) },
-                outputs.romLog?.let { writeOutput(it, romLogText(outputs)) },
+                outputs.callLog?.let { writeOutput(it, romLogText(outputs)) },
                 outputs.report?.let { writeOutput(it, report.toJson() + "\n") },
                 outputs.brickReport?.let { writeOutput(it, brickReport(session) + "\n") },
                 outputs.memory?.let { name -> session.memory()?.let { writeOutput(name, memoryListing(it)) } },
@@ -46,13 +46,13 @@ internal class RunResults(
         session.remarks.forEach {
             console.complain(listOfNotNull(it.place(PlaceMessages.of(console.language)), it.message).joinToString(": "))
         }
-        val forgotten = session.romLog.total - session.romLog.entries.size
-        if (outputs.romLog != null && forgotten > 0) {
+        val forgotten = session.callLog.total - session.callLog.entries.size
+        if (outputs.callLog != null && forgotten > 0) {
             console.complain(messages.romLogLacks(forgotten))
         }
         if (outputs.explains) explain()
         if (ON_CONSOLE !in
-            listOf(outputs.romLog, outputs.report, outputs.brickReport, outputs.memory)
+            listOf(outputs.callLog, outputs.report, outputs.brickReport, outputs.memory)
         ) {
             console.say(summary(report))
         }
@@ -82,8 +82,8 @@ internal class RunResults(
 
     private fun romLogText(outputs: RunOutputs): String {
         val filter = outputs.romLogGroups?.let { CallLogFilter(it) } ?: CallLogFilter()
-        val entries = session.romLog.entries.filter(filter::accepts)
-        return if (outputs.romLog.orEmpty().endsWith(
+        val entries = session.callLog.entries.filter(filter::accepts)
+        return if (outputs.callLog.orEmpty().endsWith(
                 ".csv",
                 ignoreCase = true,
             )

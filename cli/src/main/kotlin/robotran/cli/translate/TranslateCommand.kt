@@ -97,18 +97,18 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private fun writeJavaKit(kit: String): ExitCode {
         val files =
             when (val read = readProgramFiles(programs, sentences)) {
-                is ProgramFiles.Read -> read.programs.single().also { read.remarks.forEach(console::complain) }
-                is ProgramFiles.Rejected -> return refuse(read.reason)
+                is ProgramFiles.Success -> read.programs.single().also { read.remarks.forEach(console::complain) }
+                is ProgramFiles.Failure -> return refuse(read.reason)
             }
         val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.default
         val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
         return when (val result = runBlocking { reader.read(files.source) }) {
-            is Reading.HasErrors -> {
+            is Reading.Failure -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }
                 ExitCode.PROGRAM_FAILED
             }
 
-            is Reading.Ready -> {
+            is Reading.Success -> {
                 val sources = (files.source as Program).files.map { KitFile(it.name, it.text) }
                 writeFile(
                     kit,
@@ -135,9 +135,9 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
 
     private fun translateToNqc(program: String): ExitCode = when (val nqc = nqcOf(program, spoken.language)) {
-        is NqcOfFile.Failed -> refuse(nqc.lines, nqc.code)
+        is NqcOfFile.Failure -> refuse(nqc.lines, nqc.code)
 
-        is NqcOfFile.Translated -> {
+        is NqcOfFile.Success -> {
             (nqc.lost + nqc.changed).forEach(console::complain)
             val written = write(nqc.text)
             if (nqc.lost.isEmpty()) written else maxOf(written, ExitCode.PROGRAM_FAILED)
@@ -146,9 +146,9 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
 
     private fun translateToLasm(program: String): ExitCode =
         when (val built = firmwareImageOf(program, FirmwareSettings(target, oldNqc), spoken.language)) {
-            is FirmwareImageOfFile.Failed -> refuse(built.lines, built.code)
+            is FirmwareImageOfFile.Failure -> refuse(built.lines, built.code)
 
-            is FirmwareImageOfFile.Built -> {
+            is FirmwareImageOfFile.Success -> {
                 built.warnings.forEach(console::complain)
                 write(built.image.assemblyListing().text)
             }

@@ -86,7 +86,7 @@ class SendCommandTest : TowerTest() {
             )
         for ((reason, sentence) in sentences) {
             console.complaints.clear()
-            val ports = TestPorts(mapOf("COM3" to OpenedTower.Failed(reason)))
+            val ports = TestPorts(mapOf("COM3" to OpenedTower.Failure(reason)))
             assertEquals(4, execute(ports, "send", square, "--port", "COM3"))
             assertContains(console.complaints.single(), sentence)
         }

@@ -34,7 +34,7 @@ class SendToLegoTest : TowerTest() {
         val image = "$folder/drive.rcx"
         assertEquals(0, execute(lego, "build", nqc, "-o", image))
         assertEquals(0, execute(lego, "send", nqc, lasm, image, "--slot", "3"), console.complaints.joinToString("\n"))
-        val built = assertIs<RcxImageResult.Read>(readRcxImage(File(image).readBytes())).image
+        val built = assertIs<RcxImageResult.Success>(readRcxImage(File(image).readBytes())).image
         val code = built.chunks.single().code.toByteArray()
         assertContentEquals(code, lego.parts["3 task 0"])
         assertContentEquals(byteArrayOf(0x51, 1), lego.parts["4 task 0"])

@@ -31,7 +31,7 @@ abstract class TowerTest : CommandTest() {
     ): Int {
         val brick = SimulatedBrick(firmware).also(prepare)
         val tower = SimulatedTower(scope, brick, speed = FASTER)
-        return execute(TestPorts(mapOf("COM7" to OpenedTower.Open(tower))), *arguments)
+        return execute(TestPorts(mapOf("COM7" to OpenedTower.Success(tower))), *arguments)
     }
 
     /** Runs a command on a machine with [ports]. */
@@ -52,7 +52,7 @@ internal class TestPorts(private val ports: Map<String, OpenedTower>) : TowerPor
 
     override suspend fun choose(kind: TowerKind) = available().firstOrNull()
 
-    override suspend fun open(device: TowerDevice) = ports[device.id] ?: OpenedTower.Failed(OpenFailure.GONE)
+    override suspend fun open(device: TowerDevice) = ports[device.id] ?: OpenedTower.Failure(OpenFailure.GONE)
 
     fun named(name: String) = TowerDevice(name, name, TowerKind.SERIAL)
 }

@@ -19,7 +19,7 @@ class TransferReportTest {
     @Test
     fun `a transfer that has failed tells what the brick has now`() {
         val report = TransferReport(console, isTerminal = false, slot = 4)
-        val failed = TransferResult.Failed(TowerError.BrickSilent, Remains.NO_PROGRAM)
+        val failed = TransferResult.Failure(TowerError.BrickSilent, Remains.NO_PROGRAM)
         assertEquals(4, report.end(failed) { "never" }.status)
         val empty = "Slot 4 of the brick is empty now, and the other slots are as before. Send the program again."
         assertEquals(empty, console.complaints.last())
@@ -37,7 +37,7 @@ class TransferReportTest {
         val (empty, half) = console.mentions
         assertEquals("\r[${" ".repeat(40)}] 0 of 30 blocks, 100 s left", empty)
         assertEquals("\r[${"#".repeat(20)}${" ".repeat(20)}] 15 of 30 blocks, 9 s left".padEnd(empty.length), half)
-        assertEquals(0, report.end(TransferResult.Complete(600, repeats = 0)) { "$it bytes" }.status)
+        assertEquals(0, report.end(TransferResult.Success(600, repeats = 0)) { "$it bytes" }.status)
         assertEquals("\r${" ".repeat(empty.length - 1)}\r", console.mentions.last())
         assertEquals("600 bytes", console.said.single())
     }

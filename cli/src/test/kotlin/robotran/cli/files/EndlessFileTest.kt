@@ -77,11 +77,11 @@ class EndlessFileTest : CommandTest() {
         assertContains(refusal("run", "$large"), "large.robo is too large")
         // Files in /proc report a length of 0 but have content, like a file that grows after its size was read.
         val growing =
-            assertIs<FileContent.Rejected>(
+            assertIs<FileContent.Failure>(
                 readContent(Path.of("/proc/self/status"), "growing.robo", 10, CommandMessages.of(Language.ENGLISH)),
             )
         assertEquals("growing.robo is too large: it can have 10 bytes at most.", growing.reason)
-        assertIs<FileContent.Read>(
+        assertIs<FileContent.Success>(
             readContent(Path.of("/proc/self/status"), "growing.robo", 100_000, CommandMessages.of(Language.ENGLISH)),
         )
     }

@@ -46,7 +46,7 @@ class ClassOfHandInsTest : CommandTest() {
         """{"format": "robotran-world", "version": 2, "title": "Ahead", "paper": {"width": 100, "height": 80},
            "robots": [{"start": {"x": 50, "y": 40, "heading": 0}}], "timeLimit": 8,
            "goals": [{"kind": "reach", "region": {"circle": {"x": 80, "y": 40, "radius": 5}}, "stays": true}]}"""
-    private val world: World = assertIs<WorldFileResult.Loaded>(readWorld(worldText, Language.ENGLISH)).world
+    private val world: World = assertIs<WorldFileResult.Success>(readWorld(worldText, Language.ENGLISH)).world
     private val worldFile = program(worldText, "ahead.world.json")
     private val nearer = world.copy(robots = world.robots.map { it.copy(start = it.start.copy(x = 40.0)) })
     private val teachers = Project(

@@ -36,7 +36,7 @@ class SubmissionTest : CommandTest() {
         """{"format": "robotran-world", "version": 2, "title": "Ahead", "paper": {"width": 100, "height": 80},
            "robots": [{"start": {"x": 50, "y": 40, "heading": 0}}, {"name": "red", "start": {"x": 10, "y": 10, "heading": 0}}], "timeLimit": 8,
            "goals": [{"kind": "reach", "region": {"circle": {"x": 80, "y": 40, "radius": 5}}, "stays": true}]}"""
-    private val world: World = assertIs<WorldFileResult.Loaded>(readWorld(worldText, Language.ENGLISH)).world
+    private val world: World = assertIs<WorldFileResult.Success>(readWorld(worldText, Language.ENGLISH)).world
     private val worldFile = file("ahead.world.json", worldText)
     private val ahead = robolang("forward 30\n")
     private val short = robolang("forward 10\n", "short.robo")
@@ -96,7 +96,7 @@ class SubmissionTest : CommandTest() {
             "\"stays\": true",
             "\"who\": \"red\"",
         ).replace("\"x\": 80, \"y\": 40", "\"x\": 50, \"y\": 10")
-        val place = assertIs<WorldFileResult.Loaded>(readWorld(reach, Language.ENGLISH)).world
+        val place = assertIs<WorldFileResult.Success>(readWorld(reach, Language.ENGLISH)).world
         val teacher = Project(place, listOf(rams), ProjectSettings(seed = 7))
         val waiting = program("wait 7 seconds\n")
         for (shared in listOf(project("teacher.robotran", teacher), link(teacher))) {

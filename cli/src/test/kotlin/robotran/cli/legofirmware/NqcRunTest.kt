@@ -42,12 +42,12 @@ class NqcRunTest : CommandTest() {
         assertTrue(examples.isNotEmpty())
         for (example in examples) {
             val report = folder.resolve("report.json")
-            val romLog = folder.resolve("rom.txt")
-            assertEquals(0, run(example.path, "--report", "$report", "--rom-log", "$romLog"), example.name)
+            val callLog = folder.resolve("rom.txt")
+            assertEquals(0, run(example.path, "--report", "$report", "--rom-log", "$callLog"), example.name)
             val name = example.nameWithoutExtension
             assertEquals(records.resolve("$name.report.json").readText(), report.readText(), name)
             val recordedLog = records.resolve("$name.rom-log.txt")
-            if (recordedLog.exists()) assertEquals(recordedLog.readText(), romLog.readText(), name)
+            if (recordedLog.exists()) assertEquals(recordedLog.readText(), callLog.readText(), name)
         }
     }
 

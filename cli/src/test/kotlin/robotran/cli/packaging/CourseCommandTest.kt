@@ -29,7 +29,7 @@ class CourseCommandTest : CommandTest() {
         commandLine.execute(listOf("course", "-o", written.toString()) + arguments)
 
     private fun read(): Course =
-        assertIs<CourseFileResult.Loaded>(readCourse(written.readBytes(), Language.ENGLISH)).course
+        assertIs<CourseFileResult.Success>(readCourse(written.readBytes(), Language.ENGLISH)).course
 
     @Test
     fun `a strand is written as a course in the language that is asked for`() {

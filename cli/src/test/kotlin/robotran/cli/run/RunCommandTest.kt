@@ -23,10 +23,10 @@ class RunCommandTest : CommandTest() {
     @Test
     fun `the square leaves the recorded report and ROM log`() {
         val report = folder.resolve("results/report.json")
-        val romLog = folder.resolve("results/rom.txt")
-        assertEquals(0, run(square, "--report", "$report", "--rom-log", "$romLog"))
+        val callLog = folder.resolve("results/rom.txt")
+        assertEquals(0, run(square, "--report", "$report", "--rom-log", "$callLog"))
         assertEquals(recorded(".report.json"), report.readText())
-        assertEquals(recorded(".rom-log.txt"), romLog.readText())
+        assertEquals(recorded(".rom-log.txt"), callLog.readText())
         assertContains(console.said.single(), "The program ended after")
     }
 

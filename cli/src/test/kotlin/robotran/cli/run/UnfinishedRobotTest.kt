@@ -28,7 +28,7 @@ class UnfinishedRobotTest : CommandTest() {
     private val reason = "The robot yellow is not finished: \"One motor\" cannot drive. " +
         "Two motors are needed to drive, but left and right are both motor C."
 
-    private fun world(text: String) = assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH)).world
+    private fun world(text: String) = assertIs<WorldFileResult.Success>(readWorld(text, Language.ENGLISH)).world
 
     private fun told(vararg arguments: String): String {
         console.said.clear()

@@ -64,7 +64,7 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
         }
 
     override suspend fun read(location: String): ByteArray? =
-        withContext(Dispatchers.IO) { (readFile(Path.of(location), Language.ENGLISH) as? FileContent.Read)?.bytes }
+        withContext(Dispatchers.IO) { (readFile(Path.of(location), Language.ENGLISH) as? FileContent.Success)?.bytes }
 
     override suspend fun changedAt(location: String): Long? = withContext(Dispatchers.IO) {
         try {
@@ -88,9 +88,9 @@ internal class DesktopFilePicker(private val window: () -> Frame?, private val t
 internal fun openedFile(path: Path, tell: (String) -> Unit): OpenedFile? {
     val location = path.toAbsolutePath().normalize()
     return when (val file = readFile(location, appLanguage(null))) {
-        is FileContent.Read -> OpenedFile(location.name, file.bytes, location.toString())
+        is FileContent.Success -> OpenedFile(location.name, file.bytes, location.toString())
 
-        is FileContent.Rejected -> {
+        is FileContent.Failure -> {
             tell(file.reason)
             null
         }

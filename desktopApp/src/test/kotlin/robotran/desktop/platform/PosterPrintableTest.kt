@@ -3,7 +3,7 @@ package robotran.desktop.platform
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.programs.Program
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.ui.poster.DrawnPoster
@@ -48,7 +48,7 @@ class PosterPrintableTest {
 
     private fun posterOf(text: String): Poster {
         val session =
-            Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), runBlocking { loadPhysicsEngine() }, Language.ENGLISH)
+            Session(BuiltInWorlds.plain, emptyList<RobotProgramSet>(), runBlocking { loadPhysicsEngine() }, Language.ENGLISH)
         val state = session.state
         session.close()
         val program = Program.of("line.robo", text)

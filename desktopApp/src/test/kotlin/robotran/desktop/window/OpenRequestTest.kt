@@ -35,7 +35,7 @@ class OpenRequestTest {
 
     @Test
     fun `files of the command line come with where they are`() {
-        val read = assertIs<OpenRequestResult.Read>(readOpenRequest(listOf("$program", "$program")))
+        val read = assertIs<OpenRequestResult.Success>(readOpenRequest(listOf("$program", "$program")))
         val file = assertIs<OpenRequest.OfFiles>(read.arrival).files.single()
         assertEquals("a.robo", file.name)
         assertEquals("beep", file.bytes.decodeToString())
@@ -44,30 +44,30 @@ class OpenRequestTest {
 
     @Test
     fun `nothing named is nothing, and a link is a link`() {
-        assertNull(assertIs<OpenRequestResult.Read>(readOpenRequest(emptyList())).arrival)
+        assertNull(assertIs<OpenRequestResult.Success>(readOpenRequest(emptyList())).arrival)
         assertEquals(
             OpenRequest.OfLink("#p=a123"),
-            assertIs<OpenRequestResult.Read>(readOpenRequest(listOf("#p=a123"))).arrival,
+            assertIs<OpenRequestResult.Success>(readOpenRequest(listOf("#p=a123"))).arrival,
         )
     }
 
     @Test
     fun `what cannot be read is refused before a window opens`() {
         assertContains(
-            assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder/none.robo"))).reason,
+            assertIs<OpenRequestResult.Failure>(readOpenRequest(listOf("$folder/none.robo"))).reason,
             "There is no file none.robo.",
         )
         assertContains(
-            assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("Main.class"))).reason,
+            assertIs<OpenRequestResult.Failure>(readOpenRequest(listOf("Main.class"))).reason,
             "is compiled",
         )
-        assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$folder")))
+        assertIs<OpenRequestResult.Failure>(readOpenRequest(listOf("$folder")))
     }
 
     @Test
     fun `a device or a pipe is refused at once, named, chosen or dropped`() {
         val zero = folder.resolve("zero.robo").createSymbolicLinkPointingTo(Path.of("/dev/zero"))
-        assertContains(assertIs<OpenRequestResult.Rejected>(readOpenRequest(listOf("$zero"))).reason, "zero.robo")
+        assertContains(assertIs<OpenRequestResult.Failure>(readOpenRequest(listOf("$zero"))).reason, "zero.robo")
         val pipe = folder.resolve("pipe.robo")
         val made = ProcessBuilder("mkfifo", "$pipe").start()
         check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)

@@ -7,10 +7,10 @@ import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramSource
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.forFirstRobot
 import robotran.projects.readRobotLoads
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -35,13 +35,13 @@ internal object ShippedWorlds {
         .filter { it.nameWithoutExtension == "solution" }.sorted().also { check(it.isNotEmpty()) { name } }
 
     /** The programs of all robots in [world]. The pupil's robot gets [file], or an empty program for null. */
-    fun loads(world: World, file: File?): List<RobotLoad> = when (
+    fun loads(world: World, file: File?): List<RobotProgramSet> = when (
         val loads = runBlocking {
             readRobotLoads(world, reader, world.forFirstRobot(listOf(source(file))))
         }
     ) {
-        is RobotLoads.Ready -> loads.loads
-        is RobotLoads.HasErrors -> error("${loads.robot}: ${loads.diagnostics}")
+        is RobotProgramSets.Success -> loads.loads
+        is RobotProgramSets.Failure -> error("${loads.robot}: ${loads.diagnostics}")
     }
 
     private fun source(file: File?): ProgramSource {
@@ -51,8 +51,8 @@ internal object ShippedWorlds {
     }
 
     private fun loaded(file: File): World = when (val result = readWorld(file.readText(), Language.ENGLISH)) {
-        is WorldFileResult.Loaded -> result.world
-        is WorldFileResult.Rejected -> error("${file.name}: ${result.message}")
+        is WorldFileResult.Success -> result.world
+        is WorldFileResult.Failure -> error("${file.name}: ${result.message}")
     }
 
     private const val ENDING = ".world.json"

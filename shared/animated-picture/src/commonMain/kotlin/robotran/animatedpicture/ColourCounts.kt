@@ -29,9 +29,9 @@ internal class ColourCounts {
         if (keys[place] == colour) counts[place]++ else insert(place, colour)
     }
 
-    private fun insert(place: Int, colour: Int) {
-        keys[place] = colour
-        counts[place] = 1
+    private fun insert(index: Int, colour: Int) {
+        keys[index] = colour
+        counts[index] = 1
         size++
         if (size * 2 > keys.size) grow()
     }

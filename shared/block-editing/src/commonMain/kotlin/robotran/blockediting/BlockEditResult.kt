@@ -17,7 +17,7 @@ sealed interface BlockEditResult {
      * a caret.
      * @property selected the blocks to select afterwards.
      */
-    class Done internal constructor(
+    class Success internal constructor(
         val program: BlockProgram,
         val changes: List<TextEdit>,
         val change: TextEdit?,
@@ -26,7 +26,7 @@ sealed interface BlockEditResult {
     ) : BlockEditResult
 
     /** The edit is impossible; the text stays as it is. */
-    data class Refused(val reason: BlockEditError) : BlockEditResult
+    data class Failure(val reason: BlockEditError) : BlockEditResult
 }
 
 /** Why an edit is impossible. `BlockMessages` has a sentence for each. */

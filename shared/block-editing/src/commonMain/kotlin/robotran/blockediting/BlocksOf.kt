@@ -1,6 +1,5 @@
 package robotran.blockediting
 
-import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
@@ -15,7 +14,7 @@ import robotran.robolang.outline.outlineRobolang
  */
 fun blocksOf(
     text: String,
-    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
+    messages: RobolangMessages,
     previous: BlockProgram? = null,
 ): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous)
 

@@ -1,6 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.Language
 import robotran.language.source.SourceSpan
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
@@ -42,7 +44,7 @@ internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): Blo
 private fun filledIn(template: String, line: OutlineLine, source: String): String = buildString {
     val left = line.parts.toMutableList()
     var position = 0
-    for (part in outlineRobolang(template).lines.first().parts) {
+    for (part in outlineRobolang(template, messages = RobolangMessages.of(Language.ENGLISH)).lines.first().parts) {
         append(template, position, part.span.start)
         val same = left.firstOrNull { isAlike(it, part) }
         if (same == null) append(part.span.textIn(template)) else append(same.span.textIn(source))

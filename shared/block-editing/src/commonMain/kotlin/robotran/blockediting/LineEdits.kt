@@ -25,7 +25,7 @@ internal class LineEdits(private val program: BlockProgram) {
         }
         val caret = change?.let { it.start + it.inserted.length } ?: start
         val result = resultOf(program, listOfNotNull(change), SourceSpan(caret, caret))
-        if (result !is BlockEditResult.Done || note == null) return result
+        if (result !is BlockEditResult.Success || note == null) return result
         val written = result.program.outline.lines[line.index].comment?.textIn(result.program.text)
         return if (written == "// $note".trimEnd(::isIndentation)) result else refused(BlockEditError.NoNote)
     }

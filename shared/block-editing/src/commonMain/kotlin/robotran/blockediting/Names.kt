@@ -1,8 +1,10 @@
 package robotran.blockediting
 
+import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.languagesupport.CodeTokenKind
 import robotran.robolang.RobolangWords
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
@@ -15,7 +17,7 @@ import robotran.textediting.TextEdit
  */
 fun isName(text: String): Boolean {
     if (RobolangWords.isNewerWord(text)) return false
-    val line = outlineRobolang("var $text = 1").lines
+    val line = outlineRobolang("var $text = 1", messages = RobolangMessages.of(Language.ENGLISH)).lines
     return line.size == 1 && line.first().parts.any { it is PhrasePart.NamePart && it.span.length == text.length }
 }
 

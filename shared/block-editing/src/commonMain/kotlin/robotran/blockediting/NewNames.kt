@@ -21,9 +21,9 @@ internal class NewNames(private val program: BlockProgram) {
             is PhrasePart.Word, is PhrasePart.Choice, is PhrasePart.Text -> null
         }
         if (declared == null) return refused(BlockEditError.NotFound)
-        if (declared !is BlockEditResult.Done) return declared
+        if (declared !is BlockEditResult.Success) return declared
         val used = apply(program, BlockEdit.Replace(edit.part, name))
-        if (used !is BlockEditResult.Done) return used
+        if (used !is BlockEditResult.Success) return used
         val changes = (declared.changes + used.changes).sortedBy { it.start }
         val shift = declared.changes.filter { it.start <= edit.part.start }.sumOf(TextEdit::growth)
         val start = edit.part.start + shift

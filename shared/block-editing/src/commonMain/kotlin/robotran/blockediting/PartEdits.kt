@@ -31,9 +31,9 @@ internal class PartEdits(private val program: BlockProgram) {
         if (edit.to in edit.from) return refused(BlockEditError.IntoItself)
         val text = edit.from.textIn(program.text)
         val placed = value(to, text)
-        if (edit.from in edit.to || placed !is BlockEditResult.Done) return placed
+        if (edit.from in edit.to || placed !is BlockEditResult.Success) return placed
         // Both changes together, the later one first, so that the offsets of the earlier one stay right.
-        val left = value(from, from.use.example) as? BlockEditResult.Done ?: return placed
+        val left = value(from, from.use.example) as? BlockEditResult.Success ?: return placed
         val changes = (placed.changes + left.changes).sortedBy { it.start }
         val shift = if (edit.from.start < edit.to.start) left.changes.sumOf { it.growth } else 0
         val selection = SourceSpan(placed.selection.start + shift, placed.selection.end + shift)

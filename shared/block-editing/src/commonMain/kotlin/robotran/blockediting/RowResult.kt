@@ -7,7 +7,7 @@ import robotran.robolang.syntax.RobolangLimits
 import robotran.textediting.TextEdit
 import robotran.textediting.editBetween
 
-internal fun refused(reason: BlockEditError) = BlockEditResult.Refused(reason)
+internal fun refused(reason: BlockEditError) = BlockEditResult.Failure(reason)
 
 /**
  * The result of an edit that makes the lines of [program] the lines [rows].
@@ -54,7 +54,7 @@ private fun done(
     val last = if (selected.isEmpty()) first - 1 else rows.indexOfLast { it === selected.last() }
     val start = text.starts[first] + (rows.getOrNull(first)?.let { indentationOf(it.content).length } ?: 0)
     val end = if (last < first) start else text.starts[last] + rows[last].content.length
-    return BlockEditResult.Done(
+    return BlockEditResult.Success(
         program,
         text.changes(),
         editBetween(before.text, program.text),
@@ -94,7 +94,7 @@ internal fun doneWith(
     val real = changes.mapNotNull { change ->
         editBetween(change.removed, change.inserted)?.let { it.copy(start = it.start + change.start) }
     }
-    return BlockEditResult.Done(
+    return BlockEditResult.Success(
         program,
         real,
         editBetween(before.text, program.text),

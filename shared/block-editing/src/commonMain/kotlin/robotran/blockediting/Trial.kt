@@ -1,23 +1,25 @@
 package robotran.blockediting
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.LineForm
 
-/** The result of [trialOf]. */
-sealed interface TrialResult {
+/** The result of [snippetOf]. */
+sealed interface SnippetProgram {
     /**
      * A program that does only what was asked for.
      *
      * @property text its lines have the same numbers as in the whole program, in which all others are empty. Lines that
      * are not in the whole program come behind it.
      */
-    data class Ready(val text: String) : TrialResult
+    data class Success(val text: String) : SnippetProgram
 
     /** There can be no such program. */
-    data class Refused(val reason: BlockEditError) : TrialResult
+    data class Failure(val reason: BlockEditError) : SnippetProgram
 }
 
 /**
@@ -25,33 +27,33 @@ sealed interface TrialResult {
  * functions that they call, the declarations of the names that they use, and the `robot` block. A variable begins with
  * the value of its declaration. A procedure without parameters is called.
  */
-fun trialOf(program: BlockProgram, run: BlockRun): TrialResult {
-    val blocks = program.blocksOf(run) ?: return TrialResult.Refused(BlockEditError.NotFound)
+fun snippetOf(program: BlockProgram, run: BlockRun): SnippetProgram {
+    val blocks = program.blocksOf(run) ?: return SnippetProgram.Failure(BlockEditError.NotFound)
     val saying = blocks.filter { it !is Block.Comment && it !is Block.Blank }
     val routine = saying.singleOrNull()?.takeIf { it.head.form in DEFINITIONS }
     if (routine != null) return trialOfRoutine(program, routine)
-    if (saying.all { it.head.form in DOING_NOTHING }) return TrialResult.Refused(BlockEditError.NothingToTry)
-    return trialOf(program, blocks.flatMapTo(mutableSetOf()) { it.lines })
+    if (saying.all { it.head.form in DOING_NOTHING }) return SnippetProgram.Failure(BlockEditError.NothingToTry)
+    return snippetOf(program, blocks.flatMapTo(mutableSetOf()) { it.lines })
 }
 
 /** A program of [text] alone, which is not in [program] yet, with what it needs from there. */
-fun trialOf(program: BlockProgram, text: String): TrialResult {
+fun snippetOf(program: BlockProgram, text: String): SnippetProgram {
     val new = text.removeSuffix("\n")
     val lines = blocksOf("${program.text}\n$new", program.messages)
     val count = lines.outline.lines.size
-    return trialOf(lines, (count - outlineRobolang(new).lines.size..<count).toMutableSet())
+    return snippetOf(lines, (count - outlineRobolang(new, messages = RobolangMessages.of(Language.ENGLISH)).lines.size..<count).toMutableSet())
 }
 
-private fun trialOfRoutine(program: BlockProgram, routine: Block): TrialResult {
+private fun trialOfRoutine(program: BlockProgram, routine: Block): SnippetProgram {
     val name = routine.head.parts.firstOrNull { it is PhrasePart.NamePart }?.let { program.nameAt(it.span) }
     if (name == null || name.kind != NameKind.PROCEDURE || name.parameters.isNotEmpty()) {
-        return TrialResult.Refused(BlockEditError.NothingToTry)
+        return SnippetProgram.Failure(BlockEditError.NothingToTry)
     }
-    return trialOf(program, "${name.text}()")
+    return snippetOf(program, "${name.text}()")
 }
 
 /** @param lines the indices of the lines that were asked for; those that they need are added. */
-private fun trialOf(program: BlockProgram, lines: MutableSet<Int>): TrialResult {
+private fun snippetOf(program: BlockProgram, lines: MutableSet<Int>): SnippetProgram {
     program.blocks.filter { it.head.form == LineForm.ROBOT }.forEach { lines += it.lines }
     val open = program.outline.names.toMutableList()
     do {
@@ -61,11 +63,11 @@ private fun trialOf(program: BlockProgram, lines: MutableSet<Int>): TrialResult 
             val declaring = program.lineAt(name.declaredAt.start).index
             if (declaring in lines) continue
             lines += program.linesToDeclare(name, declaring)
-                ?: return TrialResult.Refused(BlockEditError.ValueUnknown(name.text))
+                ?: return SnippetProgram.Failure(BlockEditError.ValueUnknown(name.text))
         }
     } while (needed.isNotEmpty())
     val kept = program.outline.lines.map { if (it.index in lines) it.span.textIn(program.text) else "" }
-    return TrialResult.Ready(kept.joinToString("\n"))
+    return SnippetProgram.Success(kept.joinToString("\n"))
 }
 
 /** The lines that declare [name]; null if it has a value only while the lines around it run. */

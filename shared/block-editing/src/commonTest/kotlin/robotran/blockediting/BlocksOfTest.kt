@@ -1,6 +1,5 @@
 package robotran.blockediting
 
-import robotran.robolang.words.LineForm
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -8,6 +7,9 @@ import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.LineForm
 
 class BlocksOfTest {
     @Test
@@ -65,7 +67,7 @@ class BlocksOfTest {
               : end
             : end
         """.trimIndent()
-        assertEquals(shape, shapeOf(blocksOf(text)))
+        assertEquals(shape, shapeOf(blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))))
     }
 
     @Test
@@ -92,7 +94,7 @@ class BlocksOfTest {
             loose forward 20 30
             stop
         """.trimIndent()
-        assertEquals(shape, shapeOf(blocksOf(text)))
+        assertEquals(shape, shapeOf(blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))))
     }
 
     @Test
@@ -105,13 +107,13 @@ class BlocksOfTest {
               stop
             : end
         """.trimIndent()
-        assertEquals(shape, shapeOf(blocksOf("repeat 4 times\n  iff left bumper\n    beep\n  end\n  stop\nend")))
-        assertEquals("loose hop 5\nbeep", shapeOf(blocksOf("hop 5\nbeep")))
+        assertEquals(shape, shapeOf(blocksOf("repeat 4 times\n  iff left bumper\n    beep\n  end\n  stop\nend", messages = RobolangMessages.of(Language.ENGLISH))))
+        assertEquals("loose hop 5\nbeep", shapeOf(blocksOf("hop 5\nbeep", messages = RobolangMessages.of(Language.ENGLISH))))
     }
 
     @Test
     fun `a block without end stops where its message says, and its first line is no loose text`() {
-        val program = blocksOf("repeat 4 times\n  if left bumper\n    beep\n  forward 20\nend\nstop")
+        val program = blocksOf("repeat 4 times\n  if left bumper\n    beep\n  forward 20\nend\nstop", messages = RobolangMessages.of(Language.ENGLISH))
         assertEquals(": repeat 4 times\n  : if left bumper\n    beep\n    forward 20\n: end\nstop", shapeOf(program))
         val choice = assertIs<Block.Construct>(program.find("if"))
         assertNull(choice.foot)
@@ -120,28 +122,28 @@ class BlocksOfTest {
 
     @Test
     fun `an end and an else without a block are loose`() {
-        assertEquals("loose end\nbeep\nloose else\nstop", shapeOf(blocksOf("end\nbeep\nelse\nstop")))
+        assertEquals("loose end\nbeep\nloose else\nstop", shapeOf(blocksOf("end\nbeep\nelse\nstop", messages = RobolangMessages.of(Language.ENGLISH))))
     }
 
     @Test
     fun `blocks nested more deeply than allowed are loose and break nothing`() {
         val depth = 30_000
         val text = "repeat 2 times\n".repeat(depth) + "beep\n" + "end\n".repeat(depth)
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
         assertEquals(text, textOf(program))
         assertEquals(99, program.find("beep").head.depth - 1)
     }
 
     @Test
     fun `a text that is too long is one loose block with the message`() {
-        val program = blocksOf("beep\n".repeat(200_001))
+        val program = blocksOf("beep\n".repeat(200_001), messages = RobolangMessages.of(Language.ENGLISH))
         assertNotNull(assertIs<Block.Loose>(program.blocks.single()).head.mistake)
         assertEquals(program.text, textOf(program))
     }
 
     @Test
     fun `a line is found by its number, a part by its place`() {
-        val program = blocksOf("repeat 4 times\n  forward 20 + x\n\n  beep\nend\nstop\n")
+        val program = blocksOf("repeat 4 times\n  forward 20 + x\n\n  beep\nend\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
         val starts = listOf("repeat", "forward", "", "beep", "repeat", "stop")
         assertEquals(
             starts,
@@ -167,8 +169,8 @@ class BlocksOfTest {
 
     @Test
     fun `blocks keep their ids when other lines change or they move`() {
-        val before = blocksOf("forward 20\nbeep\nturn left 90\nstop\n")
-        val moved = blocksOf("beep\nforward 20\nshow 5\nstop\n", previous = before)
+        val before = blocksOf("forward 20\nbeep\nturn left 90\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val moved = blocksOf("beep\nforward 20\nshow 5\nstop\n", previous = before, messages = RobolangMessages.of(Language.ENGLISH))
         assertEquals(before.idOf("forward"), moved.idOf("forward"))
         assertEquals(before.idOf("beep"), moved.idOf("beep"))
         assertEquals(before.idOf("stop"), moved.idOf("stop"))
@@ -178,7 +180,7 @@ class BlocksOfTest {
 
     @Test
     fun `the form and the exact places of the parts are known`() {
-        val program = blocksOf("  FORWARD   - 20  cm // far\n")
+        val program = blocksOf("  FORWARD   - 20  cm // far\n", messages = RobolangMessages.of(Language.ENGLISH))
         val line = program.blocks.single().head
         assertEquals(LineForm.MOVE, line.form)
         assertEquals(listOf("FORWARD", "- 20", "cm"), line.parts.map { it.span.textIn(program.text) })
@@ -188,7 +190,7 @@ class BlocksOfTest {
 
 /** Checks that the pieces of [text] cover it without gaps, and that each line belongs to one block. */
 internal fun checkPieces(text: String, name: String) {
-    val program = blocksOf(text)
+    val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
     assertEquals(text, textOf(program), name)
     val lines = mutableListOf<Int>()
 

@@ -1,16 +1,18 @@
 package robotran.blockediting
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.ownBlocks
+import robotran.language.Language
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.LineForm
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 
 class BuildFromPaletteTest {
     @Test
@@ -18,13 +20,13 @@ class BuildFromPaletteTest {
         val programs = examplePrograms + tutorialPrograms
         assertTrue(programs.size > 30, "${programs.size} programs")
         for ((name, text) in programs) {
-            val target = blocksOf((formatRobolang(text) as FormatResult.Formatted).text)
+            val target = blocksOf((formatRobolang(text, messages = RobolangMessages.of(Language.ENGLISH)) as FormatResult.Success).text, messages = RobolangMessages.of(Language.ENGLISH))
             val built = try {
                 Builder(target).build()
             } catch (failure: IllegalStateException) {
                 throw AssertionError(name, failure)
             }
-            assertEquals(target.text, (formatRobolang(built.text) as FormatResult.Formatted).text, name)
+            assertEquals(target.text, (formatRobolang(built.text, messages = RobolangMessages.of(Language.ENGLISH)) as FormatResult.Success).text, name)
             assertTrue(built.all.none { it is Block.Loose }, name)
         }
     }
@@ -32,7 +34,7 @@ class BuildFromPaletteTest {
 
 /** Builds the program [target] block by block, as a pupil does it who never types a line. */
 private class Builder(private val target: BlockProgram) {
-    private var program = blocksOf("")
+    private var program = blocksOf("", messages = RobolangMessages.of(Language.ENGLISH))
 
     fun build(): BlockProgram {
         // Names come first, so that the palette has blocks for them.

@@ -39,7 +39,7 @@ class DescriptionTest {
 
     @Test
     fun `a block says where it is`() {
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
         val turn = checkNotNull(describe(program, program.idOf("turn"), BlockMessages.of(Language.ENGLISH)))
         assertEquals(listOf(3, 2, 3), listOf(turn.level, turn.position, turn.siblings))
         assertEquals("in repeat 4 times", turn.context)
@@ -51,7 +51,7 @@ class DescriptionTest {
 
     @Test
     fun `a branch says its line and how many blocks are in it`() {
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
         val branch = describe(program, program.idOf("if"), slot = 1, BlockMessages.of(Language.GERMAN))
         assertEquals("else, Ebene 1, 1 Block darin", branch?.sentence)
         assertEquals("else, 1 Block darin", branch?.words)
@@ -61,7 +61,7 @@ class DescriptionTest {
 
     @Test
     fun `an edit is told with what it was about and where that is now`() {
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
 
         fun told(edit: BlockEdit, language: Language = Language.ENGLISH) =
             describe(program, edit, program.done(edit), BlockMessages.of(language))
@@ -80,14 +80,14 @@ class DescriptionTest {
 
     @Test
     fun `what undo has changed is told, with the place where it is now`() {
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
 
         /** What is told when [edit] is undone, and when it is redone. */
         fun told(edit: BlockEdit): Pair<String?, String?> {
             val edited = program.done(edit).program
-            val undone = blocksOf(program.text, previous = edited)
+            val undone = blocksOf(program.text, previous = edited, messages = RobolangMessages.of(Language.ENGLISH))
             return describeChange(edited, undone, english) to
-                describeChange(undone, blocksOf(edited.text, previous = undone), english)
+                describeChange(undone, blocksOf(edited.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)), english)
         }
         val beep = BlockRun(program.idOf("beep"))
         assertEquals(
@@ -109,21 +109,21 @@ class DescriptionTest {
         assertEquals("Gone: else" to "Now: else", toldOfElse())
         assertEquals("Now: repeat 4 times, 1 of 1 in if left bumper", told(BlockEdit.Delete(setOf(loop))).first)
         assertNull(
-            describeChange(program, blocksOf(text.replace("beep\nif", "  beep\nif"), previous = program), english),
+            describeChange(program, blocksOf(text.replace("beep\nif", "  beep\nif"), previous = program, messages = RobolangMessages.of(Language.ENGLISH)), english),
         )
     }
 
     private fun toldOfElse(): Pair<String?, String?> {
-        val plain = blocksOf("if left bumper\n  beep\nend\n")
+        val plain = blocksOf("if left bumper\n  beep\nend\n", messages = RobolangMessages.of(Language.ENGLISH))
         val branched = plain.done(BlockEdit.AddElse(plain.idOf("if"))).program
-        val undone = blocksOf(plain.text, previous = branched)
+        val undone = blocksOf(plain.text, previous = branched, messages = RobolangMessages.of(Language.ENGLISH))
         return describeChange(branched, undone, english) to
-            describeChange(undone, blocksOf(branched.text, previous = undone), english)
+            describeChange(undone, blocksOf(branched.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)), english)
     }
 
     @Test
     fun `parts of a line say what they are and what can be chosen`() {
-        val program = blocksOf("turn left 90\n")
+        val program = blocksOf("turn left 90\n", messages = RobolangMessages.of(Language.ENGLISH))
         val said = program.blocks.single().head.parts.map { describe(program, it, BlockMessages.of(Language.ENGLISH)) }
         assertEquals(listOf("turn", "left, choose left or right", "90 degrees, number"), said.map { it.sentence })
         assertEquals(listOf(BlockRole.TEXT, BlockRole.MENU, BlockRole.INPUT), said.map { it.role })

@@ -1,6 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.Language
 import robotran.language.source.SourceSpan
+import robotran.robolang.messages.RobolangMessages
 
 /** A program with a comment, an empty line and odd spaces, which no edit may lose. */
 internal const val SQUARE =
@@ -12,8 +14,8 @@ internal fun BlockProgram.span(text: String): SourceSpan =
 
 /** The text that a possible edit makes of [text]. */
 internal fun after(text: String, edit: BlockProgram.() -> BlockEdit): String =
-    blocksOf(text).let { it.done(it.edit()).program.text }
+    blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).let { it.done(it.edit()).program.text }
 
 /** Why an edit of [text] is refused. */
 internal fun editError(text: String, edit: BlockProgram.() -> BlockEdit): BlockEditError =
-    blocksOf(text).let { it.editError(it.edit()) }
+    blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).let { it.editError(it.edit()) }

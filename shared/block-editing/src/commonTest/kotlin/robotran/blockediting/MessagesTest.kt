@@ -1,12 +1,13 @@
 package robotran.blockediting
 
-import robotran.blockediting.messages.BlockMessages
-import robotran.language.Language
-import robotran.robolang.words.BlockGroup
-import robotran.robolang.words.ValueKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.blockediting.messages.BlockMessages
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.ValueKind
 
 class MessagesTest {
     private val errors = listOf(
@@ -71,7 +72,7 @@ class MessagesTest {
 
     @Test
     fun `what the parser knows about a value is said`() {
-        val error = blocksOf("forward 20\n").let {
+        val error = blocksOf("forward 20\n", messages = RobolangMessages.of(Language.ENGLISH)).let {
             it.editError(BlockEdit.Replace(it.blocks.single().head.parts.last().span, "2,5"))
         }
         assertTrue(BlockMessages.of(Language.ENGLISH).editError(error).startsWith("A number has a point"))

@@ -1,12 +1,14 @@
 package robotran.blockediting
 
-import robotran.language.source.SourceSpan
-import robotran.robolang.outline.NameKind
-import robotran.robolang.outline.PhrasePart
-import robotran.robolang.words.ValueKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.language.source.SourceSpan
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.NameKind
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.ValueKind
 
 class NamesTest {
     private val program = blocksOf(
@@ -25,6 +27,7 @@ class NamesTest {
         end
         go(twice(4))
         """.trimIndent(),
+        messages = RobolangMessages.of(Language.ENGLISH),
     )
 
     private fun namesAt(text: String) = program.namesAt(program.at(text)).orEmpty().map { it.text }
@@ -72,7 +75,7 @@ class NamesTest {
     fun `what is used is visible there, in every program without mistakes about names`() {
         var uses = 0
         for ((path, text) in allPrograms) {
-            val outline = blocksOf(text).outline
+            val outline = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).outline
             for (name in outline.names) {
                 for (use in name.uses - name.declaredAt) {
                     val line = outline.lines.first { use.start in it.span.start..it.span.end }.index

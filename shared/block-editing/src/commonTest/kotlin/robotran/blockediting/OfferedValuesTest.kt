@@ -1,16 +1,18 @@
 package robotran.blockediting
 
-import robotran.blockediting.palette.offeredNames
-import robotran.blockediting.palette.offeredValues
-import robotran.brick.kind.BrickKind
-import robotran.brick.sensors.SensorKind
-import robotran.language.source.SourceSpan
-import robotran.robolang.outline.PhrasePart
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.blockediting.palette.offeredNames
+import robotran.blockediting.palette.offeredValues
+import robotran.brick.kind.BrickKind
+import robotran.brick.sensors.SensorKind
+import robotran.language.Language
+import robotran.language.source.SourceSpan
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.PhrasePart
 
 /** What is offered at a touched value, and what it puts there. */
 class OfferedValuesTest {
@@ -37,14 +39,14 @@ class OfferedValuesTest {
     fun `what is offered is what is put there, at values of every program`() {
         val random = Random(7)
         for ((name, text) in examplePrograms + tutorialPrograms) {
-            val program = blocksOf(text)
+            val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
             val parts = program.outline.lines.flatMap { it.parts }.flatMap(::valuesIn)
             for (part in parts.shuffled(random).take(PARTS)) {
                 val brick = BrickKind.entries.random(random)
                 val offered = program.offeredNames(part) + program.offeredValues(part, touch, brick)
                 for (choice in offered) {
                     val result = apply(program, BlockEdit.Replace(part.span, choice))
-                    assertTrue(result is BlockEditResult.Done, "$name, ${part.span.textIn(text)}: $choice: $result")
+                    assertTrue(result is BlockEditResult.Success, "$name, ${part.span.textIn(text)}: $choice: $result")
                     val put = result.selection.textIn(result.program.text)
                     assertTrue(put == choice || put == "($choice)", "$name, ${part.span.textIn(text)}: $choice: $put")
                 }
@@ -55,7 +57,7 @@ class OfferedValuesTest {
     @Test
     fun `a word that is offered for another is the one that is put there`() {
         for ((name, text) in examplePrograms + tutorialPrograms) {
-            val program = blocksOf(text)
+            val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
             val choices = program.outline.lines.flatMap { it.parts }.filterIsInstance<PhrasePart.Choice>()
             for (choice in choices.distinctBy { it.options to it.span.textIn(text) }) {
                 for (word in choice.options) {
@@ -68,7 +70,7 @@ class OfferedValuesTest {
     }
 
     private fun offeredFor(text: String, value: String): List<String> {
-        val program = blocksOf(text)
+        val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
         val part = program.partAt(program.span(value)) as PhrasePart.Value
         return program.offeredValues(part, touch, BrickKind.RCX)
     }

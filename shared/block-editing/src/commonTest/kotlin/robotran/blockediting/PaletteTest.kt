@@ -1,5 +1,12 @@
 package robotran.blockediting
 
+import kotlin.math.pow
+import kotlin.math.roundToInt
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteHelp
@@ -13,17 +20,11 @@ import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.words.BlockGroup
 import robotran.robolang.words.LineForm
-import kotlin.math.pow
-import kotlin.math.roundToInt
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 
 class PaletteTest {
     private val help = PaletteHelp { word, language -> sentences[word to language.tag] }
@@ -43,7 +44,7 @@ class PaletteTest {
         val robot = if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
         for (block in Palette.blocksFor(brick)) {
             if (block.isValue) {
-                val line = blocksOf("var v = ${block.template}").blocks.single()
+                val line = blocksOf("var v = ${block.template}", messages = RobolangMessages.of(Language.ENGLISH)).blocks.single()
                 assertIs<Block.Command>(line, block.template)
                 continue
             }
@@ -56,9 +57,9 @@ class PaletteTest {
                 "return" -> inFunction.replace("function", "procedure")
                 else -> if (isSetting) "robot\n${block.template}\nend\n" else block.template
             }
-            val result = compileRobolang(block.id, source, robot)
-            assertIs<RobolangResult.Ready>(result, "${block.template}: $result")
-            val forms = blocksOf(source).all.mapNotNull { it.head.form }
+            val result = compileRobolang(block.id, source, robot, messages = RobolangMessages.of(Language.ENGLISH))
+            assertIs<RobolangResult.Success>(result, "${block.template}: $result")
+            val forms = blocksOf(source, messages = RobolangMessages.of(Language.ENGLISH)).all.mapNotNull { it.head.form }
             assertTrue(
                 isSetting || forms.any {
                     it.name.lowercase().replace('_', '-') == block.id
@@ -74,7 +75,7 @@ class PaletteTest {
         val others = Palette.blocksFor(BrickKind.NXT).map { it.template } - Palette.blocks.map { it.template }.toSet()
         assertTrue("distance" in others && "motor A turn 90" in others && "button enter" in others, "$others")
         for (value in listOf("distance", "colour", "red", "loudness", "turned A", "button enter")) {
-            assertIs<RobolangResult.HasErrors>(compileRobolang("a", "var x = $value", RobotTarget.Rcx(50.0, 5.0)))
+            assertIs<RobolangResult.Failure>(compileRobolang("a", "var x = $value", RobotTarget.Rcx(50.0, 5.0), messages = RobolangMessages.of(Language.ENGLISH)))
         }
     }
 
@@ -90,9 +91,9 @@ class PaletteTest {
     @Test
     fun `a value fits where it is needed`() {
         for (block in all.filter { it.isValue }) {
-            val program = blocksOf("var a = 1\n")
+            val program = blocksOf("var a = 1\n", messages = RobolangMessages.of(Language.ENGLISH))
             val value = checkNotNull(program.outline.lines.first().parts.last() as? PhrasePart.Value)
-            assertIs<BlockEditResult.Done>(
+            assertIs<BlockEditResult.Success>(
                 apply(program, BlockEdit.Replace(value.span, block.template)),
                 block.template,
             )
@@ -101,7 +102,7 @@ class PaletteTest {
 
     @Test
     fun `names that exist are not declared again`() {
-        val program = blocksOf("var x = 1\nprocedure double()\nend\n")
+        val program = blocksOf("var x = 1\nprocedure double()\nend\n", messages = RobolangMessages.of(Language.ENGLISH))
 
         fun text(id: String) = Palette.blocks.first { it.id == id }.textFor(program)
         assertEquals("var x2 = 5", text("declare-variable"))
@@ -111,7 +112,7 @@ class PaletteTest {
 
     @Test
     fun `the names of the program have blocks`() {
-        val program = blocksOf("var a = [1]\nvar n = 2\nprocedure go(x, y)\nend\nfunction f()\n  return 1\nend\nstop\n")
+        val program = blocksOf("var a = [1]\nvar n = 2\nprocedure go(x, y)\nend\nfunction f()\n  return 1\nend\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
         assertEquals(
             listOf("a", "a[0]", "a[0] = 5", "n", "n = n + 1", "go(5, 5)", "f()"),
             ownBlocks(program, program.at("stop")).map { it.template },
@@ -180,8 +181,8 @@ class PaletteTest {
         assertEquals(listOf("light < 40"), comparisonsFor(setOf(SensorKind.LIGHT), BrickKind.RCX))
         assertEquals(listOf("timer > 5"), comparisonsFor(emptySet(), BrickKind.RCX))
         for (condition in ofNxt) {
-            val program = compileRobolang("a", "wait until $condition", RobotTarget.Nxt(5.6, 11.4))
-            assertIs<RobolangResult.Ready>(program, "$condition: $program")
+            val program = compileRobolang("a", "wait until $condition", RobotTarget.Nxt(5.6, 11.4), messages = RobolangMessages.of(Language.ENGLISH))
+            assertIs<RobolangResult.Success>(program, "$condition: $program")
         }
     }
 

@@ -1,12 +1,14 @@
 package robotran.blockediting
 
-import robotran.textediting.EditHistory
-import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.textediting.EditHistory
+import robotran.textediting.EditKind
+import robotran.textediting.text.TextDocument
 
 class RandomEditsTest {
     @Test
@@ -25,19 +27,19 @@ class RandomEditsTest {
 
 /** Makes [count] random edits and undoes them all. Returns how many were possible. */
 internal fun checkEdits(text: String, random: Random, count: Int): Int {
-    var program = blocksOf(text)
+    var program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
     var history = EditHistory()
     val texts = mutableListOf(text)
     repeat(count) {
         val edit = randomEdit(program, random)
         val result = apply(program, edit)
-        if (result !is BlockEditResult.Done) return@repeat
+        if (result !is BlockEditResult.Success) return@repeat
         checkEdit(program, edit, result)
-        history = history.recorded(Draft(program.text), Draft(result.program.text), EditKind.OTHER)
+        history = history.recorded(TextDocument(program.text), TextDocument(result.program.text), EditKind.OTHER)
         if (result.program.text != program.text) texts += result.program.text
         program = result.program
     }
-    var draft = Draft(program.text)
+    var draft = TextDocument(program.text)
     for (earlier in texts.asReversed().drop(1)) {
         val (undone, rest) = checkNotNull(history.undone(draft))
         assertEquals(earlier, undone.text)
@@ -47,7 +49,7 @@ internal fun checkEdits(text: String, random: Random, count: Int): Int {
     return texts.size - 1
 }
 
-private fun checkEdit(program: BlockProgram, edit: BlockEdit, result: BlockEditResult.Done) {
+private fun checkEdit(program: BlockProgram, edit: BlockEdit, result: BlockEditResult.Success) {
     val said = "$edit of\n${program.text}\nis\n${result.program.text}"
     try {
         checkConsistent(program, result)
@@ -62,7 +64,7 @@ private fun checkEdit(program: BlockProgram, edit: BlockEdit, result: BlockEditR
 }
 
 /** Checks that all lines that the edit is not about are still there, byte for byte and in order. */
-private fun checkUntouched(program: BlockProgram, edit: BlockEdit, result: BlockEditResult.Done, said: String) {
+private fun checkUntouched(program: BlockProgram, edit: BlockEdit, result: BlockEditResult.Success, said: String) {
     val touched = when (edit) {
         is BlockEdit.Move -> checkNotNull(program.linesOf(edit.run))
         is BlockEdit.Delete -> checkNotNull(program[edit.blocks.single()]).lines

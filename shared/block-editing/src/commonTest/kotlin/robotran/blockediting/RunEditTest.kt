@@ -3,6 +3,8 @@ package robotran.blockediting
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 
 class RunEditTest {
     @Test
@@ -23,7 +25,7 @@ class RunEditTest {
     @Test
     fun `an inserted block is indented like its neighbours, and nothing else changes`() {
         val expected = SQUARE.replace("    turn", "    repeat 2 times\n      beep\n    end\n    turn")
-        val program = blocksOf(SQUARE)
+        val program = blocksOf(SQUARE, messages = RobolangMessages.of(Language.ENGLISH))
         val result = program.done(BlockEdit.Insert("repeat 2 times\n  beep\nend", program.at("turn")))
         assertEquals(expected, result.program.text)
         assertEquals("repeat 2 times\n      beep\n    end", result.selection.textIn(expected))
@@ -54,7 +56,7 @@ class RunEditTest {
 
     @Test
     fun `each moved line is a change of its own, so that those between keep their places`() {
-        val program = blocksOf("beep\nforward 1\nforward 2\nforward 3\n")
+        val program = blocksOf("beep\nforward 1\nforward 2\nforward 3\n", messages = RobolangMessages.of(Language.ENGLISH))
         val result = program.done(BlockEdit.Move(BlockRun(program.idOf("beep")), program.behind("forward 3")))
         assertEquals(listOf("beep\n" to "", "" to "beep\n"), result.changes.map { it.removed to it.inserted })
     }
@@ -74,7 +76,7 @@ class RunEditTest {
                 BlockEdit.Move(BlockRun(idOf("repeat")), inside("repeat"))
             },
         )
-        val program = blocksOf(SQUARE)
+        val program = blocksOf(SQUARE, messages = RobolangMessages.of(Language.ENGLISH))
         assertTrue(
             program.done(BlockEdit.Move(BlockRun(program.idOf("turn")), program.behind("turn"))).changes.isEmpty(),
         )
@@ -157,12 +159,12 @@ class RunEditTest {
 
     @Test
     fun `copied blocks are Robolang, and pasted they are the same blocks`() {
-        val program = blocksOf("repeat 2 times\r\n\tif left bumper // hit\r\n\t\tbeep\r\n\tend\r\nend\r\n")
+        val program = blocksOf("repeat 2 times\r\n\tif left bumper // hit\r\n\t\tbeep\r\n\tend\r\nend\r\n", messages = RobolangMessages.of(Language.ENGLISH))
         val copy = copied(program, BlockRun(program.idOf("if")))
         assertEquals("if left bumper // hit\n\tbeep\nend\n", copy)
         val pasted = program.done(BlockEdit.Insert(checkNotNull(copy), program.at("repeat"))).program
         assertEquals("if left bumper // hit\r\n\tbeep\r\nend\r\n" + program.text, pasted.text)
-        val open = blocksOf("repeat 2 times\n  beep\n")
+        val open = blocksOf("repeat 2 times\n  beep\n", messages = RobolangMessages.of(Language.ENGLISH))
         assertEquals("repeat 2 times\n  beep\nend\n", copied(open, BlockRun(open.idOf("repeat"))))
     }
 

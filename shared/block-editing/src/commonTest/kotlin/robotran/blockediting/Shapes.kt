@@ -1,5 +1,7 @@
 package robotran.blockediting
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.OutlineLine
 
 /** The blocks of a program, one a line, indented by nesting: what a test compares. */
@@ -44,18 +46,18 @@ internal fun BlockProgram.at(text: String): BlockPlace = checkNotNull(placeOf(id
 internal fun BlockProgram.inside(text: String, slot: Int = 0): BlockPlace = BlockPlace(idOf(text), slot, 0)
 
 /** The result of an edit that must be possible. */
-internal fun BlockProgram.done(edit: BlockEdit): BlockEditResult.Done = when (val result = apply(this, edit)) {
-    is BlockEditResult.Done -> result.also { checkConsistent(this, it) }
-    is BlockEditResult.Refused -> error("refused: ${result.reason}")
+internal fun BlockProgram.done(edit: BlockEdit): BlockEditResult.Success = when (val result = apply(this, edit)) {
+    is BlockEditResult.Success -> result.also { checkConsistent(this, it) }
+    is BlockEditResult.Failure -> error("refused: ${result.reason}")
 }
 
 internal fun BlockProgram.editError(edit: BlockEdit): BlockEditError = when (val result = apply(this, edit)) {
-    is BlockEditResult.Done -> error("not refused: ${result.program.text}")
-    is BlockEditResult.Refused -> result.reason
+    is BlockEditResult.Success -> error("not refused: ${result.program.text}")
+    is BlockEditResult.Failure -> result.reason
 }
 
 /** Checks what holds for every edit: its changes make the new text, and none changes more than it must. */
-internal fun checkConsistent(before: BlockProgram, result: BlockEditResult.Done) {
+internal fun checkConsistent(before: BlockProgram, result: BlockEditResult.Success) {
     val after = result.program.text
     check(changed(before.text, result.changes) == after) { "the changes do not make the text: ${result.changes}" }
     check((result.change?.applyTo(before.text) ?: before.text) == after) { "the change does not make the text" }
@@ -69,5 +71,5 @@ internal fun checkConsistent(before: BlockProgram, result: BlockEditResult.Done)
     }
     check(result.selection.start in 0..after.length && result.selection.end in result.selection.start..after.length)
     check(result.selected.all { result.program[it] != null })
-    check(shapeOf(blocksOf(after)) == shapeOf(result.program)) { "the text does not read back as the blocks" }
+    check(shapeOf(blocksOf(after, messages = RobolangMessages.of(Language.ENGLISH))) == shapeOf(result.program)) { "the text does not read back as the blocks" }
 }

@@ -1,5 +1,7 @@
 package robotran.blockediting
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.OutlineLine
 
 /**
@@ -13,7 +15,7 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
     fun after(program: BlockProgram, edit: BlockEdit): String? {
         when (edit) {
             is BlockEdit.Move -> move(program, edit)
-            is BlockEdit.Insert -> list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text)).nodes)
+            is BlockEdit.Insert -> list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text, messages = RobolangMessages.of(Language.ENGLISH))).nodes)
 
             is BlockEdit.Duplicate -> {
                 val place = checkNotNull(program.placeOf(edit.run.first))
@@ -64,7 +66,7 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
         val place = checkNotNull(program.placeOf(edit.run.first))
         val count = checkNotNull(program.blocksOf(edit.run)).size
         val list = list(program, place)
-        val construct = of(blocksOf(edit.construct)).nodes.single()
+        val construct = of(blocksOf(edit.construct, messages = RobolangMessages.of(Language.ENGLISH))).nodes.single()
         construct.slots.first().clear()
         repeat(count) { construct.slots.first() += list.removeAt(place.index) }
         list.add(place.index, construct)

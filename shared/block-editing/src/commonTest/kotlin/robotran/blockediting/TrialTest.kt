@@ -1,11 +1,13 @@
 package robotran.blockediting
 
-import robotran.blockediting.palette.Palette
-import robotran.brick.kind.BrickKind
-import robotran.robolang.words.BlockGroup
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.blockediting.palette.Palette
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.BlockGroup
 
 class TrialTest {
     private val program = blocksOf(
@@ -35,15 +37,16 @@ class TrialTest {
         end
         two()
         """.trimIndent(),
+        messages = RobolangMessages.of(Language.ENGLISH),
     )
 
-    private fun trial(words: String, count: Int = 1): TrialResult {
+    private fun trial(words: String, count: Int = 1): SnippetProgram {
         val block = program.all.first { it.head.span.textIn(program.text).trim() == words }
-        return trialOf(program, BlockRun(block.id, count))
+        return snippetOf(program, BlockRun(block.id, count))
     }
 
     /** The lines that are left, with their numbers. */
-    private fun TrialResult.lines(): List<String> = (this as TrialResult.Ready).text.lines()
+    private fun SnippetProgram.lines(): List<String> = (this as SnippetProgram.Success).text.lines()
         .mapIndexedNotNull { index, line -> line.trim().takeIf { it.isNotEmpty() }?.let { "${index + 1} $it" } }
 
     private val robot = listOf("1 robot", "2 light sensor on 2 facing down", "3 end")
@@ -76,8 +79,8 @@ class TrialTest {
 
     @Test
     fun `a value of a loop or a parameter is refused by its name`() {
-        assertEquals(TrialResult.Refused(BlockEditError.ValueUnknown("i")), trial("forward i"))
-        assertEquals(TrialResult.Refused(BlockEditError.ValueUnknown("length")), trial("forward length"))
+        assertEquals(SnippetProgram.Failure(BlockEditError.ValueUnknown("i")), trial("forward i"))
+        assertEquals(SnippetProgram.Failure(BlockEditError.ValueUnknown("length")), trial("forward length"))
     }
 
     @Test
@@ -91,19 +94,19 @@ class TrialTest {
     @Test
     fun `what only defines something does nothing alone`() {
         for (words in listOf("procedure square(length)", "function double(x)", "robot")) {
-            assertEquals(TrialResult.Refused(BlockEditError.NothingToTry), trial(words), words)
+            assertEquals(SnippetProgram.Failure(BlockEditError.NothingToTry), trial(words), words)
         }
-        val comment = blocksOf("// a note\n\nbeep\n")
+        val comment = blocksOf("// a note\n\nbeep\n", messages = RobolangMessages.of(Language.ENGLISH))
         val first = comment.blocks.first().id
-        assertEquals(TrialResult.Refused(BlockEditError.NothingToTry), trialOf(comment, BlockRun(first, 2)))
+        assertEquals(SnippetProgram.Failure(BlockEditError.NothingToTry), snippetOf(comment, BlockRun(first, 2)))
     }
 
     @Test
     fun `a block of the palette comes behind the program`() {
-        assertEquals(robot + "25 forward 20", trialOf(program, "forward 20\n").lines())
-        assertEquals("25 square(5)", trialOf(program, "square(5)").lines().last())
-        assertEquals(listOf("4 beep"), trialOf(blocksOf("pen up\r\npen down\r\n"), "beep").lines())
-        assertEquals(listOf("2 beep"), trialOf(blocksOf(""), "beep").lines())
+        assertEquals(robot + "25 forward 20", snippetOf(program, "forward 20\n").lines())
+        assertEquals("25 square(5)", snippetOf(program, "square(5)").lines().last())
+        assertEquals(listOf("4 beep"), snippetOf(blocksOf("pen up\r\npen down\r\n", messages = RobolangMessages.of(Language.ENGLISH)), "beep").lines())
+        assertEquals(listOf("2 beep"), snippetOf(blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)), "beep").lines())
     }
 
     @Test
@@ -118,7 +121,7 @@ class TrialTest {
             tried.filter { it.group == BlockGroup.SHOW_AND_SOUND },
         )
         for (block in tried) {
-            assertTrue(block.template in (trialOf(blocksOf(""), block.template) as TrialResult.Ready).text)
+            assertTrue(block.template in (snippetOf(blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)), block.template) as SnippetProgram.Success).text)
         }
     }
 }

@@ -76,7 +76,7 @@ interface Brick {
      * takes no time and the programs in the slots stay. First ends the running program, clears a displayed failure, or
      * switches the brick on. Does nothing if the program is for another kind of brick.
      */
-    fun runNow(program: BrickProgram)
+    fun runSnippet(program: BrickProgram)
 
     /**
      * Advances time by one millisecond. The firmware works first, then the program, until it waits or has used its

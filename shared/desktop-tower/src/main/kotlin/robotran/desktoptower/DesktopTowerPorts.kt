@@ -59,7 +59,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
     private fun openFile(path: Path): OpenedTower = when {
         !path.exists() -> failed(OpenFailure.GONE)
         !Files.isReadable(path) || !Files.isWritable(path) -> failed(OpenFailure.NOT_ALLOWED)
-        else -> DeviceFileTower.open(path)?.let { OpenedTower.Open(it) } ?: failed(OpenFailure.BUSY)
+        else -> DeviceFileTower.open(path)?.let { OpenedTower.Success(it) } ?: failed(OpenFailure.BUSY)
     }
 
     private fun openSerial(path: String): OpenedTower {
@@ -69,7 +69,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
             return failed(OpenFailure.GONE)
         }
         val opened = SerialTower.open(port)
-        return if (opened == null) failed(reasonOf(port, path)) else OpenedTower.Open(opened)
+        return if (opened == null) failed(reasonOf(port, path)) else OpenedTower.Success(opened)
     }
 
     private fun reasonOf(port: SerialPort, path: String): OpenFailure = when {
@@ -83,7 +83,7 @@ class DesktopTowerPorts(private val devices: Path = Path.of("/dev")) : TowerPort
         else -> if (port.lastErrorCode in NO_DEVICE) OpenFailure.GONE else OpenFailure.BUSY
     }
 
-    private fun failed(reason: OpenFailure) = OpenedTower.Failed(reason)
+    private fun failed(reason: OpenFailure) = OpenedTower.Failure(reason)
 
     private companion object {
         /** The file of the Linux kernel's driver `legousbtower`. */

@@ -62,13 +62,13 @@ class DesktopTowerPortsTest {
         terminal.connect(SimulatedTower(line, SimulatedBrick(firmware), kind, faults, speed = 20), scope)
     }
 
-    private suspend fun open(device: TowerDevice) = assertIs<OpenedTower.Open>(ports.open(device)).port
+    private suspend fun open(device: TowerDevice) = assertIs<OpenedTower.Success>(ports.open(device)).port
 
     @Test
     fun `a program gets through a serial port`() = runBlocking {
         connect(TowerKind.SERIAL)
         val tower = RcxTower(open(ports.named(terminal.path)))
-        assertEquals(TransferResult.Complete(602, repeats = 0), tower.sendProgram(image))
+        assertEquals(TransferResult.Success(602, repeats = 0), tower.sendProgram(image))
         assertContentEquals(image, lejos.program)
         tower.close()
     }
@@ -77,7 +77,7 @@ class DesktopTowerPortsTest {
     fun `a program gets through a serial port that loses bytes`() = runBlocking {
         connect(TowerKind.SERIAL, LineFaults(seed = 5, loss = 0.004))
         val tower = RcxTower(open(ports.named(terminal.path)))
-        assertIs<TransferResult.Complete>(tower.sendProgram(image))
+        assertIs<TransferResult.Success>(tower.sendProgram(image))
         assertContentEquals(image, lejos.program)
         tower.close()
     }
@@ -90,7 +90,7 @@ class DesktopTowerPortsTest {
         val device = ports.available().first()
         assertEquals(TowerDevice("$file", "legousbtower0", TowerKind.USB), device)
         val tower = RcxTower(open(device))
-        assertEquals(TransferResult.Complete(602, repeats = 0), tower.sendProgram(image))
+        assertEquals(TransferResult.Success(602, repeats = 0), tower.sendProgram(image))
         assertContentEquals(image, lejos.program)
         tower.close()
     }
@@ -103,7 +103,7 @@ class DesktopTowerPortsTest {
             val tower = RcxTower(open(ports.named(terminal.path)))
             val code = CodeBytes.of(0x14, 0, 2, 42, 0, 0x21, 0x81)
             val image = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, code)))
-            assertIs<TransferResult.Complete>(tower.sendLegoProgram(5, image))
+            assertIs<TransferResult.Success>(tower.sendLegoProgram(5, image))
             assertEquals(image.chunks, lego.programIn(slot = 5).image.chunks)
             val state = brickAfter(lego.programIn(slot = 5), milliseconds = 50).firmwareState
             assertEquals(42, assertIs<FirmwareState>(state).variables.first())
@@ -138,7 +138,7 @@ class DesktopTowerPortsTest {
     @Test
     fun `a port that does not exist is gone`() = runBlocking {
         for (name in listOf("/dev/no-such-port", "$devices/legousbtower7")) {
-            assertEquals(OpenedTower.Failed(OpenFailure.GONE), ports.open(ports.named(name)), name)
+            assertEquals(OpenedTower.Failure(OpenFailure.GONE), ports.open(ports.named(name)), name)
         }
     }
 

@@ -42,14 +42,14 @@ internal sealed interface Part {
 /** An [IncomingFile] and what it holds as a text. */
 internal class GivenFile(val file: IncomingFile) {
     val isTooLarge = file.bytes.size > JsonLimits.MAXIMUM_BYTES
-    private val reading = if (isTooLarge) TextReading.NotText else readText(file.name, file.bytes)
+    private val reading = if (isTooLarge) TextReading.Failure else readText(file.name, file.bytes)
 
     /** As people know it. */
     val shownName: String get() = file.name
     val name: String = plainFileName(file.name)
 
     /** Null if it is none, or too large. */
-    val text: String? = (reading as? TextReading.Read)?.text
+    val text: String? = (reading as? TextReading.Success)?.text
 
     /** Whether other files may belong to the same program. */
     val isPartOfProgram: Boolean = languageOfFile(name)?.let { language ->
@@ -61,7 +61,7 @@ internal class GivenFile(val file: IncomingFile) {
     fun remarks(language: Language): List<String> = if (isNamedAs(FileKind.RCX_IMAGE)) {
         emptyList()
     } else {
-        (reading as? TextReading.Read)?.changes.orEmpty().map { sentenceFor(it, shownName, language) }
+        (reading as? TextReading.Success)?.changes.orEmpty().map { sentenceFor(it, shownName, language) }
     }
 }
 
@@ -106,23 +106,23 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
     }
 
     private fun projectPartOf(file: GivenFile, text: String): Part = when (val result = readProject(text, language)) {
-        is ProjectFileResult.Loaded -> {
+        is ProjectFileResult.Success -> {
             warn(file, result.warnings)
             val place = file.file.place?.let { SaveTarget(it, FileStamp.of(file.file.bytes)) }
             Part.OfProject(OpenedProject(projectNameOfFile(file.shownName), result.project, place))
         }
 
-        is ProjectFileResult.Rejected -> unusable(file, result.message)
+        is ProjectFileResult.Failure -> unusable(file, result.message)
     }
 
     private fun robotPartOf(file: GivenFile, text: String): Part = when (val result = readRobot(text, language)) {
-        is RobotFileResult.Loaded -> Part.OfRobot(result.robot).also { warn(file, result.warnings) }
-        is RobotFileResult.Rejected -> unusable(file, result.message)
+        is RobotFileResult.Success -> Part.OfRobot(result.robot).also { warn(file, result.warnings) }
+        is RobotFileResult.Failure -> unusable(file, result.message)
     }
 
     private fun worldPartOf(file: GivenFile, text: String): Part = when (val result = readWorld(text, language)) {
-        is WorldFileResult.Loaded -> Part.OfWorld(result.world).also { warn(file, result.warnings) }
-        is WorldFileResult.Rejected -> unusable(file, result.message)
+        is WorldFileResult.Success -> Part.OfWorld(result.world).also { warn(file, result.warnings) }
+        is WorldFileResult.Failure -> unusable(file, result.message)
     }
 
     private fun coursePartOf(file: GivenFile, text: String): Part = when (
@@ -130,8 +130,8 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
             files.firstOrNull { it.shownName == name }?.file?.bytes
         }
     ) {
-        is CourseFileResult.Loaded -> Part.OfCourse(result.course).also { warn(file, result.warnings) }
-        is CourseFileResult.Rejected -> unusable(file, result.message)
+        is CourseFileResult.Success -> Part.OfCourse(result.course).also { warn(file, result.warnings) }
+        is CourseFileResult.Failure -> unusable(file, result.message)
     }
 
     private fun warn(file: GivenFile, found: List<JsonWarning>) {
@@ -144,9 +144,9 @@ internal class PartReader(private val files: List<GivenFile>, private val langua
 
 private suspend fun linkedPartOf(text: String, language: Language): Part =
     when (val opening = openLinkText(text, language)) {
-        is OpenFilesResult.Rejected -> Part.Unusable(opening.error)
+        is OpenFilesResult.Failure -> Part.Unusable(opening.error)
 
-        is OpenFilesResult.Opened -> opening.projects.firstOrNull()?.let(Part::OfProject)
+        is OpenFilesResult.Success -> opening.projects.firstOrNull()?.let(Part::OfProject)
             ?: opening.courses.firstOrNull()?.let(Part::OfCourse)
             ?: Part.OfWorld(checkNotNull(opening.world))
     }

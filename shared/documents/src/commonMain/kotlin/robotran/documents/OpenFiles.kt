@@ -35,7 +35,7 @@ sealed interface OpenFilesResult {
      * @property remarks what people should know about the files, in sentences: how they were read although they are
      * unusual, and fields that are probably misspelt.
      */
-    data class Opened(
+    data class Success(
         val projects: List<OpenedProject>,
         val world: World?,
         val programs: List<ProjectProgram>,
@@ -45,7 +45,7 @@ sealed interface OpenFilesResult {
     ) : OpenFilesResult
 
     /** None of the files was opened. */
-    data class Rejected(val error: OpenFilesError) : OpenFilesResult
+    data class Failure(val error: OpenFilesError) : OpenFilesResult
 }
 
 /** @property file its origin; null if it came from a link. */
@@ -88,7 +88,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesR
     val reader = PartReader(given, language)
     val parts = given.filterNot { it.isPartOfProgram || it.shownName in inCourses }.map { file ->
         when (val part = reader.read(file)) {
-            is Part.Unusable -> return OpenFilesResult.Rejected(part.error)
+            is Part.Unusable -> return OpenFilesResult.Failure(part.error)
             else -> part
         }
     }
@@ -97,7 +97,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesR
             file.text == null && !file.isTooLarge -> OpenFilesError.NotText(file.shownName)
             file.text == null || isTooLong(file.text) -> OpenFilesError.TooLong(file.shownName)
             else -> null
-        }?.let { return OpenFilesResult.Rejected(it) }
+        }?.let { return OpenFilesResult.Failure(it) }
         SourceFile(file.name, file.text.orEmpty())
     }
     val worlds = parts.filterIsInstance<Part.OfWorld>().map { it.world }
@@ -105,14 +105,14 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesR
     val programs = parts.filterIsInstance<Part.OfProgram>().map { it.program } +
         programsOf(sources)
     return when {
-        worlds.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralWorlds)
-        robots.size > 1 -> OpenFilesResult.Rejected(OpenFilesError.SeveralRobots)
+        worlds.size > 1 -> OpenFilesResult.Failure(OpenFilesError.SeveralWorlds)
+        robots.size > 1 -> OpenFilesResult.Failure(OpenFilesError.SeveralRobots)
 
-        programs.size > BrickProgram.MAX_PROGRAMS -> OpenFilesResult.Rejected(
+        programs.size > BrickProgram.MAX_PROGRAMS -> OpenFilesResult.Failure(
             OpenFilesError.TooManyPrograms(BrickProgram.MAX_PROGRAMS),
         )
 
-        else -> OpenFilesResult.Opened(
+        else -> OpenFilesResult.Success(
             parts.filterIsInstance<Part.OfProject>().map { it.project },
             worlds.singleOrNull(),
             programs,
@@ -126,15 +126,15 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesR
 /** Opens the content of [link], see [robotran.projects.openLink]. A project from a link is named after its world. */
 suspend fun openLinkText(link: String, language: Language): OpenFilesResult =
     when (val result = openLink(link, language)) {
-        is LinkResult.OfProject -> OpenFilesResult.Opened(
+        is LinkResult.OfProject -> OpenFilesResult.Success(
             listOf(OpenedProject(titleOf(result.project.world), result.project, null)),
             null,
             emptyList(),
         )
 
-        is LinkResult.OfWorld -> OpenFilesResult.Opened(emptyList(), result.world, emptyList())
-        is LinkResult.OfCourse -> OpenFilesResult.Opened(emptyList(), null, emptyList(), listOf(result.course))
-        is LinkResult.Rejected -> OpenFilesResult.Rejected(OpenFilesError.InLink(result.message))
+        is LinkResult.OfWorld -> OpenFilesResult.Success(emptyList(), result.world, emptyList())
+        is LinkResult.OfCourse -> OpenFilesResult.Success(emptyList(), null, emptyList(), listOf(result.course))
+        is LinkResult.Rejected -> OpenFilesResult.Failure(OpenFilesError.InLink(result.message))
     }
 
 private fun titleOf(world: World) = validProjectName(world.title) ?: projectNameOfFile("")

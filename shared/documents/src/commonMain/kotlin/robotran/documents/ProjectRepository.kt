@@ -49,7 +49,7 @@ class ProjectRepository(private val store: KeyValueStore) {
     suspend fun save(work: SavedProject): SaveResult {
         require(work.id.length <= SavedProject.MAXIMUM_ID) { "${work.id} is too long" }
         val project = writeProject(work.project)
-        if (readProject(project, Language.ENGLISH) is ProjectFileResult.Rejected) return SaveResult.TooLong
+        if (readProject(project, Language.ENGLISH) is ProjectFileResult.Failure) return SaveResult.TooLong
         if (work.id !in
             newest
         ) {

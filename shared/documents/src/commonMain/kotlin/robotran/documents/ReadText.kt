@@ -11,10 +11,10 @@ sealed interface TextReading {
      * @property name of the file as Robotran names such files, see [plainFileName].
      * @property changes what is not as it should be, and was read all the same.
      */
-    data class Read(val name: String, val text: String, val changes: List<TextChange> = emptyList()) : TextReading
+    data class Success(val name: String, val text: String, val changes: List<TextChange> = emptyList()) : TextReading
 
     /** It is a file of another kind, or in an encoding that nobody can know. */
-    data object NotText : TextReading
+    data object Failure : TextReading
 }
 
 /** What was done to read a text. */
@@ -31,9 +31,9 @@ sealed interface TextChange {
  * and with the names that [plainFileName] knows. Everything that reads texts of people does so here.
  */
 fun readText(name: String, bytes: ByteArray): TextReading {
-    val decoded = decodeText(bytes) ?: return TextReading.NotText
+    val decoded = decodeText(bytes) ?: return TextReading.Failure
     val plain = plainFileName(name)
-    return TextReading.Read(
+    return TextReading.Success(
         plain,
         decoded.text,
         listOfNotNull(

@@ -8,7 +8,7 @@ import robotran.projects.writeProject
 
 /** [project] as the bytes of a `.robotran` file; null if it exceeds the limits for reading. */
 fun projectFile(project: Project): ByteArray? =
-    writeProject(project).takeIf { readProject(it, Language.ENGLISH) is ProjectFileResult.Loaded }?.encodeToByteArray()
+    writeProject(project).takeIf { readProject(it, Language.ENGLISH) is ProjectFileResult.Success }?.encodeToByteArray()
 
 /** The result of checking a project's file before writing. */
 enum class SavingCheck {

@@ -41,8 +41,8 @@ internal object SavedProjectText {
         val head = sealed.substringAfter('\n').substringBefore('\n')
         val project = sealed.substringAfter('\n').substringAfter('\n')
         return when (val reading = readJson(head, Language.ENGLISH) { headIn(it, id, project) }) {
-            is JsonReading.Read -> reading.value
-            is JsonReading.Rejected -> null
+            is JsonReading.Success -> reading.value
+            is JsonReading.Failure -> null
         }
     }
 
@@ -108,7 +108,7 @@ internal sealed interface SavedProjectCopy {
         private val breakpoints: List<SavedBreakpoint>,
     ) : SavedProjectCopy {
         fun read(): SavedProjectResult = when (val result = readProject(project, Language.ENGLISH)) {
-            is ProjectFileResult.Loaded -> {
+            is ProjectFileResult.Success -> {
                 SavedProjectResult.Found(
                     SavedProject(
                         entry.id,
@@ -123,9 +123,9 @@ internal sealed interface SavedProjectCopy {
                 )
             }
 
-            is ProjectFileResult.Rejected -> {
+            is ProjectFileResult.Failure -> {
                 SavedProjectResult.Unusable {
-                    (readProject(project, it) as? ProjectFileResult.Rejected ?: result).message
+                    (readProject(project, it) as? ProjectFileResult.Failure ?: result).message
                 }
             }
         }

@@ -133,7 +133,7 @@ class OpenFilesTest {
         )
         assertEquals(
             "Town",
-            assertIs<OpenFilesResult.Opened>(openLinkText(fragment, Language.ENGLISH)).projects.single().name,
+            assertIs<OpenFilesResult.Success>(openLinkText(fragment, Language.ENGLISH)).projects.single().name,
         )
     }
 
@@ -189,7 +189,7 @@ class OpenFilesTest {
         assertEquals(OpenFilesError.SeveralWorlds, refused(*worlds))
         assertEquals(OpenFilesError.TooManyPrograms(5), refused(*Array(6) { file("a$it.robo", "beep") }))
         assertIs<OpenFilesError.InLink>(
-            assertIs<OpenFilesResult.Rejected>(openLinkText("#p=a???", Language.ENGLISH)).error,
+            assertIs<OpenFilesResult.Failure>(openLinkText("#p=a???", Language.ENGLISH)).error,
         )
     }
 
@@ -220,10 +220,10 @@ class OpenFilesTest {
     private fun file(name: String, text: String) = IncomingFile(name, text.encodeToByteArray())
 
     private suspend fun opened(vararg files: IncomingFile) =
-        assertIs<OpenFilesResult.Opened>(openFiles(files.toList(), Language.ENGLISH))
+        assertIs<OpenFilesResult.Success>(openFiles(files.toList(), Language.ENGLISH))
 
     private suspend fun refused(vararg files: IncomingFile) =
-        assertIs<OpenFilesResult.Rejected>(openFiles(files.toList(), Language.ENGLISH)).error
+        assertIs<OpenFilesResult.Failure>(openFiles(files.toList(), Language.ENGLISH)).error
 
     private companion object {
         /** Quotation marks and the euro in Windows-1252. */

@@ -20,7 +20,7 @@ class SavedFileTest {
         val inputs = listOf(RecordedInput(5, SessionInput.Press(BrickButton.RUN)), RecordedInput(9, SessionInput.Stop))
         val replay = projectOf("beep").copy(inputs = inputs)
         val file = assertNotNull(projectFile(replay))
-        assertEquals(ProjectFileResult.Loaded(replay), readProject(file, Language.ENGLISH))
+        assertEquals(ProjectFileResult.Success(replay), readProject(file, Language.ENGLISH))
     }
 
     @Test

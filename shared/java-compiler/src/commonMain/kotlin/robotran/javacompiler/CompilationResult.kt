@@ -15,7 +15,7 @@ sealed interface CompilationResult {
      * @property missingMain the error to report if the caller wants to run a program without a main method; null if
      * there is one or there are no sources.
      */
-    class Compiled(
+    class Success(
         val classes: Map<String, ByteArray>,
         val warnings: List<Diagnostic>,
         val mainClasses: List<String>,
@@ -23,5 +23,5 @@ sealed interface CompilationResult {
     ) : CompilationResult
 
     /** The program cannot run. The [diagnostics] are all its errors, in the order of the sources and never empty. */
-    data class Rejected(val diagnostics: List<Diagnostic>) : CompilationResult
+    data class Failure(val diagnostics: List<Diagnostic>) : CompilationResult
 }

@@ -10,7 +10,6 @@ import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
-import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.lejoslibrary.LejosDifference
@@ -60,18 +59,18 @@ internal inline fun compilation(
     val diagnostics = diagnosis.diagnostics()
     val errors = diagnostics.filter { it.severity == Severity.ERROR }
     if (errors.isEmpty()) {
-        return CompilationResult.Compiled(
+        return CompilationResult.Success(
             compilation.classes,
             diagnostics,
             compilation.mainClasses,
             diagnosis.missingMain(),
         )
     }
-    val pasted = pastedCharacters(texts, errors) ?: return CompilationResult.Rejected(errors)
+    val pasted = pastedCharacters(texts, errors) ?: return CompilationResult.Failure(errors)
     val plain = pasted.values.map { it.plain() }
     val plainCompilation = compiled(plain, target) { ecj(it, gaps.keys) }
     val others = Diagnosis(plain, library, plainCompilation, messages, gaps, target).diagnostics()
-    return CompilationResult.Rejected(withPastedCharacters(pasted, others, messages))
+    return CompilationResult.Failure(withPastedCharacters(pasted, others, messages))
 }
 
 /** What [ecj] makes of [texts], with mistakes beside empty diamonds. */
@@ -128,4 +127,4 @@ internal const val BYTE_ORDER_MARK = "\uFEFF"
  *
  * @param messages the messages for pupils, in one language.
  */
-expect suspend fun loadJavaCompiler(messages: JavaMessages = JavaMessages.of(Language.ENGLISH)): JavaCompiler
+expect suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler

@@ -4,7 +4,6 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.TimedEcj
 import robotran.javacompiler.messages.JavaMessages
-import robotran.language.Language
 import robotran.lejoslibrary.LejosDifference
 
 /** Compiles like [JavaCompiler], but beside the caller and within a time limit. */
@@ -31,4 +30,4 @@ class TimedJavaCompiler internal constructor(private val ecj: TimedEcj, private 
 class CompilerNotLoadedException(message: String, cause: Throwable? = null) : Exception(message, cause)
 
 /** The timed compiler of this platform; null where there is none, such as in a worker. */
-expect fun timedJavaCompiler(messages: JavaMessages = JavaMessages.of(Language.ENGLISH)): TimedJavaCompiler?
+expect fun timedJavaCompiler(messages: JavaMessages): TimedJavaCompiler?

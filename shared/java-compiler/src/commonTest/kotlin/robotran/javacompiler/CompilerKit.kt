@@ -1,12 +1,14 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.ecj.JavaSource
-import robotran.language.source.Diagnostic
-import robotran.language.source.SourceFix
-import robotran.lejoslibrary.LejosLibrary
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.language.source.SourceFix
+import robotran.lejoslibrary.LejosLibrary
 
 /** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
 val library: Map<String, ByteArray> by lazy {
@@ -16,17 +18,17 @@ val library: Map<String, ByteArray> by lazy {
 private var compiler: JavaCompiler? = null
 
 /** Loads the compiler on first use and then returns the same one. */
-suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
+suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
 
 /** Compiles [text] as `Robot.java` together with [others]. */
 suspend fun compile(text: String, vararg others: JavaSource): CompilationResult =
     compiler().compile(listOf(JavaSource("Robot.java", text)) + others, library)
 
-suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled =
+suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Success =
     assertIs(compile(text, *others))
 
 suspend fun diagnostics(text: String, vararg others: JavaSource): List<Diagnostic> =
-    assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
+    assertIs<CompilationResult.Failure>(compile(text, *others)).diagnostics
 
 /** A whole program with [statements], which begin in line 4. */
 fun program(statements: String) =

@@ -36,13 +36,13 @@ suspend fun compileMutations(count: Int, seed: Long = 0) {
         val random = Random(seed + number)
         val text = mutated(originals[number % originals.size], random)
         when (val result = compile(text)) {
-            is CompilationResult.Compiled -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)
-            is CompilationResult.Rejected -> assertReported(result, text)
+            is CompilationResult.Success -> assertTrue(result.classes.isNotEmpty() || "class" !in text, text)
+            is CompilationResult.Failure -> assertReported(result, text)
         }
     }
 }
 
-private fun assertReported(result: CompilationResult.Rejected, text: String) {
+private fun assertReported(result: CompilationResult.Failure, text: String) {
     val lines = text.lines().size
     for (diagnostic in result.diagnostics) {
         assertTrue(diagnostic.message.isNotBlank(), text)

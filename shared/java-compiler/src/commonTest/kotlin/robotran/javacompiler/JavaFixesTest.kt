@@ -84,8 +84,8 @@ class JavaFixesTest {
 
     /** The errors or warnings: a semicolon behind `while (...)` is Java, but hardly ever what was meant. */
     private fun mistakesOf(result: CompilationResult): List<Diagnostic> = when (result) {
-        is CompilationResult.Compiled -> result.warnings
-        is CompilationResult.Rejected -> result.diagnostics
+        is CompilationResult.Success -> result.warnings
+        is CompilationResult.Failure -> result.diagnostics
     }
 
     private suspend fun check(text: String, mistakes: suspend (String) -> List<Diagnostic>) {

@@ -11,7 +11,7 @@ import kotlin.test.assertIs
 class LanguagesTest {
     private suspend fun messageIn(messages: JavaMessages, statements: String): String {
         val sources = listOf(JavaSource("Robot.java", program(statements)))
-        val first = assertIs<CompilationResult.Rejected>(
+        val first = assertIs<CompilationResult.Failure>(
             compiler().withLanguage(messages).compile(sources, library),
         ).diagnostics.first()
         return first.message

@@ -23,7 +23,7 @@ class LejosGapsTest {
     )
 
     private suspend fun diagnostics(statements: String): List<Diagnostic> =
-        assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, program(statements)), statements).diagnostics
+        assertIs<CompilationResult.Failure>(compileFor(LejosVersion.V3_0, program(statements)), statements).diagnostics
 
     @Test
     fun `each exception that leJOS makes without a text is refused with one`() = runTest {
@@ -35,7 +35,7 @@ class LejosGapsTest {
             assertEquals("new $name(\"late\")", diagnostic.text)
             assertContains(diagnostic.message, name.substringAfterLast('.'))
             assertContains(diagnostic.message, "new ${name.substringAfterLast('.')}()")
-            assertIs<CompilationResult.Compiled>(
+            assertIs<CompilationResult.Success>(
                 compileFor(LejosVersion.V3_0, program("Throwable t = new $name();")),
                 name,
             )
@@ -45,7 +45,7 @@ class LejosGapsTest {
     @Test
     fun `a subclass cannot give such an exception a text either`() = runTest {
         val text = "class Robot extends IllegalStateException { Robot() { super(\"late\"); } }"
-        val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
+        val rejected = assertIs<CompilationResult.Failure>(compileFor(LejosVersion.V3_0, text))
         assertContains(rejected.diagnostics.single().message, "IllegalStateException")
     }
 
@@ -53,8 +53,8 @@ class LejosGapsTest {
     fun `every gap is refused where it is used, and its hint says what to write`() = runTest {
         for ((use, hint) in USES) assertContains(diagnostics(use).first().message, hint)
         for ((use, hint) in USES_OF_30) {
-            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(use)), use)
-            val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V2_1, program(use)), use)
+            assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, program(use)), use)
+            val rejected = assertIs<CompilationResult.Failure>(compileFor(LejosVersion.V2_1, program(use)), use)
             assertContains(rejected.diagnostics.first().message, hint)
         }
     }
@@ -65,7 +65,7 @@ class LejosGapsTest {
         for (difference in differences) {
             val text = program("try { ${useOf(difference)} } catch (Exception e) { }")
             for (version in LejosVersion.entries) {
-                val isRefused = compileFor(version, text) is CompilationResult.Rejected
+                val isRefused = compileFor(version, text) is CompilationResult.Failure
                 assertEquals(!difference.isIn(version), isRefused, "${version.label}: $text")
             }
         }
@@ -89,10 +89,10 @@ class LejosGapsTest {
     fun `what takes a change in one place can be fixed at once`() = runTest {
         for ((use, expected) in FIXES) {
             val text = program(use)
-            val rejected = assertIs<CompilationResult.Rejected>(compileFor(LejosVersion.V3_0, text))
+            val rejected = assertIs<CompilationResult.Failure>(compileFor(LejosVersion.V3_0, text))
             val fixed = withFix(text, assertNotNull(rejected.diagnostics.first().fix, use))
             assertEquals(program(expected), fixed)
-            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, fixed), fixed)
+            assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, fixed), fixed)
         }
     }
 
@@ -129,11 +129,11 @@ class LejosGapsTest {
             "int[] a = {1}; a[0] += 200;",
         )
         for (step in accepted) {
-            assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program("int i = 0; $step")), step)
+            assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, program("int i = 0; $step")), step)
         }
         val field = "class Robot { int i; void go() { i += 200; this.i -= 200; } }"
-        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, field))
-        assertIs<CompilationResult.Compiled>(compile(program("int i = 0; i += 200;")))
+        assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, field))
+        assertIs<CompilationResult.Success>(compile(program("int i = 0; i += 200;")))
     }
 
     @Test
@@ -142,14 +142,14 @@ class LejosGapsTest {
             "class Robot { static class Pile extends java.util.Stack { public int search(Object o) { return 1; } }\n" +
                 "int depth() { return new Pile().search(null) + SensorConstantsHere.TOUCH; }\n" +
                 "static class SensorConstantsHere { static final int TOUCH = 1; } }"
-        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, own))
+        assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, own))
         val constants = "int t = SensorConstants.SENSOR_TYPE_TOUCH; Exception e = new Exception(\"late\");"
-        assertIs<CompilationResult.Compiled>(compileFor(LejosVersion.V3_0, program(constants)))
+        assertIs<CompilationResult.Success>(compileFor(LejosVersion.V3_0, program(constants)))
     }
 
     @Test
     fun `without a brick to compare with, everything of the library is accepted`() = runTest {
-        for ((use, _) in USES) assertIs<CompilationResult.Compiled>(compile(program(use)), use)
+        for ((use, _) in USES) assertIs<CompilationResult.Success>(compile(program(use)), use)
     }
 
     @Test

@@ -78,7 +78,7 @@ class LockWarningsTest {
             JavaMessages.of(Language.SPANISH) to "bloquea",
         )) {
             val result = compiler().withLanguage(messages).compile(listOf(JavaSource("Robot.java", text)), library)
-            val warning = assertIs<CompilationResult.Compiled>(result).warnings.single()
+            val warning = assertIs<CompilationResult.Success>(result).warnings.single()
             assertContains(warning.message, word)
             assertContains(warning.message, "IllegalMonitorStateException")
         }

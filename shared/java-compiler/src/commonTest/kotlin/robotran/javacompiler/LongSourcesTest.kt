@@ -27,6 +27,6 @@ class LongSourcesTest {
                 "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}",
             )
         }
-        assertIs<CompilationResult.Rejected>(compiler().compile(files, library))
+        assertIs<CompilationResult.Failure>(compiler().compile(files, library))
     }
 }

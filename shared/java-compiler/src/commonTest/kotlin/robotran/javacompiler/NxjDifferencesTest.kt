@@ -18,9 +18,9 @@ class NxjDifferencesTest {
     fun `every difference is refused true to the brick and accepted if forgiving`() = runTest {
         for (difference in NxjDifferences.all) {
             val text = programWith(difference)
-            assertIs<CompilationResult.Rejected>(compileForNxt(text), text)
+            assertIs<CompilationResult.Failure>(compileForNxt(text), text)
             val forgiving = compileForNxt(text, isForgiving = true)
-            assertIs<CompilationResult.Compiled>(forgiving, "$text\n$forgiving")
+            assertIs<CompilationResult.Success>(forgiving, "$text\n$forgiving")
         }
     }
 
@@ -30,7 +30,7 @@ class NxjDifferencesTest {
             val told = nxtDiagnostic(statement)
             assertAdvice("Write $code.", told)
             val text = nxtProgram(statement)
-            assertIs<CompilationResult.Compiled>(compileForNxt(text, isForgiving = true), text)
+            assertIs<CompilationResult.Success>(compileForNxt(text, isForgiving = true), text)
         }
     }
 

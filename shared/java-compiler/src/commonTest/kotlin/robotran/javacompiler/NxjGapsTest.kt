@@ -156,7 +156,7 @@ class NxjGapsTest {
     }
 
     private suspend fun toldOf(statements: String): List<Pair<Int?, String>> =
-        assertIs<CompilationResult.Rejected>(compileForNxt(nxtProgram(statements))).diagnostics
+        assertIs<CompilationResult.Failure>(compileForNxt(nxtProgram(statements))).diagnostics
             .map { it.range?.line to it.message }
 
     @Test

@@ -17,9 +17,9 @@ suspend fun compileForNxt(text: String, isForgiving: Boolean = false): Compilati
     )
 }
 
-suspend fun compiledForNxt(text: String): CompilationResult.Compiled = when (val result = compileForNxt(text)) {
-    is CompilationResult.Compiled -> result
-    is CompilationResult.Rejected -> fail(result.diagnostics.joinToString("\n") { "${it.range?.line}: ${it.message}" })
+suspend fun compiledForNxt(text: String): CompilationResult.Success = when (val result = compileForNxt(text)) {
+    is CompilationResult.Success -> result
+    is CompilationResult.Failure -> fail(result.diagnostics.joinToString("\n") { "${it.range?.line}: ${it.message}" })
 }
 
 /** A whole program for an NXT with [statements], which begin in line 8. */
@@ -30,7 +30,7 @@ fun nxtProgram(statements: String) =
 
 /** The first diagnostic of the program [text] for an NXT. */
 suspend fun nxtDiagnosticOf(text: String): Diagnostic =
-    assertIs<CompilationResult.Rejected>(compileForNxt(text), text).diagnostics.first()
+    assertIs<CompilationResult.Failure>(compileForNxt(text), text).diagnostics.first()
 
 /** The first diagnostic for [statements] in a main method for an NXT. */
 suspend fun nxtDiagnostic(statements: String): Diagnostic = nxtDiagnosticOf(nxtProgram(statements))

@@ -63,7 +63,7 @@ class PastedCharactersTest {
             library,
             target = BrickTarget.LEJOS_RCX,
         )
-        assertContains(assertIs<CompilationResult.Rejected>(german).diagnostics.single().message, "Schreib \"-\"")
+        assertContains(assertIs<CompilationResult.Failure>(german).diagnostics.single().message, "Schreib \"-\"")
     }
 
     @Test

@@ -15,8 +15,8 @@ class ProgramsTest {
         val expected = testPrograms.mapValues { (_, text) -> linesWithMistakes(text) }.filterValues { it.isNotEmpty() }
         val found = testPrograms.mapValues { (path, text) ->
             when (val result = compileProgram(path, text)) {
-                is CompilationResult.Rejected -> result.diagnostics.map { it.range?.line }
-                is CompilationResult.Compiled -> emptyList()
+                is CompilationResult.Failure -> result.diagnostics.map { it.range?.line }
+                is CompilationResult.Success -> emptyList()
             }
         }.filterValues { it.isNotEmpty() }
         assertEquals(expected, found)
@@ -25,7 +25,7 @@ class ProgramsTest {
     @Test
     fun `each mistake of the test programs is told in words of our own`() = runTest {
         val told = testPrograms.filterKeys { it.startsWith("mistakes/") }.flatMap { (path, text) ->
-            assertIs<CompilationResult.Rejected>(compileProgram(path, text)).diagnostics.map { it.message }
+            assertIs<CompilationResult.Failure>(compileProgram(path, text)).diagnostics.map { it.message }
         }
         assertTrue(told.none { message -> ECJ_WORDS.any { it in message } }, told.joinToString("\n"))
     }
@@ -33,7 +33,7 @@ class ProgramsTest {
     @Test
     fun `all examples compile and can be run`() = runTest {
         for ((path, text) in examplePrograms) {
-            val result = assertIs<CompilationResult.Compiled>(compileProgram(path, text), path)
+            val result = assertIs<CompilationResult.Success>(compileProgram(path, text), path)
             assertEquals(emptyList(), result.warnings, path)
             assertNull(result.missingMain, path)
         }
@@ -44,7 +44,7 @@ class ProgramsTest {
         val made = mutableMapOf<String, Int>()
         for ((path, text) in librarySources) {
             val result =
-                assertIs<CompilationResult.Compiled>(compiler().compile(listOf(JavaSource(path, text)), library), path)
+                assertIs<CompilationResult.Success>(compiler().compile(listOf(JavaSource(path, text)), library), path)
             made += result.classes.mapValues { it.value.contentHashCode() }
         }
         assertEquals(library.mapValues { it.value.contentHashCode() }, made)

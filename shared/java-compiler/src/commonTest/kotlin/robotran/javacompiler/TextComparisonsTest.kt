@@ -67,7 +67,7 @@ class TextComparisonsTest {
             val compiler = compiler().withLanguage(messages)
             val sources = listOf(JavaSource("Robot.java", text))
             val result = compiler.compile(sources, NxjLibrary.load().classFiles, target = BrickTarget.LEJOS_NXJ)
-            val warning = assertIs<CompilationResult.Compiled>(result).warnings.single()
+            val warning = assertIs<CompilationResult.Success>(result).warnings.single()
             assertContains(warning.message, word)
             assertContains(warning.message, "args[0].equals(\"line\")")
         }

@@ -58,15 +58,15 @@ class CompilingTest {
 
     @Test
     fun `no sources are no program`() = runTest {
-        assertNull(assertIs<CompilationResult.Compiled>(compiler().compile(emptyList(), library)).missingMain)
+        assertNull(assertIs<CompilationResult.Success>(compiler().compile(emptyList(), library)).missingMain)
     }
 
     @Test
     fun `a library is read again when it is another one`() = runTest {
         val source = listOf(JavaSource("Robot.java", "class Robot { Helper helper; }"))
         val helper = compiled("class Helper { }").classes
-        assertIs<CompilationResult.Compiled>(compiler().compile(source, library + helper))
-        assertIs<CompilationResult.Rejected>(compiler().compile(source, library))
+        assertIs<CompilationResult.Success>(compiler().compile(source, library + helper))
+        assertIs<CompilationResult.Failure>(compiler().compile(source, library))
     }
 
     @Test

@@ -109,7 +109,7 @@ class NxjCompilingTest {
             val text = sources.source(name) ?: continue
             val source = listOf(JavaSource(name.substringAfterLast('/') + ".java", text))
             val result = compiler().compile(source, library.classFiles, target = BrickTarget.LEJOS_NXJ)
-            for ((made, bytes) in assertIs<CompilationResult.Compiled>(result, name).classes) {
+            for ((made, bytes) in assertIs<CompilationResult.Success>(result, name).classes) {
                 assertTrue(bytes.contentEquals(library.classFile(made)), made)
             }
         }
@@ -120,10 +120,10 @@ class NxjCompilingTest {
         val forNxt = nxtProgram("List<String> l = new ArrayList<String>(); LCD.drawString(\"x\", 0, 0);")
         val forRcx = program("LCD.showNumber(3);")
         repeat(3) {
-            assertIs<CompilationResult.Compiled>(compileForNxt(forNxt))
-            assertIs<CompilationResult.Compiled>(compile(forRcx))
-            assertIs<CompilationResult.Rejected>(compile(forNxt))
-            assertIs<CompilationResult.Rejected>(compileForNxt(forRcx))
+            assertIs<CompilationResult.Success>(compileForNxt(forNxt))
+            assertIs<CompilationResult.Success>(compile(forRcx))
+            assertIs<CompilationResult.Failure>(compile(forNxt))
+            assertIs<CompilationResult.Failure>(compileForNxt(forRcx))
         }
     }
 
@@ -134,7 +134,7 @@ class NxjCompilingTest {
             val source = listOf(JavaSource(path.substringAfterLast('/'), text))
             val classes = if (path.startsWith(FORGIVING)) library.classFiles else library.classFilesOfBrick
             val result = compiler().compile(source, classes, target = BrickTarget.LEJOS_NXJ)
-            val compiled = assertIs<CompilationResult.Compiled>(result, "$path: $result")
+            val compiled = assertIs<CompilationResult.Success>(result, "$path: $result")
             assertEquals(null, compiled.missingMain, path)
         }
     }

@@ -24,7 +24,7 @@ class TimedJavaCompilerTest {
         val compiler = compilerOf(ThreadedEcj(compilers::removeFirst, maxTime = 1))
         assertNull(compiler.compile(sources, emptyMap()))
         val patient = compilerOf(ThreadedEcj({ FakeEcj { } }))
-        assertIs<CompilationResult.Compiled>(patient.compile(sources, emptyMap()))
+        assertIs<CompilationResult.Success>(patient.compile(sources, emptyMap()))
         assertEquals(emptyList(), compilers, "the one that hangs is not used again")
     }
 

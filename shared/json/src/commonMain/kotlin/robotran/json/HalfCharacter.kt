@@ -1,10 +1,10 @@
 package robotran.json
 
-/** Whether the `Char` at index [place] is an unpaired surrogate. */
-internal fun isUnpairedSurrogate(text: String, place: Int): Boolean {
-    val character = text[place]
-    return (character.isHighSurrogate() && text.getOrNull(place + 1)?.isLowSurrogate() != true) ||
-        (character.isLowSurrogate() && text.getOrNull(place - 1)?.isHighSurrogate() != true)
+/** Whether the `Char` at index [offset] is an unpaired surrogate. */
+internal fun isUnpairedSurrogate(text: String, offset: Int): Boolean {
+    val character = text[offset]
+    return (character.isHighSurrogate() && text.getOrNull(offset + 1)?.isLowSurrogate() != true) ||
+        (character.isLowSurrogate() && text.getOrNull(offset - 1)?.isHighSurrogate() != true)
 }
 
 /** The four digits of [character] after `\u`. */

@@ -9,7 +9,7 @@ import robotran.language.decodeText
 /** The result of reading a JSON file. */
 sealed interface JsonReading<out T> {
     /** @property warnings about what the file says in vain, at most [JsonLimits.MAXIMUM_WARNINGS]. */
-    data class Read<out T>(val value: T, val warnings: List<JsonWarning> = emptyList()) : JsonReading<T>
+    data class Success<out T>(val value: T, val warnings: List<JsonWarning> = emptyList()) : JsonReading<T>
 
     /**
      * The file is invalid.
@@ -18,7 +18,7 @@ sealed interface JsonReading<out T> {
      * @property line the line of the error, from 1; null if the error concerns the whole file.
      * @property path the value with the error, such as `walls[2].from`; empty if none.
      */
-    data class Rejected(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
+    data class Failure(val message: String, val line: Int?, val path: String) : JsonReading<Nothing>
 }
 
 /**
@@ -43,11 +43,11 @@ fun <T> readJson(text: String, language: Language, read: (JsonCursor) -> T): Jso
         val doubled = JsonSyntax(json).check()
         val questions = JsonQuestions()
         val value = read(JsonCursor(Json.parseToJsonElement(json), JsonPath.WHOLE_FILE, questions))
-        JsonReading.Read(value, warningsOf(doubled, questions.misspelt(), json, language))
+        JsonReading.Success(value, warningsOf(doubled, questions.misspelt(), json, language))
     } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
     } catch (mistake: JsonSyntaxException) {
-        JsonReading.Rejected(mistake.sentence(language), mistake.line, "")
+        JsonReading.Failure(mistake.sentence(language), mistake.line, "")
     }
 }
 
@@ -55,11 +55,11 @@ fun <T> readJson(text: String, language: Language, read: (JsonCursor) -> T): Jso
 fun <T> readJson(bytes: ByteArray, language: Language, read: (JsonCursor) -> T): JsonReading<T> {
     val messages = JsonMessages.of(language)
     if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
-        return JsonReading.Rejected(messages.fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
+        return JsonReading.Failure(messages.fileTooLong(JsonLimits.MAXIMUM_CHARACTERS), null, "")
     }
-    val decoded = decodeText(bytes) ?: return JsonReading.Rejected(messages.notText(), null, "")
+    val decoded = decodeText(bytes) ?: return JsonReading.Failure(messages.notText(), null, "")
     val reading = readJson(decoded.text, language, read)
-    if (reading !is JsonReading.Read || decoded.encoding == TextEncoding.UTF_8) return reading
+    if (reading !is JsonReading.Success || decoded.encoding == TextEncoding.UTF_8) return reading
     val warning = JsonWarning(messages.otherEncoding(decoded.encoding.ownName))
     return reading.copy(warnings = (listOf(warning) + reading.warnings).take(JsonLimits.MAXIMUM_WARNINGS))
 }
@@ -78,8 +78,8 @@ private fun warningsOf(
     }
 }
 
-private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Rejected {
-    val path = refusal.path ?: return JsonReading.Rejected(refusal.reason(language), null, "")
+private fun refusedBecause(refusal: JsonValidationException, text: String, language: Language): JsonReading.Failure {
+    val path = refusal.path ?: return JsonReading.Failure(refusal.reason(language), null, "")
     val line = lineOf(path, text)
     val messages = JsonMessages.of(language)
     val reason = refusal.reason(language)
@@ -88,7 +88,7 @@ private fun refusedBecause(refusal: JsonValidationException, text: String, langu
         JsonValidationException.Form.SENTENCE -> messages.at(line, "$path", reason)
         JsonValidationException.Form.WHOLE -> messages.inLine(line, reason)
     }
-    return JsonReading.Rejected(sentence, line, path.toString())
+    return JsonReading.Failure(sentence, line, path.toString())
 }
 
 private const val BYTE_ORDER_MARK = "\uFEFF"

@@ -83,7 +83,7 @@ private class JsonScanner(private val text: String) {
         return minOf(place + 1, text.length)
     }
 
-    private fun at(place: Int): Char? = text.getOrNull(place)
+    private fun at(offset: Int): Char? = text.getOrNull(offset)
 }
 
 /** What the text in quotes says whose characters are from [from] until before [end] in [text]. */

@@ -8,7 +8,7 @@ import kotlin.test.assertTrue
 
 class JsonSyntaxTest {
     private fun told(text: String, language: Language = Language.ENGLISH): String =
-        assertIs<JsonReading.Rejected>(readJson(text, language) { }, text).message
+        assertIs<JsonReading.Failure>(readJson(text, language) { }, text).message
 
     private fun of(vararg lines: String): String = told(lines.joinToString("\n"))
 
@@ -116,7 +116,7 @@ class JsonSyntaxTest {
     @Test
     fun `every beginning of a file has a sentence in every language`() {
         val text = "{\"a\": [1, -2.5e3, true, null, \"x\\n\\u00e9\"], \"b\": {\"c\": {}}}"
-        assertIs<JsonReading.Read<Unit>>(readJson(text, Language.ENGLISH) { })
+        assertIs<JsonReading.Success<Unit>>(readJson(text, Language.ENGLISH) { })
         for (language in Language.entries) {
             for (length in text.indices) {
                 val sentence = told(text.take(length), language)

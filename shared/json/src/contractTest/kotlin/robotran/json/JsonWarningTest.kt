@@ -9,7 +9,7 @@ import kotlin.test.assertTrue
 
 class JsonWarningTest {
     private fun warnings(text: String, read: (JsonCursor) -> Any?): List<JsonWarning> =
-        assertIs<JsonReading.Read<Any?>>(readJson(text, read = read, language = Language.ENGLISH)).warnings
+        assertIs<JsonReading.Success<Any?>>(readJson(text, read = read, language = Language.ENGLISH)).warnings
 
     /** Reads what a file of walls may have. */
     private fun walls(file: JsonCursor) {
@@ -60,7 +60,7 @@ class JsonWarningTest {
     @Test
     fun `a missing field tells what may be meant for it`() {
         val rejected =
-            assertIs<JsonReading.Rejected>(readJson("{\"tittle\": 1}", Language.ENGLISH) { it.member("title") })
+            assertIs<JsonReading.Failure>(readJson("{\"tittle\": 1}", Language.ENGLISH) { it.member("title") })
         assertEquals("Line 1: title is missing; perhaps \"tittle\" is meant for it.", rejected.message)
     }
 
@@ -76,10 +76,10 @@ class JsonWarningTest {
         val bytes = "{\"title\": \"Gr\u00FC\u00DFe\"}".map { it.code.toByte() }.toByteArray()
         val reading = readJson(bytes, Language.GERMAN) { it.member("title").text(9) }
         assertEquals(
-            JsonReading.Read("Gr\u00FC\u00DFe", listOf(JsonWarning("Die Datei ist in Windows-1252, nicht in UTF-8."))),
+            JsonReading.Success("Gr\u00FC\u00DFe", listOf(JsonWarning("Die Datei ist in Windows-1252, nicht in UTF-8."))),
             reading,
         )
-        assertIs<JsonReading.Rejected>(readJson(byteArrayOf(0, 1, -1), Language.ENGLISH) { })
+        assertIs<JsonReading.Failure>(readJson(byteArrayOf(0, 1, -1), Language.ENGLISH) { })
     }
 
     @Test

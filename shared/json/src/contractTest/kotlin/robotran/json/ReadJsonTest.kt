@@ -9,17 +9,17 @@ import kotlin.test.assertIs
 
 class ReadJsonTest {
     private fun <T> read(text: String, read: (JsonCursor) -> T): T =
-        assertIs<JsonReading.Read<T>>(readJson(text, read = read, language = Language.ENGLISH)).value
+        assertIs<JsonReading.Success<T>>(readJson(text, read = read, language = Language.ENGLISH)).value
 
-    private fun refusal(text: String, read: (JsonCursor) -> Any?): JsonReading.Rejected =
-        assertIs<JsonReading.Rejected>(readJson(text, read = read, language = Language.ENGLISH))
+    private fun refusal(text: String, read: (JsonCursor) -> Any?): JsonReading.Failure =
+        assertIs<JsonReading.Failure>(readJson(text, read = read, language = Language.ENGLISH))
 
     @Test
     fun `the line is that of the name, wherever its value begins`() {
         val text = "{\n\"a\" :\n[ {\"x\": 1},\n\n{ \"b\" : \"}]\\\"\" , \"c\":[[]\n,5 ] }\n]}"
         val c = { place: JsonCursor -> place.member("a").items(0..9)[1].member("c") }
         assertEquals(
-            JsonReading.Rejected("Line 6: a[1].c[1] must be a text in quotes.", 6, "a[1].c[1]"),
+            JsonReading.Failure("Line 6: a[1].c[1] must be a text in quotes.", 6, "a[1].c[1]"),
             refusal(text) { c(it).items(0..9)[1].text(5) },
         )
         assertEquals(5, refusal(text) { c(it).flag() }.line)

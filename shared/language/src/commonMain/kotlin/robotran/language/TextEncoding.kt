@@ -57,9 +57,9 @@ private fun utf16(bytes: ByteArray, isLittle: Boolean): String? {
     return text.takeIf { isWhole && isOrdinary(it) }
 }
 
-private fun unit(bytes: ByteArray, place: Int, isLittle: Boolean): Int {
-    val first = bytes[place].toInt() and BYTE
-    val second = bytes[place + 1].toInt() and BYTE
+private fun unit(bytes: ByteArray, offset: Int, isLittle: Boolean): Int {
+    val first = bytes[offset].toInt() and BYTE
+    val second = bytes[offset + 1].toInt() and BYTE
     return if (isLittle) second * BYTES + first else first * BYTES + second
 }
 

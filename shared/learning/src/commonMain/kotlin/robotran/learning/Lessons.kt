@@ -74,6 +74,6 @@ internal const val SOLUTION = "solution."
 
 /** Reads a world that comes with the app. Fails if the file is invalid. */
 internal fun worldOf(text: String): World = when (val result = readWorld(text, Language.ENGLISH)) {
-    is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Rejected -> error(result.message)
+    is WorldFileResult.Success -> result.world
+    is WorldFileResult.Failure -> error(result.message)
 }

@@ -38,8 +38,8 @@ class ExampleTest {
         assertTrue(examples.size > 5, "${examples.size} examples")
         for (help in examples) {
             val result = nxtReader.read(Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()))
-            val told = (result as? ProgramResult.HasErrors)?.diagnostics
-            val ready = assertIs<ProgramResult.Ready>(result, "${help.word}: $told")
+            val told = (result as? ProgramResult.Failure)?.diagnostics
+            val ready = assertIs<ProgramResult.Success>(result, "${help.word}: $told")
             assertEquals(emptyList<Diagnostic>(), ready.warnings, help.word)
         }
     }
@@ -73,7 +73,7 @@ class ExampleTest {
 
     private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
         val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
-        val ready = assertIs<ProgramResult.Ready>(result, "$word: ${(result as? ProgramResult.HasErrors)?.diagnostics}")
+        val ready = assertIs<ProgramResult.Success>(result, "$word: ${(result as? ProgramResult.Failure)?.diagnostics}")
         assertEquals(emptyList<Diagnostic>(), ready.warnings, word)
         val session =
             Session(BuiltInWorlds.plainFor(brick), listOf(ready.program), loadPhysicsEngine(), Language.ENGLISH)

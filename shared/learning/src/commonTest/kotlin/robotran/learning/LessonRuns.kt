@@ -5,7 +5,7 @@ import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.GoalRun
@@ -67,7 +67,7 @@ private suspend fun sessionOf(lesson: Lesson, program: SourceFile, seed: Int): S
     val loads = readRobotLoads(project, compiler)
     return Session(
         project.worldToRun.copy(seed = seed),
-        assertIs<RobotLoads.Ready>(loads, "${lesson.name}: $loads\n${program.text}").loads,
+        assertIs<RobotProgramSets.Success>(loads, "${lesson.name}: $loads\n${program.text}").loads,
         loadPhysicsEngine(),
         language = Language.ENGLISH,
     )

@@ -1,16 +1,17 @@
 package robotran.learning
 
-import robotran.brick.kind.BrickKind
-import robotran.language.Language
-import robotran.language.ProgramLanguage
-import robotran.nqc.NqcResult
-import robotran.nqc.compileNqc
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.nqc.NqcResult
+import robotran.nqc.compileNqc
+import robotran.nqc.messages.NqcMessages
 
 class WordHelpTest {
     private fun english(code: ProgramLanguage, text: String): WordHelp? =
@@ -64,8 +65,8 @@ class WordHelpTest {
             assertNotNull(examples[word], word)
         }
         for ((word, example) in examples) {
-            val result = compileNqc("try.nqc", example ?: continue)
-            assertEquals(emptyList(), assertIs<NqcResult.Ready>(result, word).warnings, word)
+            val result = compileNqc("try.nqc", example ?: continue, messages = NqcMessages.of(Language.ENGLISH))
+            assertEquals(emptyList(), assertIs<NqcResult.Success>(result, word).warnings, word)
         }
     }
 

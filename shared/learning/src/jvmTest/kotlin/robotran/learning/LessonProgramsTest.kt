@@ -1,18 +1,19 @@
 package robotran.learning
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
+import robotran.robolang.messages.RobolangMessages
 
 class LessonProgramsTest {
     private val tasks = Lessons.all + Lessons.all.map { it.on(BrickKind.NXT) } + worldTasks
@@ -21,7 +22,7 @@ class LessonProgramsTest {
     fun `programs and solutions in Robolang look as the formatter writes them`() {
         for (lesson in tasks.filter { it.code == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
-                assertEquals(file.text, assertIs<FormatResult.Formatted>(formatRobolang(file.text)).text, lesson.name)
+                assertEquals(file.text, assertIs<FormatResult.Success>(formatRobolang(file.text, messages = RobolangMessages.of(Language.ENGLISH))).text, lesson.name)
             }
         }
     }
@@ -32,7 +33,7 @@ class LessonProgramsTest {
         for (lesson in tasks) {
             for (solution in lesson.solutions) {
                 val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)
-                assertEquals(emptyList(), assertIs<RobotLoads.Ready>(ready, lesson.name).warnings, lesson.name)
+                assertEquals(emptyList(), assertIs<RobotProgramSets.Success>(ready, lesson.name).warnings, lesson.name)
             }
         }
     }

@@ -1,5 +1,9 @@
 package robotran.legofirmware
 
+import kotlin.random.Random
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.source.Severity
@@ -15,18 +19,15 @@ import robotran.legofirmware.listing.assemblyListing
 import robotran.legofirmware.listing.plainListing
 import robotran.legofirmware.run.FirmwareState
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sensors.SensorCode
-import kotlin.random.Random
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertTrue
 
 /** Damages an image of the vectors and tries it. Returns whether it could be read. */
 internal fun tryMutatedImage(random: Random): Boolean = tryImage(mutated(images.random(random), random))
 
 /** Does with an image all that can be done. Returns whether it could be read. */
 internal fun tryImage(bytes: ByteArray): Boolean {
-    val read = readRcxImage(bytes) as? RcxImageResult.Read ?: return false
+    val read = readRcxImage(bytes) as? RcxImageResult.Success ?: return false
     checkForms(read.image, bytes.size)
     runOnBrick(read.image)
     return true
@@ -35,7 +36,7 @@ internal fun tryImage(bytes: ByteArray): Boolean {
 /** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
 private fun runOnBrick(image: RcxImage) {
     val brick =
-        RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines, language = Language.ENGLISH)))
+        RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines, language = Language.ENGLISH)), messages = BrickMessages.of(Language.ENGLISH))
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     repeat(RUN_MILLISECONDS) { brick.tick() }
@@ -54,9 +55,9 @@ private fun checkForms(image: RcxImage, bytes: Int) {
     val listing = image.assemblyListing()
     assertTrue(listing.text.length < LISTING_CHARACTERS * (bytes + 1))
     val result = assemble(listing.text, Language.ENGLISH)
-    assertTrue(result is AssemblyResult.Assembled, listing.text)
+    assertTrue(result is AssemblyResult.Success, listing.text)
     assertEquals(image.chunks.sortedBy { it.id }, result.image.chunks.sortedBy { it.id })
-    assertEquals(image, (readRcxImage(image.toBytes()) as RcxImageResult.Read).image)
+    assertEquals(image, (readRcxImage(image.toBytes()) as RcxImageResult.Success).image)
 }
 
 private fun mutated(original: ByteArray, random: Random): ByteArray {
@@ -78,14 +79,14 @@ internal fun tryMutatedText(random: Random): Boolean = tryText(mutated(texts.ran
 
 /** Assembles [text]. Returns whether it was right. */
 internal fun tryText(text: String): Boolean = when (val result = assemble(text, Language.ENGLISH)) {
-    is AssemblyResult.Assembled -> {
+    is AssemblyResult.Success -> {
         assertTrue(result.image.chunks.all { it.code.size <= FirmwareLimits.CHUNK_BYTES })
         assertTrue(result.image.codeSize <= text.length)
-        assertTrue(readRcxImage(result.image.toBytes()) is RcxImageResult.Read)
+        assertTrue(readRcxImage(result.image.toBytes()) is RcxImageResult.Success)
         true
     }
 
-    is AssemblyResult.Rejected -> {
+    is AssemblyResult.Failure -> {
         assertTrue(result.diagnostics.size in 1..AssemblyLimits.DIAGNOSTICS)
         val lines = text.lines()
         for (found in result.diagnostics) {

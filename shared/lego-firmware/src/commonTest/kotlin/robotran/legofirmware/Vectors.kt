@@ -11,7 +11,7 @@ internal object Vectors {
 
     fun bytes(name: String): ByteArray = hexBytes(vectorFiles.getValue("$name.hex"))
 
-    fun image(name: String): RcxImage = (readRcxImage(bytes(name)) as RcxImageResult.Read).image
+    fun image(name: String): RcxImage = (readRcxImage(bytes(name)) as RcxImageResult.Success).image
 
     /** The text of the file [name]; null if there is none. */
     fun text(name: String): String? = vectorFiles[name]

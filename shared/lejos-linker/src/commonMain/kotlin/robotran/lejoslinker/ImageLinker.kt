@@ -90,8 +90,8 @@ internal class ImageLinker(
         val image = LejosImage(ImageWriter(layout, options.byteOrder).write(), layout.contents())
         val left = image.bytesForObjects(options.version)
         val warnings = if (left < BrickRoom.FEW_BYTES) listOf(messages.littleMemory(left)) else emptyList()
-        return ImageResult.Linked(image, warnings)
+        return ImageResult.Success(image, warnings)
     }
 
-    private fun refused() = ImageResult.Refused(errors.withFiles(files::sourceFileOf))
+    private fun refused() = ImageResult.Failure(errors.withFiles(files::sourceFileOf))
 }

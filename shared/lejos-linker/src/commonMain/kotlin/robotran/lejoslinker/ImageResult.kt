@@ -9,12 +9,12 @@ sealed interface ImageResult {
      *
      * @property warnings sentences for a learner about what may go wrong there, such as little memory for objects.
      */
-    class Linked(val image: LejosImage, val warnings: List<String>) : ImageResult
+    class Success(val image: LejosImage, val warnings: List<String>) : ImageResult
 
     /**
      * A brick cannot run the program.
      *
      * @property errors never empty; classes in the order of their numbers, each mistake once.
      */
-    data class Refused(val errors: List<LinkError>) : ImageResult
+    data class Failure(val errors: List<LinkError>) : ImageResult
 }

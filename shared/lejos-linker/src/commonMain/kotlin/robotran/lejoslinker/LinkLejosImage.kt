@@ -1,6 +1,5 @@
 package robotran.lejoslinker
 
-import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.messages.ImageMessages
 
@@ -20,5 +19,5 @@ fun linkLejosImage(
     library: Map<String, ByteArray>,
     entryClasses: List<String>,
     options: ImageOptions = ImageOptions(),
-    messages: ImageMessages = ImageMessages.of(Language.ENGLISH),
+    messages: ImageMessages,
 ): ImageResult = ImageLinker(program, library, entryClasses, options, messages).link()

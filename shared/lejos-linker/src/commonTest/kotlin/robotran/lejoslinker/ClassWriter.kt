@@ -1,6 +1,8 @@
 package robotran.lejoslinker
 
+import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
+import robotran.lejoslinker.messages.ImageMessages
 
 /** Writes a class file of version 45 with fields, methods and constants as a test needs them. */
 internal class ClassWriter(
@@ -104,13 +106,14 @@ internal fun linkMain(
     Vectors.library,
     listOf("Main"),
     options,
+    messages = ImageMessages.of(Language.ENGLISH),
 )
 
 /** The errors of a refused program as `class.method:line sentence`. */
 internal fun errorsOf(result: ImageResult): List<String> = when (result) {
-    is ImageResult.Linked -> emptyList()
+    is ImageResult.Success -> emptyList()
 
-    is ImageResult.Refused -> result.errors.map {
+    is ImageResult.Failure -> result.errors.map {
         "${listOfNotNull(it.className, it.methodName).joinToString(".")}:${it.sourceLine} ${it.message}"
     }
 }

@@ -10,7 +10,7 @@ import kotlin.test.assertIs
 
 class ImageListingTest {
     private fun listing(name: String, language: Language = Language.ENGLISH): List<String> {
-        val image = assertIs<ImageResult.Linked>(linkVector(name)).image
+        val image = assertIs<ImageResult.Success>(linkVector(name)).image
         return listingOf(image, ListingMessages.of(language)).trimEnd('\n').lines()
     }
 
@@ -43,14 +43,14 @@ class ImageListingTest {
 
     @Test
     fun `constants are shown as in Java`() {
-        val image = assertIs<ImageResult.Linked>(
+        val image = assertIs<ImageResult.Success>(
             linkMain {
                 addMain()
                 string("a \"quote\"\n")
                 number(100_000)
             },
         ).image
-        val lines = listingOf(image).lines().map { it.trim().substringAfter(' ') }
+        val lines = listingOf(image, messages = ListingMessages.of(Language.ENGLISH)).lines().map { it.trim().substringAfter(' ') }
         assertContains(lines, "\"a \\\"quote\\\"\\u000a\"")
         assertContains(lines, "int 100000")
     }

@@ -17,8 +17,8 @@ class LimitsTest {
 
     @Test
     fun `the last class that fits has number 255`() {
-        val least = assertIs<ImageResult.Linked>(linkMain { addMain() }).image.contents.classes.size
-        assertIs<ImageResult.Linked>(linkWithClasses(256 - least))
+        val least = assertIs<ImageResult.Success>(linkMain { addMain() }).image.contents.classes.size
+        assertIs<ImageResult.Success>(linkWithClasses(256 - least))
         assertEquals(
             listOf("Main:0 ${messages.tooManyClasses(257, 256)}"),
             errorsOf(linkWithClasses(257 - least)),
@@ -27,7 +27,7 @@ class LimitsTest {
 
     @Test
     fun `code loads constants up to number 255`() {
-        val others = assertIs<ImageResult.Linked>(linkWithLast {}).image.contents.constants.size
+        val others = assertIs<ImageResult.Success>(linkWithLast {}).image.contents.constants.size
 
         fun link(count: Int) = linkWithLast {
             repeat(count - 1) { number(it + 100_000) }
@@ -42,7 +42,7 @@ class LimitsTest {
 
     @Test
     fun `code cannot reach a static field beyond number 255`() {
-        val others = assertIs<ImageResult.Linked>(linkWithLast {}).image.contents.staticFields.size
+        val others = assertIs<ImageResult.Success>(linkWithLast {}).image.contents.staticFields.size
 
         fun link(count: Int) = linkWithLast {
             repeat(count) { addField("f$it", "B", ClassWriter.STATIC) }
@@ -79,7 +79,7 @@ class LimitsTest {
                 holders.keys.forEach(::type)
             },
         )
-        val before = assertIs<ImageResult.Linked>(linkMain { addMain() }).image.contents.staticStateBytes
+        val before = assertIs<ImageResult.Success>(linkMain { addMain() }).image.contents.staticStateBytes
         assertEquals(listOf("Main:0 ${messages.tooManyStaticBytes(before + 4800, 4096)}"), errors)
     }
 
@@ -162,7 +162,7 @@ class LimitsTest {
 
     @Test
     fun `at most 4096 signatures have numbers`() {
-        val few = assertIs<ImageResult.Linked>(linkWithSignatures(0)).image.contents.signatures.size
+        val few = assertIs<ImageResult.Success>(linkWithSignatures(0)).image.contents.signatures.size
         val errors = errorsOf(linkWithSignatures(250))
         assertEquals(listOf("Many0:0 ${messages.tooManySignatures(few + 17 * 250, 4096)}"), errors)
     }
@@ -170,8 +170,8 @@ class LimitsTest {
     @Test
     fun `an image that leaves no room for the first objects is refused`() {
         val maxBytes = BrickRoom.V3_0.maxImageBytes
-        val small = assertIs<ImageResult.Linked>(linkWithCode(0)).image.bytes.size
-        val largest = assertIs<ImageResult.Linked>(linkWithCode(maxBytes - small))
+        val small = assertIs<ImageResult.Success>(linkWithCode(0)).image.bytes.size
+        val largest = assertIs<ImageResult.Success>(linkWithCode(maxBytes - small))
         assertEquals(maxBytes, largest.image.bytes.size)
         assertEquals(listOf(messages.littleMemory(13888 - maxBytes)), largest.warnings)
         assertEquals(
@@ -182,7 +182,7 @@ class LimitsTest {
 
     @Test
     fun `leJOS 2_1 leaves more room than 3_0`() {
-        val small = assertIs<ImageResult.Linked>(linkWithCode(0)).image.bytes.size
+        val small = assertIs<ImageResult.Success>(linkWithCode(0)).image.bytes.size
         val room = BrickRoom.V2_1.maxImageBytes
         val options = ImageOptions(version = LejosVersion.V2_1)
         assertEquals(emptyList(), errorsOf(linkWithCode(room - small, options)))
@@ -191,7 +191,7 @@ class LimitsTest {
 
     @Test
     fun `a small program has no warning`() {
-        val linked = assertIs<ImageResult.Linked>(linkMain { addMain() })
+        val linked = assertIs<ImageResult.Success>(linkMain { addMain() })
         assertEquals(emptyList(), linked.warnings)
         assertEquals(13888 - linked.image.bytes.size, linked.image.bytesForObjects(LejosVersion.V3_0))
     }
@@ -230,7 +230,7 @@ class LimitsTest {
             repeat(ofEach) { writer.addMethod("m${number}x$it", "()V", ABSTRACT, null) }
             "Many$number" to writer.bytes()
         }
-        return linkLejosImage(classes, Vectors.library, classes.keys.toList())
+        return linkLejosImage(classes, Vectors.library, classes.keys.toList(), messages = ImageMessages.of(Language.ENGLISH))
     }
 
     private companion object {

@@ -25,7 +25,7 @@ class RefusedCodeTest {
 
     @Test
     fun `each character of a text is one byte of the image`() {
-        val image = assertIs<ImageResult.Linked>(linkText("Grün 37")).image
+        val image = assertIs<ImageResult.Success>(linkText("Grün 37")).image
         val bytes = image.contents.constants.single { it.bytes.size == 7 }.bytes
         assertEquals(listOf(0x47, 0x72, 0xFC, 0x6E, 0x20, 0x33, 0x37), bytes.map { it.toInt() and 0xFF })
     }
@@ -76,8 +76,8 @@ class RefusedCodeTest {
             )
         }
         val result =
-            linkLejosImage(mapOf("Base" to base.bytes(), "Main" to main.bytes()), Vectors.library, listOf("Main"))
-        val image = assertIs<ImageResult.Linked>(result).image
+            linkLejosImage(mapOf("Base" to base.bytes(), "Main" to main.bytes()), Vectors.library, listOf("Main"), messages = ImageMessages.of(Language.ENGLISH))
+        val image = assertIs<ImageResult.Success>(result).image
         val classes = image.contents.classes
         val code = image.bytes.drop(classes.single { it.name == "Main" }.methods.single().codeOffset)
         assertEquals(listOf(0xA0, 5), code.drop(2).take(2).map { it.toInt() and 0xFF })
@@ -180,7 +180,7 @@ class RefusedCodeTest {
 
     @Test
     fun `damaged class files are refused`() {
-        val result = linkLejosImage(mapOf("Main" to byteArrayOf(1, 2, 3)), Vectors.library, listOf("Main"))
+        val result = linkLejosImage(mapOf("Main" to byteArrayOf(1, 2, 3)), Vectors.library, listOf("Main"), messages = ImageMessages.of(Language.ENGLISH))
         assertEquals("Main:0 ${messages.tinyVm.notAClassFile()}", errorsOf(result).first())
         val cut = errorsOf(linkMain { addMethod("main", "([Ljava/lang/String;)V", 9, listOf(Opcode.NEW, 0)) })
         assertEquals(listOf("Main.main:7 ${messages.tinyVm.codeInvalid()}"), cut)
@@ -190,8 +190,8 @@ class RefusedCodeTest {
     fun `without names the first class with a main method is started`() {
         val shape = ClassWriter("Shape").bytes()
         val main = ClassWriter("Main").apply { addMain() }.bytes()
-        val result = linkLejosImage(mapOf("Shape" to shape, "Main" to main), Vectors.library, emptyList())
-        assertEquals(listOf("Main"), assertIs<ImageResult.Linked>(result).image.entryClasses)
+        val result = linkLejosImage(mapOf("Shape" to shape, "Main" to main), Vectors.library, emptyList(), messages = ImageMessages.of(Language.ENGLISH))
+        assertEquals(listOf("Main"), assertIs<ImageResult.Success>(result).image.entryClasses)
     }
 
     @Test
@@ -199,11 +199,11 @@ class RefusedCodeTest {
         val nothing = mapOf("Shape" to ClassWriter("Shape").bytes())
         assertEquals(
             listOf("Shape:0 ${messages.tinyVm.noMainMethod()}"),
-            errorsOf(linkLejosImage(nothing, Vectors.library, emptyList())),
+            errorsOf(linkLejosImage(nothing, Vectors.library, emptyList(), messages = ImageMessages.of(Language.ENGLISH))),
         )
         assertEquals(
             listOf("Missing:0 ${messages.tinyVm.noMainMethod()}"),
-            errorsOf(linkLejosImage(Vectors.programs, Vectors.library, listOf("Missing"))),
+            errorsOf(linkLejosImage(Vectors.programs, Vectors.library, listOf("Missing"), messages = ImageMessages.of(Language.ENGLISH))),
         )
     }
 

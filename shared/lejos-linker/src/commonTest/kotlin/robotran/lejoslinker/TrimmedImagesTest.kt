@@ -1,18 +1,20 @@
 package robotran.lejoslinker
 
-import robotran.lejoslinker.config.ImageOptions
-import robotran.lejoslinker.image.ImageContents
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.lejoslinker.config.ImageOptions
+import robotran.lejoslinker.image.ImageContents
+import robotran.lejoslinker.messages.ImageMessages
 
 /** Images without what their programs do not need. `ImageRunTest` of `shared/programs` runs them. */
 class TrimmedImagesTest {
     private fun image(name: String, isTrimmed: Boolean): LejosImage {
         val options = ImageOptions(isTrimmed = isTrimmed)
-        val result = linkLejosImage(Vectors.programs, Vectors.library, listOf(name), options)
-        return assertIs<ImageResult.Linked>(result, name).image
+        val result = linkLejosImage(Vectors.programs, Vectors.library, listOf(name), options, messages = ImageMessages.of(Language.ENGLISH))
+        return assertIs<ImageResult.Success>(result, name).image
     }
 
     private val names = Vectors.images.keys.filter { '.' !in it }

@@ -1,8 +1,10 @@
 package robotran.lejoslinker
 
+import kotlin.io.encoding.Base64
+import robotran.language.Language
 import robotran.lejoslinker.config.ByteOrder
 import robotran.lejoslinker.config.ImageOptions
-import kotlin.io.encoding.Base64
+import robotran.lejoslinker.messages.ImageMessages
 
 /** What leJOS's own linker made, and what it made it of. */
 internal object Vectors {
@@ -31,5 +33,6 @@ internal fun linkVector(
         Vectors.library,
         entryClasses,
         ImageOptions(byteOrder = byteOrder, keepsAllMethods = keepsAll),
+        messages = ImageMessages.of(Language.ENGLISH),
     )
 }

@@ -19,7 +19,7 @@ class VectorsTest {
     }
 
     private fun compare(name: String, order: ByteOrder, expected: ByteArray) {
-        val result = assertIs<ImageResult.Linked>(linkVector(name, order), name)
+        val result = assertIs<ImageResult.Success>(linkVector(name, order), name)
         val bytes = result.image.bytes
         val first = expected.indices.firstOrNull { it >= bytes.size || bytes[it] != expected[it] }
         assertEquals(null, first, "$name $order differs at that byte")

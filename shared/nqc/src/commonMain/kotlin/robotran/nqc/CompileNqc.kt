@@ -1,6 +1,5 @@
 package robotran.nqc
 
-import robotran.language.Language
 import robotran.language.source.Severity
 import robotran.language.source.SourceRange
 import robotran.nqc.config.NqcLimits
@@ -19,7 +18,7 @@ fun compileNqc(
     name: String,
     source: String,
     options: NqcOptions = NqcOptions(),
-    messages: NqcMessages = NqcMessages.of(Language.ENGLISH),
+    messages: NqcMessages,
 ): NqcResult {
     val sink = DiagnosticSink(messages)
     val files = options.files + (name to source)
@@ -31,8 +30,8 @@ fun compileNqc(
     }
     val program = if (sink.hasErrors) null else Compilation(name, files, options, sink).compile()
     return if (sink.hasErrors || program == null) {
-        NqcResult.HasErrors(sink.inSourceOrder(Severity.ERROR, name))
+        NqcResult.Failure(sink.inSourceOrder(Severity.ERROR, name))
     } else {
-        NqcResult.Ready(program, sink.inSourceOrder(Severity.WARNING, name))
+        NqcResult.Success(program, sink.inSourceOrder(Severity.WARNING, name))
     }
 }

@@ -1,22 +1,24 @@
 package robotran.nqc
 
+import kotlin.test.fail
+import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceFix
 import robotran.legofirmware.image.FirmwareTarget
-import kotlin.test.fail
+import robotran.nqc.messages.NqcMessages
 
 /** The errors of [source], or its warnings if there are none. */
 internal fun diagnosticsOf(source: String, options: NqcOptions = NqcOptions()): List<Diagnostic> =
-    when (val result = compileNqc("test.nqc", source, options)) {
-        is NqcResult.Ready -> result.warnings
-        is NqcResult.HasErrors -> result.diagnostics
+    when (val result = compileNqc("test.nqc", source, options, messages = NqcMessages.of(Language.ENGLISH))) {
+        is NqcResult.Success -> result.warnings
+        is NqcResult.Failure -> result.diagnostics
     }
 
 /** The program of [source], which must have no errors. */
 internal fun programOf(source: String, options: NqcOptions = NqcOptions()): NqcProgram =
-    when (val result = compileNqc("test.nqc", source, options)) {
-        is NqcResult.Ready -> result.program
-        is NqcResult.HasErrors -> fail(result.diagnostics.joinToString("\n"))
+    when (val result = compileNqc("test.nqc", source, options, messages = NqcMessages.of(Language.ENGLISH))) {
+        is NqcResult.Success -> result.program
+        is NqcResult.Failure -> fail(result.diagnostics.joinToString("\n"))
     }
 
 /** The code of the main task as hexadecimal bytes, without what sets the motors up. */

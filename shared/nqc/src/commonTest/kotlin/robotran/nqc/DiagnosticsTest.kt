@@ -1,9 +1,11 @@
 package robotran.nqc
 
-import robotran.legofirmware.image.FirmwareTarget
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.nqc.messages.NqcMessages
 
 class DiagnosticsTest {
     @Test
@@ -136,9 +138,9 @@ class DiagnosticsTest {
         )
         val results = conditions.map { condition ->
             val source = "#define A 2\n#if $condition\ntask main() { }\n#endif"
-            when (val result = compileNqc("x", source)) {
-                is NqcResult.Ready -> "true"
-                is NqcResult.HasErrors -> result.diagnostics.first().code?.id
+            when (val result = compileNqc("x", source, messages = NqcMessages.of(Language.ENGLISH))) {
+                is NqcResult.Success -> "true"
+                is NqcResult.Failure -> result.diagnostics.first().code?.id
             }
         }
         val expected = List(8) { "true" } +

@@ -34,7 +34,7 @@ class ErrorCasesTest {
     @Test
     fun `a program fails if and only if the original compiler fails`() {
         for (case in ErrorCase.all) {
-            val fails = compileNqc(FILE, case.source, NqcOptions(case.target)) is NqcResult.HasErrors
+            val fails = compileNqc(FILE, case.source, NqcOptions(case.target), messages = NqcMessages.of(Language.ENGLISH)) is NqcResult.Failure
             val failed = case.mistakes.any { (text, _) -> text !in WARNINGS }
             assertEquals(failed, fails, case.name)
         }
@@ -61,8 +61,8 @@ class ErrorCasesTest {
 
     private fun diagnosticsOf(case: ErrorCase, messages: NqcMessages = NqcMessages.of(Language.ENGLISH)) =
         when (val result = compileNqc(FILE, case.source, NqcOptions(case.target), messages)) {
-            is NqcResult.Ready -> result.warnings
-            is NqcResult.HasErrors -> result.diagnostics
+            is NqcResult.Success -> result.warnings
+            is NqcResult.Failure -> result.diagnostics
         }
 
     private companion object {

@@ -1,10 +1,12 @@
 package robotran.nqc
 
+import kotlin.random.Random
+import kotlin.test.assertTrue
+import robotran.language.Language
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.toBytes
-import kotlin.random.Random
-import kotlin.test.assertTrue
+import robotran.nqc.messages.NqcMessages
 
 /** Compiles changed copies of the programs of the vectors. */
 internal class Mutants(private val random: Random) {
@@ -56,13 +58,13 @@ internal class Mutants(private val random: Random) {
 
         /** Whether [text] has no mistake. */
         fun compileWithoutHarm(text: String, options: NqcOptions): Boolean =
-            when (val result = compileNqc("m.nqc", text, options)) {
-                is NqcResult.HasErrors -> {
+            when (val result = compileNqc("m.nqc", text, options, messages = NqcMessages.of(Language.ENGLISH))) {
+                is NqcResult.Failure -> {
                     assertTrue(result.diagnostics.isNotEmpty() && result.diagnostics.size <= MOST_DIAGNOSTICS)
                     false
                 }
 
-                is NqcResult.Ready -> {
+                is NqcResult.Success -> {
                     assertTrue(result.program.image.toBytes().size < FirmwareLimits.IMAGE_BYTES * 2)
                     true
                 }

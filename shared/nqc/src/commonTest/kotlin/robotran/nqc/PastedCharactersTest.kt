@@ -1,10 +1,12 @@
 package robotran.nqc
 
-import robotran.nqc.diagnostic.NqcDiagnosticCode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.messages.NqcMessages
 
 /** What word processors, mails and web pages make of a program. */
 class PastedCharactersTest {
@@ -50,7 +52,7 @@ class PastedCharactersTest {
         assertTrue("a curly quotation mark" in found.message, found.message)
         val mended = applied(source, checkNotNull(found.fix))
         assertEquals("#include \"my.nqh\"", mended.lines().first())
-        assertIs<NqcResult.Ready>(compileNqc("test.nqc", mended, options))
+        assertIs<NqcResult.Success>(compileNqc("test.nqc", mended, options, messages = NqcMessages.of(Language.ENGLISH)))
     }
 
     @Test
@@ -77,6 +79,6 @@ class PastedCharactersTest {
         assertTrue(named in found.message, found.message)
         val mended = applied(inTask(statement), checkNotNull(found.fix) { "$found" })
         assertEquals(inTask(expected), mended)
-        assertIs<NqcResult.Ready>(compileNqc("test.nqc", mended), mended)
+        assertIs<NqcResult.Success>(compileNqc("test.nqc", mended, messages = NqcMessages.of(Language.ENGLISH)), mended)
     }
 }

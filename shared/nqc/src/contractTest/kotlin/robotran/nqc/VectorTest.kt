@@ -1,10 +1,12 @@
 package robotran.nqc
 
-import robotran.legofirmware.image.FirmwareTarget
-import robotran.legofirmware.image.toBytes
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.legofirmware.image.FirmwareTarget
+import robotran.legofirmware.image.toBytes
+import robotran.nqc.messages.NqcMessages
 
 class VectorTest {
     @Test
@@ -18,16 +20,16 @@ class VectorTest {
 
     private fun check(target: FirmwareTarget) {
         val failures = Vectors.programs.mapNotNull { (name, source) ->
-            val result = compileNqc("$name.nqc", source, NqcOptions(target))
+            val result = compileNqc("$name.nqc", source, NqcOptions(target), messages = NqcMessages.of(Language.ENGLISH))
             val expected = Vectors.image(name, target)
-            val actual = (result as? NqcResult.Ready)?.program?.image?.toBytes()?.joinToString(" ") { hex(it) }
+            val actual = (result as? NqcResult.Success)?.program?.image?.toBytes()?.joinToString(" ") { hex(it) }
             if (expected == actual) null else "$name: ${describe(result)}\nexpected $expected\nactual   $actual"
         }
         assertTrue(failures.isEmpty(), failures.joinToString("\n\n"))
     }
 
     private fun describe(result: NqcResult): String =
-        (result as? NqcResult.HasErrors)?.diagnostics?.joinToString { "${it.range?.line}: ${it.message}" }
+        (result as? NqcResult.Failure)?.diagnostics?.joinToString { "${it.range?.line}: ${it.message}" }
             ?: "other bytes"
 
     private fun hex(byte: Byte) = (byte.toInt() and 0xFF).toString(16).padStart(2, '0')

@@ -98,11 +98,11 @@ private class MemberHider(private val bytes: ByteArray, private val members: Set
         return bytes.decodeToString(place + TWO_BYTES, place + TWO_BYTES + word(place))
     }
 
-    private fun word(place: Int): Int =
-        bytes[place].toInt() and BYTE shl BYTE_BITS or (bytes[place + 1].toInt() and BYTE)
+    private fun word(offset: Int): Int =
+        bytes[offset].toInt() and BYTE shl BYTE_BITS or (bytes[offset + 1].toInt() and BYTE)
 
-    private fun setWord(place: Int, value: Int) {
-        bytes[place] = (value shr BYTE_BITS).toByte()
-        bytes[place + 1] = value.toByte()
+    private fun setWord(offset: Int, value: Int) {
+        bytes[offset] = (value shr BYTE_BITS).toByte()
+        bytes[offset + 1] = value.toByte()
     }
 }

@@ -11,7 +11,6 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sound.SoundTrack
-import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.hardware.Clock
 import robotran.nxt.hardware.I2cDevice
@@ -47,7 +46,7 @@ class NxtBrick(
     programs: List<BrickProgram?>,
     network: BluetoothNetwork = BluetoothNetwork(),
     name: String = DEFAULT_NAME,
-    messages: NxtMessages = NxtMessages.of(Language.ENGLISH),
+    messages: NxtMessages,
     firstSlot: Int = 0,
     files: List<NxtFile> = emptyList(),
 ) : Brick {
@@ -84,7 +83,7 @@ class NxtBrick(
             motorDegrees = parts.motorDegrees,
             batteryMillivolts = hardware.battery.millivolts,
             explanation = shell.explanation,
-            isImmediate = shell.isImmediate,
+            isSnippet = shell.isSnippet,
             isSending = hardware.radio.isSending,
             contrast = hardware.display.contrast,
             volume = hardware.speaker.setting,
@@ -125,8 +124,8 @@ class NxtBrick(
 
     override fun stopProgram() = shell.stopProgram()
 
-    override fun runNow(program: BrickProgram) {
-        if (program is NxtProgram) shell.runNow(program)
+    override fun runSnippet(program: BrickProgram) {
+        if (program is NxtProgram) shell.runSnippet(program)
     }
 
     /**

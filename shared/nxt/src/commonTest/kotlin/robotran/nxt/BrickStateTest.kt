@@ -1,5 +1,13 @@
 package robotran.nxt
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+import kotlin.test.assertFalse
+import kotlin.test.assertNotEquals
+import kotlin.test.assertNull
+import kotlin.test.assertSame
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -12,26 +20,20 @@ import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.display.BitBlt
 import robotran.nxt.display.ByteArrayMemory
 import robotran.nxt.display.Picture
 import robotran.nxt.log.NxtLogEntry
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 import robotran.nxt.state.NxtState
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFailsWith
-import kotlin.test.assertFalse
-import kotlin.test.assertNotEquals
-import kotlin.test.assertNull
-import kotlin.test.assertSame
-import kotlin.test.assertTrue
 
 class BrickStateTest {
-    private val brick = NxtBrick(listOf(scriptedProgram("endless")))
+    private val brick = NxtBrick(listOf(scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
 
     @Test
     fun `parts of the state that do not change are the same objects`() {
@@ -70,7 +72,7 @@ class BrickStateTest {
     fun `what a program has drawn is known until the next one starts`() {
         var status: ProgramStatus = ProgramStatus.Running
         val drawing = CountingProgram(mutableListOf()) { status }
-        val brick = NxtBrick(listOf(drawing, scriptedProgram("endless")))
+        val brick = NxtBrick(listOf(drawing, scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
         assertNull(brick.state.leftByProgram)
         brick.push(BrickButton.ENTER)
         brick.nxt.call(NxtCall.drawString("Hello", 0, 2), TEST_LINE)
@@ -82,7 +84,7 @@ class BrickStateTest {
         assertEquals("NXT", brick.state.menu?.title)
         brick.tick(1_000)
         assertEquals(listOf("Hello"), brick.state.leftByProgram?.texts)
-        brick.runNow(checkNotNull(scriptedProgram("endless")))
+        brick.runSnippet(checkNotNull(scriptedProgram("endless")))
         assertNull(brick.state.leftByProgram)
         brick.stopProgram()
         assertEquals(true, brick.state.leftByProgram?.isBlank)
@@ -90,7 +92,7 @@ class BrickStateTest {
 
     @Test
     fun `what a program has not refreshed is not left`() {
-        val brick = NxtBrick(listOf(scriptedProgram("endless")))
+        val brick = NxtBrick(listOf(scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
         brick.push(BrickButton.ENTER)
         brick.nxt.call(NxtCall.of(NxtNative.SET_AUTO_REFRESH_PERIOD, 0), TEST_LINE)
         brick.nxt.call(NxtCall.drawString("Hidden", 0, 2), TEST_LINE)
@@ -113,9 +115,9 @@ class BrickStateTest {
             override val name = "Foreign"
             override val kind = BrickKind.RCX
         }
-        val brick = NxtBrick(listOf(foreign))
+        val brick = NxtBrick(listOf(foreign), messages = NxtMessages.of(Language.ENGLISH))
         brick.push(BrickButton.ENTER)
-        brick.runNow(foreign)
+        brick.runSnippet(foreign)
         brick.tick(10)
         assertEquals(RunState.Idle, brick.state.run)
         assertEquals("NXT", brick.state.menu?.title)
@@ -131,9 +133,9 @@ class BrickStateTest {
 
     @Test
     fun `there must be a slot for each program`() {
-        assertFailsWith<IllegalArgumentException> { NxtBrick(List(BrickProgram.MAX_PROGRAMS + 1) { null }) }
-        assertFailsWith<IllegalArgumentException> { NxtBrick(listOf(null), firstSlot = 1) }
-        assertEquals(1, NxtBrick(listOf(null, null), firstSlot = 1).state.selectedSlot)
+        assertFailsWith<IllegalArgumentException> { NxtBrick(List(BrickProgram.MAX_PROGRAMS + 1) { null }, messages = NxtMessages.of(Language.ENGLISH)) }
+        assertFailsWith<IllegalArgumentException> { NxtBrick(listOf(null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH)) }
+        assertEquals(1, NxtBrick(listOf(null, null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH)).state.selectedSlot)
     }
 
     @Test
@@ -145,6 +147,7 @@ class BrickStateTest {
                     if (resumed.size == 1) ProgramStatus.Paused(stepsLeft = 12) else ProgramStatus.Running
                 },
             ),
+            messages = NxtMessages.of(Language.ENGLISH),
         )
         brick.push(BrickButton.ENTER)
         brick.tick()
@@ -158,7 +161,7 @@ class BrickStateTest {
     @Test
     fun `regulators take their share of the program's steps`() {
         val resumed = mutableListOf<Int>()
-        val brick = NxtBrick(listOf(CountingProgram(resumed)))
+        val brick = NxtBrick(listOf(CountingProgram(resumed)), messages = NxtMessages.of(Language.ENGLISH))
         brick.push(BrickButton.ENTER)
         brick.tick(1)
         for (port in 0..1) brick.nxt.call(NxtCall.regulate(port, 360f, 6_000, 1_000, hold = true), TEST_LINE)
@@ -257,7 +260,7 @@ class BrickStateTest {
 
     @Test
     fun `a run has its own display memory again after an exception of a thread`() {
-        val brick = NxtBrick(listOf(scriptedProgram("tidy-thread")))
+        val brick = NxtBrick(listOf(scriptedProgram("tidy-thread")), messages = NxtMessages.of(Language.ENGLISH))
         brick.push(BrickButton.ENTER)
         val own = ByteArrayMemory(ByteArray(800))
         brick.nxt.displayMemory = own

@@ -1,15 +1,17 @@
 package robotran.nxt
 
-import robotran.brick.controls.BrickButton
-import robotran.nxt.state.MenuView
-import robotran.nxt.storage.NxtFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import robotran.brick.controls.BrickButton
+import robotran.language.Language
+import robotran.nxt.messages.NxtMessages
+import robotran.nxt.state.MenuView
+import robotran.nxt.storage.NxtFile
 
 /** What programs have written is in the menu of the brick, which can delete it. */
 class FilesInMenuTest {
     private val files = listOf(NxtFile("log.txt", ByteArray(1234)), NxtFile("a name of many letters", ByteArray(5)))
-    private val brick = NxtBrick(listOf(scriptedProgram("endless")), files = files)
+    private val brick = NxtBrick(listOf(scriptedProgram("endless")), files = files, messages = NxtMessages.of(Language.ENGLISH))
 
     private fun push(vararg buttons: BrickButton): MenuView? {
         for (button in buttons) {
@@ -56,7 +58,7 @@ class FilesInMenuTest {
 
     @Test
     fun `an empty brick says so`() {
-        val empty = NxtBrick(emptyList())
+        val empty = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH))
         openFiles.forEach {
             empty.press(it)
             empty.release(it)

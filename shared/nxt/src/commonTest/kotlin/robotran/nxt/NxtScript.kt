@@ -5,9 +5,11 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.log.LoggedCall
 import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SonarDevice
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
@@ -20,7 +22,7 @@ import robotran.nxt.regulator.MotorRegulator
 internal class NxtScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private var network = BluetoothNetwork()
-    private val bricks = linkedMapOf("NXT" to Bench(NxtBrick(emptyList(), network)))
+    private val bricks = linkedMapOf("NXT" to Bench(NxtBrick(emptyList(), network, messages = NxtMessages.of(Language.ENGLISH))))
     private var bench = bricks.getValue("NXT")
     private val brick get() = bench.brick
     private var result = 0
@@ -60,13 +62,13 @@ internal class NxtScript(private val path: String, private val text: String) {
         val words = rest.split(' ')
         when (action) {
             "programs" -> beginWith(words.map(::scriptedProgram))
-            "robot" -> bricks[rest] = Bench(NxtBrick(emptyList(), network, rest))
+            "robot" -> bricks[rest] = Bench(NxtBrick(emptyList(), network, rest, messages = NxtMessages.of(Language.ENGLISH)))
             "on" -> bench = bricks.getValue(rest)
             "press" -> brick.press(buttonOf(rest))
             "release" -> brick.release(buttonOf(rest))
             "push" -> brick.push(buttonOf(rest))
             "stop" -> brick.stopProgram()
-            "run-now" -> brick.runNow(checkNotNull(scriptedProgram(rest)))
+            "run-now" -> brick.runSnippet(checkNotNull(scriptedProgram(rest)))
             "call" -> result = brick.nxt.call(callOf(rest), TEST_LINE)
             "library" -> result = brick.nxt.call(callOf(rest), sourceLine = 0)
             "measure" -> brick.setAnalog(words[0].toInt() - 1, words[1].toInt())
@@ -86,7 +88,7 @@ internal class NxtScript(private val path: String, private val text: String) {
     private fun beginWith(programs: List<NxtProgram?>) {
         network = BluetoothNetwork()
         bricks.clear()
-        bench = Bench(NxtBrick(programs, network))
+        bench = Bench(NxtBrick(programs, network, messages = NxtMessages.of(Language.ENGLISH)))
         bricks["NXT"] = bench
     }
 

@@ -1,9 +1,11 @@
 package robotran.nxt
 
-import robotran.nxt.hardware.SensorType
-import robotran.nxt.program.SensorSetup
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import robotran.language.Language
+import robotran.nxt.hardware.SensorType
+import robotran.nxt.messages.NxtMessages
+import robotran.nxt.program.SensorSetup
 
 class SensorSetupTest {
     @Test
@@ -29,8 +31,8 @@ class SensorSetupTest {
 
     @Test
     fun `a brick does what the calls say`() {
-        val brick = NxtBrick(listOf(scriptedProgram("endless")))
-        brick.runNow(checkNotNull(scriptedProgram("endless")))
+        val brick = NxtBrick(listOf(scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
+        brick.runSnippet(checkNotNull(scriptedProgram("endless")))
         for (call in SensorSetup.callsFor(1, SensorType.LIGHT_ACTIVE)) brick.nxt.call(call, TEST_LINE)
         val port = brick.sensorPort(1)
         assertEquals(listOf(SensorType.LIGHT_ACTIVE, 0), listOf(port.type, port.power))

@@ -1,24 +1,26 @@
 package robotran.nxt
 
-import robotran.brick.controls.MotorPort
-import robotran.nxt.program.NxtCall
-import robotran.nxt.program.NxtNative
-import robotran.nxt.regulator.MotorRegulator
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.brick.controls.MotorPort
+import robotran.language.Language
+import robotran.nxt.messages.NxtMessages
+import robotran.nxt.program.NxtCall
+import robotran.nxt.program.NxtNative
+import robotran.nxt.regulator.MotorRegulator
 
 /** What a program on a real NXT sees of a motor and its regulator. */
 class RegulatorTest {
-    private val brick = NxtBrick(listOf(scriptedProgram("endless")))
+    private val brick = NxtBrick(listOf(scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
     private val motor = FreeMotor(MotorPort.A)
     private val regulator get() = brick.nxt.regulator(0)
     private val count get() = brick.nxt.tachoCount(0)
 
     init {
-        brick.runNow(checkNotNull(scriptedProgram("endless")))
+        brick.runSnippet(checkNotNull(scriptedProgram("endless")))
         pass(1)
     }
 

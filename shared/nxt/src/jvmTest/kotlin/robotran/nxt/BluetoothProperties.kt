@@ -10,9 +10,11 @@ import io.kotest.property.arbitrary.byteArray
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
+import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothLink
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.bluetooth.LinkStatus
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 
@@ -92,7 +94,7 @@ private class Pair {
         return into.take(maxOf(0, count))
     }
 
-    private fun running(name: String) = NxtBrick(emptyList(), network, name).apply {
-        runNow(checkNotNull(scriptedProgram("endless")))
+    private fun running(name: String) = NxtBrick(emptyList(), network, name, messages = NxtMessages.of(Language.ENGLISH)).apply {
+        runSnippet(checkNotNull(scriptedProgram("endless")))
     }
 }

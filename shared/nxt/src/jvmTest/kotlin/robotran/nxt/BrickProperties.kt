@@ -19,7 +19,9 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.log.toLogText
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.bluetooth.BluetoothNetwork
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 
@@ -106,6 +108,6 @@ class BrickProperties :
 
 private fun newBrick(): NxtBrick {
     val network = BluetoothNetwork()
-    NxtBrick(emptyList(), network, "Blue")
-    return NxtBrick(listOf("driving", "throwing", "tidy-thread").map(::scriptedProgram), network)
+    NxtBrick(emptyList(), network, "Blue", messages = NxtMessages.of(Language.ENGLISH))
+    return NxtBrick(listOf("driving", "throwing", "tidy-thread").map(::scriptedProgram), network, messages = NxtMessages.of(Language.ENGLISH))
 }

@@ -11,6 +11,8 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import robotran.brick.controls.MotorPort
+import robotran.language.Language
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtCall
 
 class RegulatorProperties :
@@ -59,7 +61,7 @@ class RegulatorProperties :
     })
 
 private class Bench(private val motor: FreeMotor = FreeMotor(MotorPort.A)) {
-    private val brick = NxtBrick(emptyList()).apply { runNow(checkNotNull(scriptedProgram("endless"))) }
+    private val brick = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).apply { runSnippet(checkNotNull(scriptedProgram("endless"))) }
     val regulator get() = brick.nxt.regulator(0)
     val count get() = brick.nxt.tachoCount(0)
 

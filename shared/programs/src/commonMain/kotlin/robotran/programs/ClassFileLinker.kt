@@ -21,17 +21,17 @@ internal class ClassFileLinker(
     /** Links what another compiler made, unless it uses what the brick that it is for does not have. */
     fun read(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
         val result = link(compiledOf(source))
-        val mistakes = if (result is ProgramResult.Ready) gaps.find(source.classFiles) else emptyList()
-        return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
+        val mistakes = if (result is ProgramResult.Success) gaps.find(source.classFiles) else emptyList()
+        return if (mistakes.isEmpty()) result else ProgramResult.Failure(mistakes)
     }
 
     /** Links [program] for the simulated brick. True to the brick, it must fit a real one. */
     override fun link(program: CompiledProgram): ProgramResult {
         if (settings.mode == TinyVmMode.FORGIVING) return simulate(program, program.mainClass, null, emptyList())
         return when (val image = linkImage(program.classFiles, listOfNotNull(program.mainClass))) {
-            is ImageResult.Refused -> ProgramResult.HasErrors(program.diagnosticsOf(image.errors))
+            is ImageResult.Failure -> ProgramResult.Failure(program.diagnosticsOf(image.errors))
 
-            is ImageResult.Linked -> {
+            is ImageResult.Success -> {
                 val warnings = image.warnings.map { Diagnostic(Severity.WARNING, program.name, null, it) }
                 simulate(program, image.image.entryClasses.single(), image.image.layout, warnings)
             }
@@ -66,8 +66,8 @@ internal class ClassFileLinker(
             layout,
         )
         return when (result) {
-            is TinyVmResult.Rejected -> ProgramResult.HasErrors(listOf(program.locate(result.refusal)))
-            is TinyVmResult.Ready -> ProgramResult.Ready(result.program, program.warnings + warnings, program.mainClass)
+            is TinyVmResult.Failure -> ProgramResult.Failure(listOf(program.locate(result.refusal)))
+            is TinyVmResult.Success -> ProgramResult.Success(result.program, program.warnings + warnings, program.mainClass)
         }
     }
 }

@@ -24,9 +24,9 @@ internal class CompiledProgram(
 
 /** The result of compiling a program without linking it. */
 internal sealed interface CompiledSource {
-    class Compiled(val program: CompiledProgram) : CompiledSource
+    class Success(val program: CompiledProgram) : CompiledSource
 
-    class HasErrors(val diagnostics: List<Diagnostic>) : CompiledSource
+    class Failure(val diagnostics: List<Diagnostic>) : CompiledSource
 }
 
 /** What another compiler made. */

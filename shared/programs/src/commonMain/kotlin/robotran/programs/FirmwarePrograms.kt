@@ -17,13 +17,13 @@ import robotran.legofirmware.support.LasmSupport
 /** Compiles this image, with messages in [language]. */
 internal fun ProgramSource.FirmwareImage.compile(language: Language): ProgramResult =
     when (val result = readRcxImage(bytes)) {
-        is RcxImageResult.Refused -> {
-            ProgramResult.HasErrors(
+        is RcxImageResult.Failure -> {
+            ProgramResult.Failure(
                 listOf(Diagnostic(Severity.ERROR, name, null, result.fault.message(language))),
             )
         }
 
-        is RcxImageResult.Read -> {
+        is RcxImageResult.Success -> {
             val warnings = result.warnings.map {
                 Diagnostic(Severity.WARNING, name, null, it.message(language))
             }
@@ -44,19 +44,19 @@ internal fun ready(
     warnings: List<Diagnostic>,
     language: Language,
     variables: VariableTable? = null,
-) = ProgramResult.Ready(FirmwareProgram(name, image, lines, language, variables), warnings)
+) = ProgramResult.Success(FirmwareProgram(name, image, lines, language, variables), warnings)
 
 /** What a brick with LEGO's own firmware runs; null for a program for another firmware. */
-val ProgramResult.Ready.firmwareImage: RcxImage? get() = (program as? FirmwareProgram)?.image
+val ProgramResult.Success.firmwareImage: RcxImage? get() = (program as? FirmwareProgram)?.image
 
 /** The same program as assembly text, whose lines are those of its log; null if it cannot run. */
 fun ProgramSource.FirmwareImage.toLasm(): Program? = when (val result = readRcxImage(bytes)) {
-    is RcxImageResult.Refused -> null
-    is RcxImageResult.Read -> Program(lasmName(name), LasmSupport.language, result.image.assemblyListing().text)
+    is RcxImageResult.Failure -> null
+    is RcxImageResult.Success -> Program(lasmName(name), LasmSupport.language, result.image.assemblyListing().text)
 }
 
 /** Why no brick can run it, in a sentence; null if one can. */
 fun ProgramSource.FirmwareImage.fault(language: Language): String? =
-    (readRcxImage(bytes) as? RcxImageResult.Refused)?.fault?.message(language)
+    (readRcxImage(bytes) as? RcxImageResult.Failure)?.fault?.message(language)
 
 private fun lasmName(image: String): String = image.substringBeforeLast('.') + LasmSupport.language.extension

@@ -10,8 +10,8 @@ import robotran.language.source.SourceFix
 internal class FixVerification(private val compile: (ProgramSource) -> ProgramResult) {
     /** [result] of compiling [source], with the fixes that help. The time is bounded: beyond it, fixes are dropped. */
     fun verified(source: ProgramSource, result: ProgramResult): ProgramResult = when (result) {
-        is ProgramResult.HasErrors -> ProgramResult.HasErrors(verified(source, result.diagnostics, isError = true))
-        is ProgramResult.Ready -> result.copy(warnings = verified(source, result.warnings, isError = false))
+        is ProgramResult.Failure -> ProgramResult.Failure(verified(source, result.diagnostics, isError = true))
+        is ProgramResult.Success -> result.copy(warnings = verified(source, result.warnings, isError = false))
     }
 
     private fun verified(source: ProgramSource, found: List<Diagnostic>, isError: Boolean) = buildList {
@@ -33,8 +33,8 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
     ): Boolean {
         val fixed = source.withFix(diagnostic.file, fix) ?: return false
         val after = when (val result = compile(fixed)) {
-            is ProgramResult.HasErrors -> if (isError) result.diagnostics else return false
-            is ProgramResult.Ready -> if (isError) emptyList() else result.warnings
+            is ProgramResult.Failure -> if (isError) result.diagnostics else return false
+            is ProgramResult.Success -> if (isError) emptyList() else result.warnings
         }
         return isBetter(before, after, diagnostic.file, fix)
     }

@@ -10,11 +10,11 @@ sealed interface ImageBuildResult {
      *
      * @property warnings about the programs, and about the little memory that they leave.
      */
-    class Built(val image: LejosImage, val warnings: List<Diagnostic>) : ImageBuildResult
+    class Success(val image: LejosImage, val warnings: List<Diagnostic>) : ImageBuildResult
 
     /** A brick cannot run the programs. The [diagnostics] are in the order of the programs and never empty. */
-    data class HasErrors(val diagnostics: List<Diagnostic>) : ImageBuildResult
+    data class Failure(val diagnostics: List<Diagnostic>) : ImageBuildResult
 
-    /** The Java compiler could not be loaded; see [CompilerLoading.Failed]. */
+    /** The Java compiler could not be loaded; see [CompilerLoading.Failure]. */
     class NotLoaded(val cause: Throwable) : ImageBuildResult
 }

@@ -17,14 +17,14 @@ internal class ImageBuilder(
     /** @throws robotran.javacompiler.CompilerNotLoadedException if the Java compiler cannot be loaded. */
     suspend fun build(sources: List<ProgramSource>): ImageBuildResult {
         val compiled = sources.map { compile(it) }
-        val errors = compiled.filterIsInstance<CompiledSource.HasErrors>().flatMap { it.diagnostics }
-        if (errors.isNotEmpty()) return ImageBuildResult.HasErrors(errors)
-        val programs = compiled.map { (it as CompiledSource.Compiled).program }
+        val errors = compiled.filterIsInstance<CompiledSource.Failure>().flatMap { it.diagnostics }
+        if (errors.isNotEmpty()) return ImageBuildResult.Failure(errors)
+        val programs = compiled.map { (it as CompiledSource.Success).program }
         // The image's linker does not look whether code is sound, and a brick even less; the simulated brick's does.
-        val unsound = programs.flatMap { (linker.link(it) as? ProgramResult.HasErrors)?.diagnostics.orEmpty() }
-        if (unsound.isNotEmpty()) return ImageBuildResult.HasErrors(unsound)
+        val unsound = programs.flatMap { (linker.link(it) as? ProgramResult.Failure)?.diagnostics.orEmpty() }
+        if (unsound.isNotEmpty()) return ImageBuildResult.Failure(unsound)
         val clashes = clashesOf(programs)
-        if (clashes.isNotEmpty()) return ImageBuildResult.HasErrors(clashes)
+        if (clashes.isNotEmpty()) return ImageBuildResult.Failure(clashes)
         return linkTogether(programs)
     }
 
@@ -32,24 +32,24 @@ internal class ImageBuilder(
         val classFiles = programs.fold(emptyMap<String, ByteArray>()) { all, each -> all + each.classFiles }
         val mainClasses = programs.map { program ->
             program.mainClass ?: when (val alone = linker.linkImage(program.classFiles, emptyList())) {
-                is ImageResult.Linked -> alone.image.entryClasses.single()
-                is ImageResult.Refused -> return ImageBuildResult.HasErrors(program.diagnosticsOf(alone.errors))
+                is ImageResult.Success -> alone.image.entryClasses.single()
+                is ImageResult.Failure -> return ImageBuildResult.Failure(program.diagnosticsOf(alone.errors))
             }
         }
         return when (val image = linker.linkImage(classFiles, mainClasses)) {
-            is ImageResult.Refused -> {
-                ImageBuildResult.HasErrors(image.errors.map { ownerOf(it, programs).locate(it) }.distinct())
+            is ImageResult.Failure -> {
+                ImageBuildResult.Failure(image.errors.map { ownerOf(it, programs).locate(it) }.distinct())
             }
 
-            is ImageResult.Linked -> {
+            is ImageResult.Success -> {
                 val room = image.warnings.map { Diagnostic(Severity.WARNING, programs.first().name, null, it) }
-                ImageBuildResult.Built(image.image, programs.flatMap { it.warnings } + room)
+                ImageBuildResult.Success(image.image, programs.flatMap { it.warnings } + room)
             }
         }
     }
 
     private suspend fun compile(source: ProgramSource): CompiledSource = when (source) {
-        is ProgramSource.CompiledClasses -> CompiledSource.Compiled(compiledOf(source))
+        is ProgramSource.CompiledClasses -> CompiledSource.Success(compiledOf(source))
         is ProgramSource.FirmwareImage -> error("${source.name} is not for leJOS.")
         is Program -> compilerOf(source.language).compileToClasses(source) { java }
     }

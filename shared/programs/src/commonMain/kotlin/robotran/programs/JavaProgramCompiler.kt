@@ -69,7 +69,7 @@ internal class TimedJavaProgramCompiler(
 
     private suspend fun compiled(source: Program, compiler: TimedJavaCompiler): CompiledSource {
         val result = compiler.compile(filesOf(source), library.classFiles, library.missing, library.target)
-        return if (result == null) CompiledSource.HasErrors(listOf(tooLong(source))) else compiledOf(source, result)
+        return if (result == null) CompiledSource.Failure(listOf(tooLong(source))) else compiledOf(source, result)
     }
 
     private fun tooLong(source: Program) = Diagnostic(
@@ -83,21 +83,21 @@ internal class TimedJavaProgramCompiler(
 private fun filesOf(source: Program) = source.files.map { JavaSource(it.name, it.text) }
 
 internal fun linked(compiled: CompiledSource, linker: ProgramLinker): ProgramResult = when (compiled) {
-    is CompiledSource.Compiled -> linker.link(compiled.program)
-    is CompiledSource.HasErrors -> ProgramResult.HasErrors(compiled.diagnostics)
+    is CompiledSource.Success -> linker.link(compiled.program)
+    is CompiledSource.Failure -> ProgramResult.Failure(compiled.diagnostics)
 }
 
 private fun compiledOf(source: Program, result: CompilationResult): CompiledSource = when (result) {
-    is CompilationResult.Rejected -> CompiledSource.HasErrors(result.diagnostics)
-    is CompilationResult.Compiled -> compiledOf(source, result)
+    is CompilationResult.Failure -> CompiledSource.Failure(result.diagnostics)
+    is CompilationResult.Success -> compiledOf(source, result)
 }
 
-private fun compiledOf(source: Program, compiled: CompilationResult.Compiled): CompiledSource {
+private fun compiledOf(source: Program, compiled: CompilationResult.Success): CompiledSource {
     val first = source.files.firstOrNull()?.name.orEmpty()
     val mainClass =
         mainClassOf(first, compiled.mainClasses)
-            ?: return CompiledSource.HasErrors(listOfNotNull(compiled.missingMain))
-    return CompiledSource.Compiled(
+            ?: return CompiledSource.Failure(listOfNotNull(compiled.missingMain))
+    return CompiledSource.Success(
         CompiledProgram(source.name, compiled.classes, mainClass, compiled.warnings) { refusal ->
             diagnosticOf(refusal, fileOf(source.files, refusal))
         },

@@ -6,9 +6,9 @@ import robotran.legofirmware.assembly.assemble
 internal class LasmProgramCompiler(private val settings: CompilerSettings) : LanguageCompiler {
     override fun compile(program: Program): ProgramResult =
         when (val result = assemble(program.text, settings.language, settings.firmware.target)) {
-            is AssemblyResult.Rejected -> ProgramResult.HasErrors(result.diagnostics.map { named(program, it) })
+            is AssemblyResult.Failure -> ProgramResult.Failure(result.diagnostics.map { named(program, it) })
 
-            is AssemblyResult.Assembled -> ready(
+            is AssemblyResult.Success -> ready(
                 program.name,
                 result.image,
                 result.lines,

@@ -3,7 +3,9 @@ package robotran.programs
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.TimedJavaCompiler
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
 import robotran.javacompiler.timedJavaCompiler
+import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 
 /** What compiling Java needs, as far as it has been loaded. */
@@ -13,12 +15,12 @@ internal class LoadedJava {
         private set
 
     /** Compiles beside the caller; null where only the caller can. */
-    val timedCompiler: TimedJavaCompiler? by lazy { timedJavaCompiler() }
+    val timedCompiler: TimedJavaCompiler? by lazy { timedJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)) }
 
     var nxj: NxjLibrary? = null
         private set
 
-    suspend fun loadCompiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
+    suspend fun loadCompiler(): JavaCompiler = compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
 
     suspend fun loadNxj() {
         if (nxj == null) nxj = NxjLibrary.load()

@@ -15,9 +15,9 @@ internal class NqcProgramCompiler(private val settings: CompilerSettings) : Lang
         val options = NqcOptions(settings.firmware.target, settings.firmware.isOldNqc, includedFiles(program))
         val messages = NqcMessages.of(settings.language)
         return when (val result = compileNqc(simpleName(main.name), main.text, options, messages)) {
-            is NqcResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics.map { named(program, it) })
+            is NqcResult.Failure -> ProgramResult.Failure(result.diagnostics.map { named(program, it) })
 
-            is NqcResult.Ready -> ready(
+            is NqcResult.Success -> ready(
                 program.name,
                 result.program.image,
                 linesOf(result.program, isOneFile = program.files.size == 1),

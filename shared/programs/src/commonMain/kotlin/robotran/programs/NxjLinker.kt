@@ -16,15 +16,15 @@ internal class NxjLinker(
     /** Links what another compiler made, unless it uses what leJOS NXJ lacks and the [mode] is true to the brick. */
     fun read(source: ProgramSource.CompiledClasses, mode: TinyVmMode, messages: JavaMessages): ProgramResult {
         val result = link(compiledOf(source))
-        if (result !is ProgramResult.Ready || mode == TinyVmMode.FORGIVING) return result
+        if (result !is ProgramResult.Success || mode == TinyVmMode.FORGIVING) return result
         val mistakes = CompiledNxjGaps(library, messages).find(source.classFiles)
-        return if (mistakes.isEmpty()) result else ProgramResult.HasErrors(mistakes)
+        return if (mistakes.isEmpty()) result else ProgramResult.Failure(mistakes)
     }
 
     override fun link(program: CompiledProgram): ProgramResult = with(program) {
         when (val result = linkNxj(name, classFiles, library.classFiles, mainClass, messages, java.speed, java.mode)) {
-            is NxjResult.Ready -> ProgramResult.Ready(result.program, warnings, mainClass)
-            is NxjResult.Rejected -> ProgramResult.HasErrors(listOf(locate(result.refusal)))
+            is NxjResult.Success -> ProgramResult.Success(result.program, warnings, mainClass)
+            is NxjResult.Failure -> ProgramResult.Failure(listOf(locate(result.refusal)))
         }
     }
 }

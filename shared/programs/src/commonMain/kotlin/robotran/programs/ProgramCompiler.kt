@@ -77,12 +77,12 @@ class ProgramCompiler private constructor(
 
     private suspend fun attempt(load: suspend () -> Unit): CompilerLoading = try {
         load()
-        CompilerLoading.Loaded
+        CompilerLoading.Success
     } catch (cancelled: CancellationException) {
         throw cancelled
     } catch (cause: Throwable) {
         // The exception's type depends on the platform.
-        CompilerLoading.Failed(cause)
+        CompilerLoading.Failure(cause)
     }
 
     /**
@@ -91,7 +91,7 @@ class ProgramCompiler private constructor(
      * The fixes of its mistakes are known to help; only those of a slow compiler are not tried out.
      */
     fun compileNow(source: ProgramSource): ProgramResult {
-        mistakenBrick(source)?.let { return ProgramResult.HasErrors(listOf(it)) }
+        mistakenBrick(source)?.let { return ProgramResult.Failure(listOf(it)) }
         val result = compileUnverified(source)
         return if (source.language?.support?.hasSlowCompiler == true) result else fixes.verified(source, result)
     }
@@ -103,7 +103,7 @@ class ProgramCompiler private constructor(
     }
 
     /** Whether [source] has no mistakes, after [prepareFor] has loaded what telling that needs. */
-    fun accepts(source: ProgramSource): Boolean = compileUnverified(source) is ProgramResult.Ready
+    fun accepts(source: ProgramSource): Boolean = compileUnverified(source) is ProgramResult.Success
 
     /**
      * Compiles any [source] for somebody who waits, and loads what that needs. A slow compiler works beside the caller
@@ -113,7 +113,7 @@ class ProgramCompiler private constructor(
         val beside = (source as? Program)?.takeIf { mistakenBrick(it) == null }?.let { compilerOf(it.language).beside }
         val loading = if (beside == null) prepareFor(source) else attempt { beside.load() }
         return when {
-            loading is CompilerLoading.Failed -> TimedCompilation.NotLoaded(loading.cause)
+            loading is CompilerLoading.Failure -> TimedCompilation.NotLoaded(loading.cause)
             beside == null -> TimedCompilation.Compiled(compileNow(source))
             else -> beside.compileTimed(source)
         }
@@ -137,7 +137,7 @@ class ProgramCompiler private constructor(
     suspend fun buildImage(sources: List<ProgramSource>, version: LejosVersion = java.version): ImageBuildResult {
         require(sources.isNotEmpty()) { "There is no program to build an image of." }
         val others = sources.mapNotNull { otherBrick.mistakeInImage(it) }
-        if (others.isNotEmpty()) return ImageBuildResult.HasErrors(others)
+        if (others.isNotEmpty()) return ImageBuildResult.Failure(others)
         val settings = JavaSettings(TinyVmMode.BRICK, version = version)
         val forBrick = JavaToolchain(BrickKind.with(JavaPlatform.LEJOS), settings, language, loaded)
         val messages = TinyVmMessages.of(language)
@@ -151,17 +151,17 @@ class ProgramCompiler private constructor(
     /**
      * Calls [prepareFor], then [compileNow].
      *
-     * @throws Throwable the cause of [CompilerLoading.Failed].
+     * @throws Throwable the cause of [CompilerLoading.Failure].
      */
     suspend fun read(source: ProgramSource): ProgramResult = when (val loading = prepareFor(source)) {
-        CompilerLoading.Loaded -> compileNow(source)
-        is CompilerLoading.Failed -> throw loading.cause
+        CompilerLoading.Success -> compileNow(source)
+        is CompilerLoading.Failure -> throw loading.cause
     }
 
     /**
      * Compiles the Java that [source] becomes for the robot, like [compile]. Mistakes are told at the lines of [source].
      *
-     * @throws Throwable if a compiler cannot be loaded, see [CompilerLoading.Failed].
+     * @throws Throwable if a compiler cannot be loaded, see [CompilerLoading.Failure].
      */
     suspend fun readTranslation(source: Program): ProgramResult = javaTools.link(
         compilerOf(source.language).compileToClasses(source) {

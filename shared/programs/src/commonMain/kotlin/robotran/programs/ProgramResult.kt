@@ -10,12 +10,12 @@ sealed interface ProgramResult {
      *
      * @property mainClass the main class of a program in Java, with slashes; null for other programs.
      */
-    data class Ready(
+    data class Success(
         val program: BrickProgram,
         val warnings: List<Diagnostic> = emptyList(),
         val mainClass: String? = null,
     ) : ProgramResult
 
     /** The program cannot run. The [diagnostics] are complete, in the order of the sources and never empty. */
-    data class HasErrors(val diagnostics: List<Diagnostic>) : ProgramResult
+    data class Failure(val diagnostics: List<Diagnostic>) : ProgramResult
 }

@@ -56,5 +56,5 @@ private fun textConstant(text: String): ByteArray {
     return byteArrayOf((bytes.size shr BYTE_BITS).toByte(), bytes.size.toByte()) + bytes
 }
 
-private fun word(bytes: ByteArray, place: Int): Int =
-    bytes[place].toInt() and BYTE shl BYTE_BITS or (bytes[place + 1].toInt() and BYTE)
+private fun word(bytes: ByteArray, offset: Int): Int =
+    bytes[offset].toInt() and BYTE shl BYTE_BITS or (bytes[offset + 1].toInt() and BYTE)

@@ -9,8 +9,8 @@ internal class RobolangProgramCompiler(private val settings: CompilerSettings) :
     override val tellsOtherBrick get() = true
 
     override fun compile(program: Program): ProgramResult = when (val result = robolang(program)) {
-        is RobolangResult.Ready -> ProgramResult.Ready(result.program, result.warnings)
-        is RobolangResult.HasErrors -> ProgramResult.HasErrors(result.diagnostics)
+        is RobolangResult.Success -> ProgramResult.Success(result.program, result.warnings)
+        is RobolangResult.Failure -> ProgramResult.Failure(result.diagnostics)
     }
 
     /** Compiles the Java that [program] becomes. */
@@ -18,10 +18,10 @@ internal class RobolangProgramCompiler(private val settings: CompilerSettings) :
         program: Program,
         java: suspend () -> TimedJavaProgramCompiler,
     ): CompiledSource = when (val result = robolang(program)) {
-        is RobolangResult.Ready -> TranslatedProgramCompiler(java(), ProgramMessages.of(settings.language))
+        is RobolangResult.Success -> TranslatedProgramCompiler(java(), ProgramMessages.of(settings.language))
             .compile(program.name, result.program, result.warnings)
 
-        is RobolangResult.HasErrors -> CompiledSource.HasErrors(result.diagnostics)
+        is RobolangResult.Failure -> CompiledSource.Failure(result.diagnostics)
     }
 
     private fun robolang(program: Program) =

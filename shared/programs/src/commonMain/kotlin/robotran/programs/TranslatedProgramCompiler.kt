@@ -21,11 +21,11 @@ internal class TranslatedProgramCompiler(
     suspend fun compile(name: String, program: RobolangProgram, warnings: List<Diagnostic>): CompiledSource {
         val translation = translateRobolang(program)
         return when (val compiled = compiler.compile(sourceOf(translation))) {
-            is CompiledSource.HasErrors -> CompiledSource.HasErrors(
+            is CompiledSource.Failure -> CompiledSource.Failure(
                 compiled.diagnostics.map { located(name, translation, it) }.distinct(),
             )
 
-            is CompiledSource.Compiled -> CompiledSource.Compiled(
+            is CompiledSource.Success -> CompiledSource.Success(
                 with(compiled.program) {
                     // The compiler's warnings are about Java that the pupil did not write.
                     CompiledProgram(name, classFiles, mainClass, warnings) {

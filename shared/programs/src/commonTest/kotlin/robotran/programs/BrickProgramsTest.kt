@@ -42,7 +42,7 @@ class BrickProgramsTest {
         assertTrue(brickPrograms.isNotEmpty())
         for ((name, text) in brickPrograms) {
             when (val result = compiler.compile(name, text)) {
-                is ProgramResult.HasErrors -> {
+                is ProgramResult.Failure -> {
                     assertTold(
                         expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
                         result.diagnostics,
@@ -50,7 +50,7 @@ class BrickProgramsTest {
                     )
                 }
 
-                is ProgramResult.Ready -> {
+                is ProgramResult.Success -> {
                     assertTold(
                         expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
                         emptyList(),
@@ -76,7 +76,7 @@ class BrickProgramsTest {
     fun `in the mode forgiving each program compiles`() = runTest {
         val compiler = compilerFor(JavaSettings(TinyVmMode.FORGIVING))
         for ((name, text) in brickPrograms) {
-            val result = assertIs<ProgramResult.Ready>(compiler.compile(name, text), name)
+            val result = assertIs<ProgramResult.Success>(compiler.compile(name, text), name)
             assertTold(expectedIn(text, setOf("warning")), result.warnings, name)
         }
     }
@@ -95,7 +95,7 @@ class BrickProgramsTest {
     }
 
     private suspend fun displayAfter(mode: TinyVmMode, name: String, text: String): String {
-        val program = assertIs<ProgramResult.Ready>(compilerFor(JavaSettings(mode)).compile(name, text), name).program
+        val program = assertIs<ProgramResult.Success>(compilerFor(JavaSettings(mode)).compile(name, text), name).program
         val session = Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine(), Language.ENGLISH)
         session.pressRun()
         session.advance(MILLISECONDS)

@@ -3,8 +3,10 @@ package robotran.programs
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramRun
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomCall
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 
@@ -14,7 +16,7 @@ import robotran.rcxrom.program.Rom
  * @param happen called before each millisecond with its number, to press buttons and to set what sensors measure.
  */
 internal class CallRecorder(private val program: RcxProgram, private val happen: (RcxBrick, Long) -> Unit) {
-    private val brick = RcxBrick(listOf(Recorded()))
+    private val brick = RcxBrick(listOf(Recorded()), messages = BrickMessages.of(Language.ENGLISH))
 
     val calls = ArrayList<TimedCall>()
 

@@ -27,14 +27,14 @@ class FirmwareProgramsTest {
     private val drive = nqc("drive.nqc" to "task main()\n{\n  OnFwd(OUT_A);\n  Wait(100);\n  Off(OUT_A);\n}\n")
 
     private suspend fun imageOf(source: ProgramSource, by: ProgramCompiler = compiler) =
-        assertNotNull(assertIs<ProgramResult.Ready>(by.read(source), source.name).firmwareImage)
+        assertNotNull(assertIs<ProgramResult.Success>(by.read(source), source.name).firmwareImage)
 
     private suspend fun mistakeIn(source: ProgramSource, by: ProgramCompiler = compiler): Diagnostic =
-        assertIs<ProgramResult.HasErrors>(by.read(source)).diagnostics.first()
+        assertIs<ProgramResult.Failure>(by.read(source)).diagnostics.first()
 
     @Test
     fun `a program in NQC is for LEGO's firmware and knows the lines of its commands`() = runTest {
-        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Ready>(compiler.read(drive)).program)
+        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(drive)).program)
         assertEquals(BrickKind.RCX to "drive.nqc", program.kind to program.name)
         val lines = program.lines.linesOf(ChunkId.MAIN).map { it.line to it.file }
         assertEquals(listOf(1, 3, 4, 5).map { it to null }, lines)
@@ -55,7 +55,7 @@ class FirmwareProgramsTest {
     fun `the lines of an image are those of its assembly text`() = runTest {
         val compiled = ProgramSource.FirmwareImage("drive.rcx", imageOf(drive).toBytes())
         val programs = listOf(compiled, assertNotNull(compiled.toLasm())).map {
-            assertIs<FirmwareProgram>(assertIs<ProgramResult.Ready>(compiler.read(it)).program)
+            assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(it)).program)
         }
         val (ofImage, ofText) = programs.map { program -> program.lines.linesOf(ChunkId.MAIN) }
         assertEquals(ofText, ofImage)
@@ -87,7 +87,7 @@ class FirmwareProgramsTest {
             "main.nqc" to "#include \"moves.nqh\"\ntask main() { go(); }\n",
             "moves.nqh" to "void go()\n{\n  Wait(1);\n}\n",
         )
-        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Ready>(compiler.read(source)).program)
+        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(source)).program)
         assertContains(program.lines.linesOf(ChunkId.MAIN).map { it.file to it.line }, "moves.nqh" to 3)
     }
 
@@ -141,7 +141,7 @@ class FirmwareProgramsTest {
     @Test
     fun `none of them fits into an image for leJOS`() = runTest {
         val robolang = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20")
-        val result = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(robolang, drive)))
+        val result = assertIs<ImageBuildResult.Failure>(compiler.buildImage(listOf(robolang, drive)))
         assertEquals("drive.nqc", result.diagnostics.single().file)
         assertContains(result.diagnostics.single().message, ".rcx")
     }

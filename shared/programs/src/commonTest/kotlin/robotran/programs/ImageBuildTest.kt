@@ -39,7 +39,7 @@ class ImageBuildTest {
             java("Second.java", mainOf("Second", "Sound.beep();")),
             Program("third.robo", ProgramLanguage.ROBOLANG, "buzz"),
         )
-        val image = assertIs<ImageBuildResult.Built>(compiler.buildImage(programs)).image
+        val image = assertIs<ImageBuildResult.Success>(compiler.buildImage(programs)).image
         assertEquals(listOf("First", "Second", "Third"), image.entryClasses)
     }
 
@@ -51,7 +51,7 @@ class ImageBuildTest {
                 java("Second.java", mainOf("Second", "int x = \"\";")),
             ),
         )
-        val places = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.map { it.file to it.range?.line }
+        val places = assertIs<ImageBuildResult.Failure>(result).diagnostics.map { it.file to it.range?.line }
         assertEquals(listOf("first.robo" to 2, "Second.java" to 5), places)
     }
 
@@ -61,7 +61,7 @@ class ImageBuildTest {
         val calls = names.joinToString("") { "$it()\n" } + "show 0.5\n"
         val text = calls + names.joinToString("") { "procedure $it()\n  beep\nend\n" }
         val result = compiler.buildImage(listOf(Program("many.robo", ProgramLanguage.ROBOLANG, text)))
-        val told = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.map { it.range to it.message }
+        val told = assertIs<ImageBuildResult.Failure>(result).diagnostics.map { it.range to it.message }
         assertTrue(told.any { (range, message) -> range == null && "Many.show: " in message }, "$told")
         assertEquals(told.distinct(), told)
     }
@@ -74,7 +74,7 @@ class ImageBuildTest {
                 java("Two.java", mainOf("Two", "new Helper();") + "\nclass Helper { int b; }"),
             ),
         )
-        val diagnostic = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.single()
+        val diagnostic = assertIs<ImageBuildResult.Failure>(result).diagnostics.single()
         assertEquals("Two.java", diagnostic.file)
         assertContains(diagnostic.message, TinyVmMessages.of(Language.ENGLISH).duplicateClass("Helper"))
     }
@@ -89,14 +89,14 @@ class ImageBuildTest {
                 listOf(SourceFile("$it.java", mainOf(it, "new Helper();")), helper),
             )
         }
-        val image = assertIs<ImageBuildResult.Built>(compiler.buildImage(programs)).image
+        val image = assertIs<ImageBuildResult.Success>(compiler.buildImage(programs)).image
         assertEquals(1, image.contents.classes.count { it.name == "Helper" })
     }
 
     @Test
     fun `a large step is refused, and an addition is right`() = runTest {
         val steps = java("Steps.java", mainOf("Steps", "int a = 1; a += 200; LCD.showNumber(a);"))
-        val refused = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(steps))).diagnostics.single()
+        val refused = assertIs<ImageBuildResult.Failure>(compiler.buildImage(listOf(steps))).diagnostics.single()
         assertContains(refused.message, "a = a + 200")
         built(java("Steps.java", mainOf("Steps", "int a = 1; a = a + 200; a = a - 1000; LCD.showNumber(a);")))
     }
@@ -104,17 +104,17 @@ class ImageBuildTest {
     @Test
     fun `a mistake that only a brick notices is told at its line while the program is read, too`() = runTest {
         val source = java("Grid.java", mainOf("Grid", "String[][] names = new String[2][3];\n names[0][0] = \"\";"))
-        val built = assertIs<ImageBuildResult.HasErrors>(compiler.buildImage(listOf(source))).diagnostics
+        val built = assertIs<ImageBuildResult.Failure>(compiler.buildImage(listOf(source))).diagnostics
         assertEquals(listOf("Grid.java" to 5), built.map { it.file to it.range?.line })
         assertContains(built.single().message, ImageMessages.of(Language.ENGLISH).arraysOfObjectArrays())
-        assertEquals(built, assertIs<ProgramResult.HasErrors>(compiler.read(source)).diagnostics)
+        assertEquals(built, assertIs<ProgramResult.Failure>(compiler.read(source)).diagnostics)
     }
 
     @Test
     fun `too many texts are told where the program uses them`() = runTest {
         val texts = (1..300).joinToString("\n") { "TextLCD.print(\"$it\");" }
         val result = compiler.buildImage(listOf(java("Texts.java", mainOf("Texts", texts))))
-        val diagnostics = assertIs<ImageBuildResult.HasErrors>(result).diagnostics
+        val diagnostics = assertIs<ImageBuildResult.Failure>(result).diagnostics
         assertTrue(diagnostics.all { it.file == "Texts.java" && it.range != null }, diagnostics.toString())
     }
 
@@ -123,7 +123,7 @@ class ImageBuildTest {
         val statements = (1..3_000).joinToString("\n") { "n = n * $it + 1;" }
         val source = java("Large.java", mainOf("Large", "int n = 0;\n$statements\nLCD.showNumber(n);"))
         val result = compiler.withLanguage(Language.GERMAN).buildImage(listOf(source), LejosVersion.V2_1)
-        val diagnostic = assertIs<ImageBuildResult.HasErrors>(result).diagnostics.single()
+        val diagnostic = assertIs<ImageBuildResult.Failure>(result).diagnostics.single()
         assertEquals("Large.java", diagnostic.file)
         assertContains(diagnostic.message, "Platz für ")
     }
@@ -138,9 +138,9 @@ class ImageBuildTest {
         assertEquals(listOf(ImageMessages.of(Language.ENGLISH).littleMemory(left)), built.warnings.map { it.message })
     }
 
-    private suspend fun built(source: ProgramSource): ImageBuildResult.Built {
+    private suspend fun built(source: ProgramSource): ImageBuildResult.Success {
         val result = compiler.buildImage(listOf(source))
-        return assertIs<ImageBuildResult.Built>(result, (result as? ImageBuildResult.HasErrors)?.diagnostics.toString())
+        return assertIs<ImageBuildResult.Success>(result, (result as? ImageBuildResult.Failure)?.diagnostics.toString())
     }
 
     private fun java(name: String, text: String) = Program(name, ProgramLanguage.JAVA, text)

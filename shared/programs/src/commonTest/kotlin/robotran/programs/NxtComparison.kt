@@ -1,5 +1,7 @@
 package robotran.programs
 
+import kotlin.math.abs
+import kotlin.math.hypot
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
@@ -10,6 +12,7 @@ import robotran.nxt.log.NxtLogEntry
 import robotran.nxt.program.NxtNative
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -17,8 +20,6 @@ import robotran.simulation.pressRun
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
-import kotlin.math.abs
-import kotlin.math.hypot
 
 /**
  * Runs Robolang programs and their translations for leJOS NXJ, compiled and linked for the virtual machine, on the NXT
@@ -46,11 +47,11 @@ internal class NxtComparison {
     }
 
     private suspend fun compare(path: String, text: String, physics: PhysicsEngine) {
-        val interpreted = (compileRobolang(path, text, nxtTestTarget) as? RobolangResult.Ready)?.program ?: return
+        val interpreted = (compileRobolang(path, text, nxtTestTarget, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success)?.program ?: return
         val translated = when (val result = reader.readTranslation(Program(path, ProgramLanguage.ROBOLANG, text))) {
-            is ProgramResult.Ready -> result.program
+            is ProgramResult.Success -> result.program
 
-            is ProgramResult.HasErrors -> {
+            is ProgramResult.Failure -> {
                 differences += "$path: ${result.diagnostics.first().message}"
                 return
             }
@@ -66,13 +67,13 @@ internal class NxtComparison {
     private fun drive(program: BrickProgram, physics: PhysicsEngine, milliseconds: Int): Drive {
         val session = Session(BuiltInWorlds.plainFor(BrickKind.NXT), listOf(program), physics, Language.ENGLISH)
         session.pressRun()
-        while (session.milliseconds < milliseconds && session.romLog.entries.size < ENOUGH_CALLS) {
+        while (session.milliseconds < milliseconds && session.callLog.entries.size < ENOUGH_CALLS) {
             session.advance(PART)
             if (session.state.brick.run.let { it is RunState.Ended || it is RunState.Failed }) break
         }
         // Until the wheels stand.
         session.advance(PART * PART)
-        val calls = session.romLog.entries.filterIsInstance<NxtLogEntry>().filter(::isByProgram)
+        val calls = session.callLog.entries.filterIsInstance<NxtLogEntry>().filter(::isByProgram)
         session.close()
         return Drive(session.state.robot.pose, session.state.brick.run, calls)
     }

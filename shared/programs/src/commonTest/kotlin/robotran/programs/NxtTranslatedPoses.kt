@@ -27,8 +27,8 @@ internal class NxtTranslatedPoses {
         var compared = 0
         for ((path, text) in texts) {
             val source = Program(path.substringAfterLast('/'), ProgramLanguage.ROBOLANG, text)
-            val program = (reader.read(source) as? ProgramResult.Ready)?.program ?: continue
-            val java = (reader.readTranslation(source) as? ProgramResult.Ready)?.program
+            val program = (reader.read(source) as? ProgramResult.Success)?.program ?: continue
+            val java = (reader.readTranslation(source) as? ProgramResult.Success)?.program
             if (java == null) {
                 differences += "$path: its translation is refused"
                 continue

@@ -1,15 +1,17 @@
 package robotran.programs
 
-import robotran.rcxrom.program.RcxProgram
-import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.config.TinyVmSpeed
-import robotran.tinyvm.linkTinyVm
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.rcxrom.program.RcxProgram
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
+import robotran.tinyvm.linkTinyVm
+import robotran.tinyvm.messages.TinyVmMessages
 
 /** The virtual machine makes the ROM calls that leJOS's own machine made of the same class files. */
 class OriginalMachineTest {
@@ -21,8 +23,9 @@ class OriginalMachineTest {
             name,
             TinyVmMode.BRICK,
             speed = TinyVmSpeed.BRICK,
+            messages = TinyVmMessages.of(Language.ENGLISH),
         )
-        return assertIs<TinyVmResult.Ready>(result, "$name: $result").program
+        return assertIs<TinyVmResult.Success>(result, "$name: $result").program
     }
 
     private fun differenceOf(name: String, original: OriginalRun): String? {

@@ -8,7 +8,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.loadPhysicsEngine
@@ -29,7 +29,7 @@ import kotlin.time.Duration.Companion.minutes
 /** An NXT steers an RCX with LEGO's firmware. */
 class RcxLinkTest {
     private suspend fun compiled(source: ProgramSource, target: RobotTarget): BrickProgram =
-        assertIs<ProgramResult.Ready>(
+        assertIs<ProgramResult.Success>(
             ProgramCompiler(target, language = Language.ENGLISH).read(source),
             "$source",
         ).program
@@ -69,7 +69,7 @@ class RcxLinkTest {
         val waits =
             compiled(Program("waits.nqc", ProgramLanguage.NQC, nqc), testTarget)
         val session =
-            Session(world, listOf(steer, waits).map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
+            Session(world, listOf(steer, waits).map { RobotProgramSet(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         session.apply(SessionInput.Press(BrickButton.ENTER, 0))
         session.apply(SessionInput.Press(BrickButton.RUN, 1))
         session.advance(200)

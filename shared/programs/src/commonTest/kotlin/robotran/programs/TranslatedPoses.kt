@@ -30,7 +30,7 @@ internal class TranslatedPoses {
         var compared = 0
         for ((path, text) in texts) {
             val program = robolangOf(path, text) ?: continue
-            val java = (reader.translated(program) as? ProgramResult.Ready)?.program ?: continue
+            val java = (reader.translated(program) as? ProgramResult.Success)?.program ?: continue
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++

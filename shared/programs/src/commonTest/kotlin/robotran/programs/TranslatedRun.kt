@@ -7,16 +7,20 @@ import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangRcxProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.translateRobolang
 
@@ -28,24 +32,24 @@ internal val nxtTestTarget = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
 
 /** Compiles [text]; null if it has errors. */
 internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
-    (compileRobolang(name.substringAfterLast('/'), text, testTarget) as? RobolangResult.Ready)
+    (compileRobolang(name.substringAfterLast('/'), text, testTarget, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success)
         ?.program as? RobolangRcxProgram
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
     val translation = translateRobolang(program)
     val name = "${translation.className}.java"
-    val compiler = javaCompiler ?: loadJavaCompiler().also { javaCompiler = it }
+    val compiler = javaCompiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { javaCompiler = it }
     val compiled =
         compiledTranslations.getOrPut(translation.java) {
             compiler.compile(listOf(JavaSource(name, translation.java)), BrickLibrary.classFiles)
         }
     return when (compiled) {
-        is CompilationResult.Compiled -> read(
+        is CompilationResult.Success -> read(
             ProgramSource.CompiledClasses(name, compiled.classes, compiled.mainClasses.single()),
         )
 
-        is CompilationResult.Rejected -> read(
+        is CompilationResult.Failure -> read(
             Program(name, ProgramLanguage.JAVA, translation.java),
         )
     }
@@ -93,7 +97,7 @@ internal class BrickRun(val calls: List<TimedCall>, val isOver: Boolean)
 
 /** Runs [program] on a simulated brick for [milliseconds] with the given [sensors]. */
 internal fun runOnBrick(program: RcxProgram, sensors: List<SensorEvent>, milliseconds: Long): BrickRun {
-    val brick = RcxBrick(listOf(program))
+    val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
     sensors.filter { it.milliseconds == 0L }.forEach { brick.setRawSensorValue(it.port - 1, it.raw) }
     // The firmware reads a sensor's new value some milliseconds after it changes.
     repeat(SETTLING_MILLISECONDS) { brick.tick() }

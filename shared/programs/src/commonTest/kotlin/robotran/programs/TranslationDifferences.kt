@@ -57,8 +57,8 @@ internal class TranslationDifferences {
         for (program in programs) {
             val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
             val words = when (val result = reader.translated(program.robolang)) {
-                is ProgramResult.Ready -> difference(program, result.program as RcxProgram) ?: continue
-                is ProgramResult.HasErrors -> result.diagnostics.joinToString()
+                is ProgramResult.Success -> difference(program, result.program as RcxProgram) ?: continue
+                is ProgramResult.Failure -> result.diagnostics.joinToString()
             }
             compared++
             if (words.isNotEmpty()) differences += "${program.path}: $words"

@@ -40,7 +40,7 @@ class JavaExampleRunTest {
     ): Session {
         val compiler = if (brick == BrickKind.NXT) reader.forTarget(nxtTestTarget) else reader
         val result = compiler.read(Program(name, ProgramLanguage.JAVA, text))
-        assertIs<ProgramResult.Ready>(result, name)
+        assertIs<ProgramResult.Success>(result, name)
         assertEquals(emptyList(), result.warnings, name)
         return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics, Language.ENGLISH).apply {
             runUnattended(60_000)
@@ -55,8 +55,8 @@ class JavaExampleRunTest {
         for ((name, text) in lejosExamples) {
             val session = run(name, text, physics)
             val record = name.removeSuffix(".java")
-            val romLog = session.romLog.entries.toLogText()
-            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
+            val callLog = session.callLog.entries.toLogText()
+            assertEquals(expectedRuns["$record.rom-log.txt"], callLog.takeIf { it.length <= MAX_RECORDED_LOG }, name)
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }

@@ -1,13 +1,15 @@
 package robotran.programs
 
-import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.loadJavaCompiler
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.CompilationResult
+import robotran.javacompiler.ecj.JavaSource
+import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 
 /**
  * The compiler creates the same class files of all examples, byte for byte, on every platform: this test expects the
@@ -16,12 +18,12 @@ import kotlin.time.Duration.Companion.minutes
 class SameClassFilesTest {
     @Test
     fun `the class files of all examples have the recorded hash`() = runTest(timeout = 5.minutes) {
-        val compiler = loadJavaCompiler()
+        val compiler = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH))
         val all = Hash()
         val hashes = mutableListOf<String>()
         for ((name, text) in lejosExamples) {
             val result =
-                assertIs<CompilationResult.Compiled>(
+                assertIs<CompilationResult.Success>(
                     compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles),
                     name,
                 )

@@ -58,13 +58,13 @@ class EveryProgramLinksTest {
     }
 
     private suspend fun imageOf(name: String, text: String): LejosImage? =
-        (compiler.buildImage(listOf(sourceOf(name, text))) as? ImageBuildResult.Built)?.image
+        (compiler.buildImage(listOf(sourceOf(name, text))) as? ImageBuildResult.Success)?.image
 
     private suspend fun refusalOf(name: String, text: String, version: LejosVersion): String? =
         when (val result = compiler.buildImage(listOf(sourceOf(name, text)), version)) {
-            is ImageBuildResult.Built -> null
+            is ImageBuildResult.Success -> null
 
-            is ImageBuildResult.HasErrors -> "$name: ${result.diagnostics.joinToString("; ") {
+            is ImageBuildResult.Failure -> "$name: ${result.diagnostics.joinToString("; ") {
                 "${it.range?.line} ${it.message}"
             }}"
 

@@ -27,7 +27,7 @@ internal class HelpfulFixes(programs: Map<String, String>, seed: Long) {
                 val fix = diagnostic.fix ?: continue
                 offered++
                 val after = compile(checkNotNull(source.withFix(diagnostic.file, fix)))
-                val isFit = after is ProgramResult.Ready || result is ProgramResult.HasErrors
+                val isFit = after is ProgramResult.Success || result is ProgramResult.Failure
                 if (isFit && isBetter(mistakesIn(result), sameKindIn(result, after), diagnostic.file, fix)) continue
                 harmful += "$name: $diagnostic\n${source.files.first().text}\nthen ${mistakesIn(after)}"
             }
@@ -35,13 +35,13 @@ internal class HelpfulFixes(programs: Map<String, String>, seed: Long) {
     }
 
     private fun mistakesIn(result: ProgramResult): List<Diagnostic> = when (result) {
-        is ProgramResult.HasErrors -> result.diagnostics
-        is ProgramResult.Ready -> result.warnings
+        is ProgramResult.Failure -> result.diagnostics
+        is ProgramResult.Success -> result.warnings
     }
 
     /** A program without errors may have warnings that nobody has seen before. */
     private fun sameKindIn(before: ProgramResult, after: ProgramResult): List<Diagnostic> =
-        if (before is ProgramResult.HasErrors && after is ProgramResult.Ready) emptyList() else mistakesIn(after)
+        if (before is ProgramResult.Failure && after is ProgramResult.Success) emptyList() else mistakesIn(after)
 
     private fun changed(text: String): String {
         val words = WORD.findAll(text).map { it.value }.toMutableList()

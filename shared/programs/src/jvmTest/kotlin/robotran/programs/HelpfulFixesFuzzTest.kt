@@ -51,19 +51,19 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `a fix that only moves a mistake is not offered`() {
-        val unhelpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(2), mistake(3))) }
+        val unhelpful = FixVerification { ProgramResult.Failure(listOf(mistake(2), mistake(3))) }
         assertNull(verifiedFix(unhelpful))
-        val harmful = FixVerification { ProgramResult.HasErrors(emptyList<Diagnostic>() + mistake(3, "new")) }
+        val harmful = FixVerification { ProgramResult.Failure(emptyList<Diagnostic>() + mistake(3, "new")) }
         assertNull(verifiedFix(harmful))
-        val helpful = FixVerification { ProgramResult.HasErrors(listOf(mistake(3))) }
+        val helpful = FixVerification { ProgramResult.Failure(listOf(mistake(3))) }
         assertNotNull(verifiedFix(helpful))
     }
 
     private fun verifiedFix(verification: FixVerification): SourceFix? {
         val source = Program("a.robo", ProgramLanguage.ROBOLANG, "beep\nbep\nbep")
         val fixable = mistake(2).copy(fix = SourceFix(SourceRange(2, 1, 4), "beep"))
-        val result = verification.verified(source, ProgramResult.HasErrors(listOf(fixable, mistake(3))))
-        return (result as ProgramResult.HasErrors).diagnostics.first().fix
+        val result = verification.verified(source, ProgramResult.Failure(listOf(fixable, mistake(3))))
+        return (result as ProgramResult.Failure).diagnostics.first().fix
     }
 
     private fun mistake(line: Int, message: String = "wrong") =

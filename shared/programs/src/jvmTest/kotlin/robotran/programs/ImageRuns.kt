@@ -1,13 +1,15 @@
 package robotran.programs
 
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
 import robotran.programs.image.ImageComparison
 import robotran.rcxrom.RcxBrick
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 
 /**
  * The virtual machine in the mode true to the brick does what the brick's image does: class files are linked to an image,
@@ -17,11 +19,11 @@ internal class ImageRuns {
     private val comparison = ImageComparison(BrickLibrary.classFilesOfBrick)
 
     suspend fun compare(programs: Map<String, String>, min: Int) {
-        val compiler = loadJavaCompiler()
+        val compiler = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH))
         val differences = programs.mapNotNull { (path, text) ->
             val name = path.substringAfterLast('/')
             val compiled = compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFilesOfBrick)
-            val classes = (compiled as? CompilationResult.Compiled)?.classes ?: return@mapNotNull null
+            val classes = (compiled as? CompilationResult.Success)?.classes ?: return@mapNotNull null
             val main = name.removeSuffix(".java")
             if (main !in compiled.mainClasses) return@mapNotNull null
             comparison.differenceOf(classes, main, happen = eventsIn(text))?.let { "$path: $it" }

@@ -1,5 +1,9 @@
 package robotran.programs
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -8,13 +12,10 @@ import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.translate.translateRobolang
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 
 /** What docs/lejos.md says of a real brick is tested, and what the project offers as a program is one for a brick. */
 class LejosTablesTest {
@@ -98,8 +99,8 @@ class LejosTablesTest {
     @Test
     fun `translated programs are programs for every version of leJOS`() = runTest(timeout = 10.minutes) {
         val translations = (robolangExamples + robolangPrograms).mapNotNull { (path, text) ->
-            val result = compileRobolang(path, text, testTarget)
-            (result as? RobolangResult.Ready)?.let { translateRobolang(it.program) }?.let { it.fileName to it.java }
+            val result = compileRobolang(path, text, testTarget, messages = RobolangMessages.of(Language.ENGLISH))
+            (result as? RobolangResult.Success)?.let { translateRobolang(it.program) }?.let { it.fileName to it.java }
         }
         assertTrue(translations.size > 200, "${translations.size} translations")
         val told = translations.map { diagnosticsOf(mapOf(it), withWarnings = false) }
@@ -118,8 +119,8 @@ class LejosTablesTest {
                         Program(name, ProgramLanguage.JAVA, text),
                     )
                 ) {
-                    is ProgramResult.HasErrors -> result.diagnostics
-                    is ProgramResult.Ready -> if (withWarnings) result.warnings else emptyList()
+                    is ProgramResult.Failure -> result.diagnostics
+                    is ProgramResult.Success -> if (withWarnings) result.warnings else emptyList()
                 }
                 told.map { "${version.label} $name:${it.range?.line}: ${it.message}" }
             }

@@ -1,20 +1,21 @@
 package robotran.programs
 
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 
 /** True to the brick, a program for an NXT uses only what leJOS NXJ has; if forgiving, it may use more. */
 class NxjModesTest {
@@ -40,23 +41,23 @@ class NxjModesTest {
     @Test
     fun `what leJOS NXJ lacks is refused true to the brick, and accepted if forgiving`() = runTest {
         val refused = compilers.getValue(TinyVmMode.BRICK).read(java("Modern.java", modern))
-        val mistakes = assertIs<ProgramResult.HasErrors>(refused).diagnostics
+        val mistakes = assertIs<ProgramResult.Failure>(refused).diagnostics
         assertEquals(listOf(7, 8), mistakes.map { it.range?.line })
         assertContains(mistakes.first().message, "Write list.add(element).")
-        assertIs<ProgramResult.Ready>(compilers.getValue(TinyVmMode.FORGIVING).read(java("Modern.java", modern)))
+        assertIs<ProgramResult.Success>(compilers.getValue(TinyVmMode.FORGIVING).read(java("Modern.java", modern)))
     }
 
     @Test
     fun `it is refused in class files of another compiler, too`() = runTest {
         val library = NxjLibrary.load().classFiles
         val sources = listOf(JavaSource("Modern.java", modern))
-        val compiled = loadJavaCompiler().compile(sources, library, target = BrickTarget.LEJOS_NXJ)
-        val classes = assertIs<CompilationResult.Compiled>(compiled).classes
+        val compiled = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).compile(sources, library, target = BrickTarget.LEJOS_NXJ)
+        val classes = assertIs<CompilationResult.Success>(compiled).classes
         val source = ProgramSource.CompiledClasses("Modern.class", classes)
-        val refused = assertIs<ProgramResult.HasErrors>(compilers.getValue(TinyVmMode.BRICK).read(source)).diagnostics
+        val refused = assertIs<ProgramResult.Failure>(compilers.getValue(TinyVmMode.BRICK).read(source)).diagnostics
         assertEquals(listOf("Modern.main" to 7, "Modern.main" to 8), refused.map { it.file to it.range?.line })
         assertContains(refused.last().message, "\"LinkedList\" has no method \"getFirst\". Write list.get(0).")
-        assertIs<ProgramResult.Ready>(compilers.getValue(TinyVmMode.FORGIVING).read(source))
+        assertIs<ProgramResult.Success>(compilers.getValue(TinyVmMode.FORGIVING).read(source))
     }
 
     @Test
@@ -69,7 +70,7 @@ class NxjModesTest {
         for ((mode, compiler) in compilers) {
             for (program in forNxt) {
                 val named = java("${mainClassOf(program)}.java", program.files.single().text)
-                assertIs<ProgramResult.Ready>(compiler.read(named), "$mode ${program.name}")
+                assertIs<ProgramResult.Success>(compiler.read(named), "$mode ${program.name}")
             }
         }
     }

@@ -40,11 +40,11 @@ internal class NxjSessions {
         val name = path.substringAfterLast('/')
         val reader = if (path.startsWith("forgiving/")) forgivingCompiler else compiler
         val result = runBlocking { reader.read(Program(name, ProgramLanguage.JAVA, source)) }
-        if (result !is ProgramResult.Ready) return listOf("$path: $result")
+        if (result !is ProgramResult.Success) return listOf("$path: $result")
         val expected = NxjExpectations(source)
         val session = Session(world, listOf(result.program), physics, Language.ENGLISH)
         val failure = run(session, expected)
-        val printed = session.romLog.entries.filterIsInstance<NxtLogEntry>()
+        val printed = session.callLog.entries.filterIsInstance<NxtLogEntry>()
             .filter { it.call.native == NxtNative.CONSOLE_LINE }.map { it.call.text.orEmpty() }
         session.close()
         val wanted = expected.failures.firstOrNull()

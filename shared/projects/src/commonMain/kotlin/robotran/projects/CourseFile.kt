@@ -20,7 +20,7 @@ import robotran.world.file.unknownOf
 /** The result of reading a course file. */
 sealed interface CourseFileResult {
     /** @property warnings about fields that are probably misspelt, also in the files of its assignments. */
-    data class Loaded(val course: Course, val warnings: List<JsonWarning> = emptyList()) : CourseFileResult
+    data class Success(val course: Course, val warnings: List<JsonWarning> = emptyList()) : CourseFileResult
 
     /**
      * The file is invalid.
@@ -29,7 +29,7 @@ sealed interface CourseFileResult {
      * @property line the line of the error, from 1; null if the error concerns the whole file.
      * @property path the field of the error, such as `assignments[2].world.title`; empty if none.
      */
-    data class Rejected(val message: String, val line: Int? = null, val path: String = "") : CourseFileResult
+    data class Failure(val message: String, val line: Int? = null, val path: String = "") : CourseFileResult
 }
 
 /**
@@ -60,7 +60,7 @@ fun assignmentFilesOf(text: String): List<String> {
     val reading = readJson(text, Language.ENGLISH) { file ->
         file.optional(ASSIGNMENTS)?.items(0..Course.MAXIMUM_ASSIGNMENTS).orEmpty().mapNotNull { it.textOrNull() }
     }
-    return (reading as? JsonReading.Read)?.value.orEmpty()
+    return (reading as? JsonReading.Success)?.value.orEmpty()
 }
 
 /** Whether the JSON file [text] claims to be a course. */
@@ -99,12 +99,12 @@ private class FilesBeside(private val language: Language, private val bytesOf: (
     fun read(name: String): Project? {
         val bytes = bytesOf(name) ?: return null
         return when (val result = readProject(bytes, language)) {
-            is ProjectFileResult.Loaded -> {
+            is ProjectFileResult.Success -> {
                 warnings += result.warnings.map { JsonWarning("$name: ${it.message}") }
                 result.project
             }
 
-            is ProjectFileResult.Rejected -> throw JsonValidationException(null) { "$name: ${result.message}" }
+            is ProjectFileResult.Failure -> throw JsonValidationException(null) { "$name: ${result.message}" }
         }
     }
 }
@@ -119,12 +119,12 @@ internal fun elementOf(course: Course): JsonObject = jsonObject(course.unknown.m
 }
 
 private fun resultOf(reading: JsonReading<Course>, beside: FilesBeside): CourseFileResult = when (reading) {
-    is JsonReading.Read -> CourseFileResult.Loaded(
+    is JsonReading.Success -> CourseFileResult.Success(
         reading.value,
         (reading.warnings + beside.warnings).take(JsonLimits.MAXIMUM_WARNINGS),
     )
 
-    is JsonReading.Rejected -> CourseFileResult.Rejected(reading.message, reading.line, reading.path)
+    is JsonReading.Failure -> CourseFileResult.Failure(reading.message, reading.line, reading.path)
 }
 
 private const val COURSE_FORMAT = "robotran-course"

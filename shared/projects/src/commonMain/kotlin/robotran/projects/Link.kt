@@ -155,18 +155,18 @@ private suspend fun unpack(data: String): ByteArray? {
 }
 
 private fun resultOf(result: WorldFileResult, messages: LinkMessages): LinkResult = when (result) {
-    is WorldFileResult.Loaded -> LinkResult.OfWorld(result.world)
-    is WorldFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
+    is WorldFileResult.Success -> LinkResult.OfWorld(result.world)
+    is WorldFileResult.Failure -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 private fun resultOf(result: ProjectFileResult, messages: LinkMessages): LinkResult = when (result) {
-    is ProjectFileResult.Loaded -> LinkResult.OfProject(result.project)
-    is ProjectFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
+    is ProjectFileResult.Success -> LinkResult.OfProject(result.project)
+    is ProjectFileResult.Failure -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 private fun resultOf(result: CourseFileResult, messages: LinkMessages): LinkResult = when (result) {
-    is CourseFileResult.Loaded -> LinkResult.OfCourse(result.course)
-    is CourseFileResult.Rejected -> LinkResult.Rejected(messages.linkUnusable(result.message))
+    is CourseFileResult.Success -> LinkResult.OfCourse(result.course)
+    is CourseFileResult.Failure -> LinkResult.Rejected(messages.linkUnusable(result.message))
 }
 
 /**

@@ -76,8 +76,8 @@ internal fun base64PartsIn(mail: String): Sequence<MailPart> = BASE64_HEAD.findA
 }
 
 /** An empty line ends the part. */
-private fun isInBase64(mail: String, place: Int): Boolean = when (val character = mail[place]) {
-    '\n' -> mail.getOrNull(place + 1)?.let { it !in LINE_END } == true
+private fun isInBase64(mail: String, offset: Int): Boolean = when (val character = mail[offset]) {
+    '\n' -> mail.getOrNull(offset + 1)?.let { it !in LINE_END } == true
     '\r', '+', '/', '=' -> true
     else -> character in 'A'..'Z' || character in 'a'..'z' || character in '0'..'9'
 }

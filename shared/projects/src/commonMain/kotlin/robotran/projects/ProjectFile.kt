@@ -12,7 +12,7 @@ import robotran.world.file.MULTILINE_LISTS
 /** The result of reading a project file. */
 sealed interface ProjectFileResult {
     /** @property warnings about fields that are probably misspelt. */
-    data class Loaded(val project: Project, val warnings: List<JsonWarning> = emptyList()) : ProjectFileResult
+    data class Success(val project: Project, val warnings: List<JsonWarning> = emptyList()) : ProjectFileResult
 
     /**
      * The file is invalid.
@@ -21,7 +21,7 @@ sealed interface ProjectFileResult {
      * @property line the line of the error, from 1; null if the error concerns the whole file.
      * @property path the field of the error, such as `world.walls[2].thickness`; empty if none.
      */
-    data class Rejected(val message: String, val line: Int? = null, val path: String = "") : ProjectFileResult
+    data class Failure(val message: String, val line: Int? = null, val path: String = "") : ProjectFileResult
 }
 
 /**
@@ -68,8 +68,8 @@ fun charactersInFile(text: String): Int = LINE_MARKS + text.sumOf { letter ->
 fun writeCompactHandIn(project: Project): String = writeCompactJson(handInElementOf(project))
 
 internal fun resultOf(reading: JsonReading<Project>): ProjectFileResult = when (reading) {
-    is JsonReading.Read -> ProjectFileResult.Loaded(reading.value, reading.warnings)
-    is JsonReading.Rejected -> ProjectFileResult.Rejected(reading.message, reading.line, reading.path)
+    is JsonReading.Success -> ProjectFileResult.Success(reading.value, reading.warnings)
+    is JsonReading.Failure -> ProjectFileResult.Failure(reading.message, reading.line, reading.path)
 }
 
 /** For the names of robots, programs and files. */

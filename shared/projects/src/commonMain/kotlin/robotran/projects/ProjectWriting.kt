@@ -80,7 +80,7 @@ private fun elementOf(java: JavaSettings) = jsonObject {
  * The inputs that a file can hold: those before the first program that was sent to run at once. What followed cannot be
  * repeated without it.
  */
-fun List<RecordedInput>.repeatable(): List<RecordedInput> = takeWhile { it.input !is SessionInput.RunNow }
+fun List<RecordedInput>.repeatable(): List<RecordedInput> = takeWhile { it.input !is SessionInput.RunSnippet }
 
 private fun isPossible(input: SessionInput, world: World): Boolean = when (input) {
     is SessionInput.Press -> input.robot in world.robots.indices
@@ -90,7 +90,7 @@ private fun isPossible(input: SessionInput, world: World): Boolean = when (input
     is SessionInput.PlaceBlock -> input.block in world.blocks.indices
     is SessionInput.MoveLamp -> input.lamp in world.lamps.indices
     is SessionInput.SwitchLamp -> input.lamp in world.lamps.indices
-    is SessionInput.RunNow -> false
+    is SessionInput.RunSnippet -> false
     is SessionInput.Stop, is SessionInput.ChangeAmbientLight, is SessionInput.ChangeTemperature -> true
 }
 
@@ -125,7 +125,7 @@ fun elementOf(recorded: RecordedInput, world: World): JsonObject = jsonObject {
         }
 
         is SessionInput.Stop -> text("kind", InputKind.STOP)
-        is SessionInput.RunNow -> error("A file has no programs that were sent to run at once.")
+        is SessionInput.RunSnippet -> error("A file has no programs that were sent to run at once.")
 
         is SessionInput.PlaceRobot -> {
             text("kind", InputKind.PLACE_ROBOT)

@@ -10,7 +10,7 @@ import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
 class AssignmentFileTest {
-    private fun rejected(text: String): ProjectFileResult.Rejected = assertIs(readProject(text, Language.ENGLISH), text)
+    private fun rejected(text: String): ProjectFileResult.Failure = assertIs(readProject(text, Language.ENGLISH), text)
 
     private val random = Random(2026)
 

@@ -34,12 +34,12 @@ class CourseFileTest {
 
     private fun course(text: String, beside: (String) -> ByteArray? = { null }): Course =
         when (val result = readCourse(text, beside = beside, language = Language.ENGLISH)) {
-            is CourseFileResult.Loaded -> result.course
-            is CourseFileResult.Rejected -> throw AssertionError(result.message)
+            is CourseFileResult.Success -> result.course
+            is CourseFileResult.Failure -> throw AssertionError(result.message)
         }
 
     private fun refusal(text: String, language: Language = Language.ENGLISH): String =
-        assertIs<CourseFileResult.Rejected>(readCourse(text, language)).message
+        assertIs<CourseFileResult.Failure>(readCourse(text, language)).message
 
     private val plain = Course("First steps", assignments = listOf(assignment(1), assignment(2)))
 
@@ -73,8 +73,8 @@ class CourseFileTest {
                     language = Language.ENGLISH,
                 )
             ) {
-                is CourseFileResult.Loaded -> assertEquals(result.course, course(writeCourse(result.course)))
-                is CourseFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
+                is CourseFileResult.Success -> assertEquals(result.course, course(writeCourse(result.course)))
+                is CourseFileResult.Failure -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
     }
@@ -88,7 +88,7 @@ class CourseFileTest {
         assertTrue("needs the file \"1.robotran\"" in refusal(text))
         assertTrue("braucht die Datei \"1.robotran\"" in refusal(text, Language.GERMAN))
         val broken = readCourse(text, beside = { "{".encodeToByteArray() }, language = Language.ENGLISH)
-        assertTrue("1.robotran: " in assertIs<CourseFileResult.Rejected>(broken).message)
+        assertTrue("1.robotran: " in assertIs<CourseFileResult.Failure>(broken).message)
     }
 
     @Test

@@ -9,7 +9,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.rcxrom.log.romCalls
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
@@ -42,12 +42,12 @@ class LanguagesTest {
     )
 
     private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
-        assertIs<ProgramResult.HasErrors>(reader.withLanguage(language).read(source)).diagnostics.first().message
+        assertIs<ProgramResult.Failure>(reader.withLanguage(language).read(source)).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = Program("a.robo", ProgramLanguage.ROBOLANG, text)
-        val program = assertIs<ProgramResult.Ready>(reader.withLanguage(language).read(source)).program
-        return Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
+        val program = assertIs<ProgramResult.Success>(reader.withLanguage(language).read(source)).program
+        return Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
     }
 
     @Test
@@ -83,7 +83,7 @@ class LanguagesTest {
         val (english, spanish, german) = sessions
         assertEquals(1, sessions.map { it.traceHash }.toSet().size)
         assertEquals(1, sessions.map { session -> session.state.robots.map { it.robot.pose } }.toSet().size)
-        assertEquals(1, sessions.map { session -> session.romLog.entries.romCalls().map { it.call } }.toSet().size)
+        assertEquals(1, sessions.map { session -> session.callLog.entries.romCalls().map { it.call } }.toSet().size)
         assertEquals(listOf("Draw 20.5 cm or more.", "Never touch anything."), english.state.goals.map { it.sentence })
         assertEquals(listOf("Dibuja 20,5 cm o más.", "No toques nunca nada."), spanish.state.goals.map { it.sentence })
         assertEquals(listOf("Zeichne 20,5 cm oder mehr.", "Berühr nie etwas."), german.state.goals.map { it.sentence })
@@ -110,7 +110,7 @@ class LanguagesTest {
                 "Línea 5: paper.width tiene que ser un número.",
                 "Zeile 5: paper.width muss eine Zahl sein.",
             ),
-            toldIn.map { assertIs<WorldFileResult.Rejected>(readWorld(file, it)).message },
+            toldIn.map { assertIs<WorldFileResult.Failure>(readWorld(file, it)).message },
         )
     }
 
@@ -118,7 +118,7 @@ class LanguagesTest {
     fun `a project or a link that cannot be used says so in the pupil's language`() = runTest {
         assertEquals(
             "Esto no es un proyecto de Robotran: un archivo de proyecto dice \"format\": \"robotran-project\".",
-            assertIs<ProjectFileResult.Rejected>(readProject("{}", Language.SPANISH)).message,
+            assertIs<ProjectFileResult.Failure>(readProject("{}", Language.SPANISH)).message,
         )
         assertEquals(
             "Das ist kein Link zu einer Welt, einem Projekt oder einem Kurs von Robotran.",
@@ -136,7 +136,7 @@ class LanguagesTest {
                 "Kein Roboter in dieser Welt heißt anna. Es gibt nur einen, der heißt yellow.",
             ),
             toldIn.map {
-                assertIs<RobotLoads.HasErrors>(
+                assertIs<RobotProgramSets.Failure>(
                     readRobotLoads(world, reader.withLanguage(it), given),
                 ).diagnostics.single().message
             },

@@ -4,7 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.nxt.storage.FlashMemory
 import robotran.nxt.storage.NxtFile
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -50,7 +50,7 @@ class NxtFilesTest {
         )
         val robots = PROJECT_WITH_FILES.robots.map { robot -> robot.copy(files = List(TOO_MANY) { files[1] }) }
         val many = PROJECT_WITH_FILES.copy(robots = robots)
-        val told = assertIs<ProjectFileResult.Rejected>(readProject(writeProject(many), Language.ENGLISH)).message
+        val told = assertIs<ProjectFileResult.Failure>(readProject(writeProject(many), Language.ENGLISH)).message
         assertContains(told, "robots[0].flash")
         assertEquals("robots[0].flash must be files that fit into an NXT.", refusal("\"count.txt\"", "\"✎\""))
     }
@@ -77,7 +77,7 @@ class NxtFilesTest {
 
     private fun refusal(old: String, new: String): String {
         assertContains(written, old)
-        return assertIs<ProjectFileResult.Rejected>(
+        return assertIs<ProjectFileResult.Failure>(
             readProject(written.replaceFirst(old, new), Language.ENGLISH),
         ).message
             .substringAfter(": ")
@@ -85,7 +85,7 @@ class NxtFilesTest {
 
     @Test
     fun `a run begins with the files, and a link has none`() = runTest {
-        val loads = loadsWith(PROJECT_WITH_FILES.robots, PROJECT_WITH_FILES.world, List(2) { RobotLoad(emptyList()) })
+        val loads = loadsWith(PROJECT_WITH_FILES.robots, PROJECT_WITH_FILES.world, List(2) { RobotProgramSet(emptyList()) })
         assertEquals(listOf(files, files), loads.map { it.files })
         val link = assertIs<LinkCreation.Made>(linkOf(PROJECT_WITH_FILES, Language.ENGLISH)).fragment
         val opened = assertIs<LinkResult.OfProject>(openLink(link, Language.ENGLISH))

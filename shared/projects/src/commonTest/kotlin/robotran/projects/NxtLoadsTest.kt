@@ -44,7 +44,7 @@ class NxtLoadsTest {
     fun `each robot gets programs for its own brick`() = runTest {
         val beep = Program("beep.robo", ProgramLanguage.ROBOLANG, "beep")
         val given = mapOf("ann" to listOf(beep), "carl" to listOf(forNxt, beep))
-        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads
+        val loads = assertIs<RobotProgramSets.Success>(readRobotLoads(world, reader, given)).loads
         assertEquals(
             listOf(listOf(BrickKind.RCX), listOf(BrickKind.NXT), listOf(BrickKind.NXT, BrickKind.NXT)),
             loads.map { load -> load.programs.map { it?.kind } },
@@ -53,7 +53,7 @@ class NxtLoadsTest {
 
     @Test
     fun `a program for the other brick is told with its robot`() = runTest {
-        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, mapOf("ann" to listOf(forNxt))))
+        val mistaken = assertIs<RobotProgramSets.Failure>(readRobotLoads(world, reader, mapOf("ann" to listOf(forNxt))))
         assertEquals("ann", mistaken.robot)
         assertEquals(1, mistaken.diagnostics.single().range?.line)
     }

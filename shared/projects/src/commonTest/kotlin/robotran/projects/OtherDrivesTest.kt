@@ -10,7 +10,7 @@ import robotran.programs.JavaSettings
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
@@ -54,7 +54,7 @@ class OtherDrivesTest {
     private suspend fun run(robot: RobotDescription, program: BrickProgram, text: String): RobotState {
         val plain = BuiltInWorlds.plainFor(robot.brick)
         val world = plain.copy(robots = plain.robots.map { it.copy(description = robot) })
-        val session = Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH)
         session.runUnattended(60_000)
         session.close()
         val state = session.state.robot
@@ -78,9 +78,9 @@ class OtherDrivesTest {
             val compiler =
                 ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
             val source = Program("drive.robo", ProgramLanguage.ROBOLANG, text)
-            val program = assertIs<ProgramResult.Ready>(compiler.read(source)).program
+            val program = assertIs<ProgramResult.Success>(compiler.read(source)).program
             val one = run(robot, program, "run")
-            val translation = assertIs<ProgramResult.Ready>(compiler.readTranslation(source)).program
+            val translation = assertIs<ProgramResult.Success>(compiler.readTranslation(source)).program
             val other = run(robot, translation, "translation")
             assertEquals(one.pose.x, other.pose.x, 0.2, "$robot")
             assertEquals(one.pose.y, other.pose.y, 0.2, "$robot")

@@ -42,7 +42,7 @@ class ProjectFileTest {
             override fun start(rom: Rom): ProgramRun = error("It does not run.")
         }
         val (first, second) = FULL_PROJECT.inputs
-        val sent = RecordedInput(second.milliseconds, SessionInput.RunNow(program))
+        val sent = RecordedInput(second.milliseconds, SessionInput.RunSnippet(program))
         val project = FULL_PROJECT.copy(inputs = listOf(first, sent, second))
         assertEquals(listOf(first), loaded(writeProject(project)).inputs)
     }
@@ -144,7 +144,7 @@ class ProjectFileTest {
     @Test
     fun `what is no project is refused`() {
         val refusal = { text: String ->
-            assertIs<ProjectFileResult.Rejected>(readProject(text, Language.ENGLISH)).message
+            assertIs<ProjectFileResult.Failure>(readProject(text, Language.ENGLISH)).message
         }
         assertEquals(
             "This is not a Robotran project: a project file says \"format\": \"robotran-project\".",
@@ -157,7 +157,7 @@ class ProjectFileTest {
         )
         assertEquals(
             "The file is not a text.",
-            assertIs<ProjectFileResult.Rejected>(readProject(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
+            assertIs<ProjectFileResult.Failure>(readProject(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
         )
     }
 
@@ -166,7 +166,7 @@ class ProjectFileTest {
         val text = writeProject(FULL_PROJECT).replaceFirst("\"thickness\": 1 ", "\"thickness\": 0 ")
         val line = text.substringBefore("\"thickness\": 0").count { it == '\n' } + 1
         assertEquals(
-            ProjectFileResult.Rejected(
+            ProjectFileResult.Failure(
                 "Line $line: world.walls[0].thickness must be from 0.1 to 100.",
                 line,
                 "world.walls[0].thickness",
@@ -223,20 +223,20 @@ class ProjectFileTest {
             repeat(random.nextInt(1, 4)) { changed[random.nextInt(changed.size)] = random.nextInt(256).toByte() }
             when (val result = readProject(changed, Language.ENGLISH)) {
                 // Warnings are about the bytes as they were.
-                is ProjectFileResult.Loaded -> assertEquals(
+                is ProjectFileResult.Success -> assertEquals(
                     result.project,
-                    assertIs<ProjectFileResult.Loaded>(
+                    assertIs<ProjectFileResult.Success>(
                         readProject(writeProject(result.project), Language.ENGLISH),
                     ).project,
                 )
 
-                is ProjectFileResult.Rejected -> assertTrue(result.message.endsWith("."), result.message)
+                is ProjectFileResult.Failure -> assertTrue(result.message.endsWith("."), result.message)
             }
         }
         for (length in 0..<file.indexOfLast {
             it == '}'.code.toByte()
         }) {
-            assertIs<ProjectFileResult.Rejected>(readProject(file.copyOf(length), Language.ENGLISH))
+            assertIs<ProjectFileResult.Failure>(readProject(file.copyOf(length), Language.ENGLISH))
         }
     }
 

@@ -93,15 +93,15 @@ internal val FIRMWARE_PROJECT = Project(
 )
 
 internal fun loaded(text: String): Project = when (val result = readProject(text, Language.ENGLISH)) {
-    is ProjectFileResult.Loaded -> result.project
-    is ProjectFileResult.Rejected -> throw AssertionError(result.message)
+    is ProjectFileResult.Success -> result.project
+    is ProjectFileResult.Failure -> throw AssertionError(result.message)
 }
 
 /** The error message for the full project with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
     val text = writeProject(FULL_PROJECT)
     assertTrue(old in text, "$old is in\n$text")
-    return assertIs<ProjectFileResult.Rejected>(
+    return assertIs<ProjectFileResult.Failure>(
         readProject(text.replaceFirst(old, new), Language.ENGLISH),
     ).message.substringAfter(": ")
 }

@@ -26,14 +26,14 @@ class ProjectRunTest {
     fun `ten projects full of things make their recorded runs`() = runTest(timeout = 10.minutes) {
         assertEquals(10, projects.size)
         for ((name, text) in projects) {
-            val project = assertIs<ProjectFileResult.Loaded>(readProject(text, Language.ENGLISH)).project
+            val project = assertIs<ProjectFileResult.Success>(readProject(text, Language.ENGLISH)).project
             val reader =
                 ProgramCompiler(
                     RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
                     project.settings.java,
                     language = Language.ENGLISH,
                 )
-            val loads = assertIs<RobotLoads.Ready>(readRobotLoads(project, reader)).loads
+            val loads = assertIs<RobotProgramSets.Success>(readRobotLoads(project, reader)).loads
             val session = Session.replay(
                 project.worldToRun,
                 loads,

@@ -17,14 +17,14 @@ class MisspeltProjectFieldTest {
 
     private fun project(file: JsonElement): Read =
         when (val result = readProject(writeCompactJson(file), Language.ENGLISH)) {
-            is ProjectFileResult.Loaded -> Read(result.warnings, null)
-            is ProjectFileResult.Rejected -> Read(emptyList(), result.message)
+            is ProjectFileResult.Success -> Read(result.warnings, null)
+            is ProjectFileResult.Failure -> Read(emptyList(), result.message)
         }
 
     private fun course(file: JsonElement): Read =
         when (val result = readCourse(writeCompactJson(file), Language.ENGLISH)) {
-            is CourseFileResult.Loaded -> Read(result.warnings, null)
-            is CourseFileResult.Rejected -> Read(emptyList(), result.message)
+            is CourseFileResult.Success -> Read(result.warnings, null)
+            is CourseFileResult.Failure -> Read(emptyList(), result.message)
         }
 
     private fun silent(file: JsonElement, read: (JsonElement) -> Read): List<String> =
@@ -64,7 +64,7 @@ class MisspeltProjectFieldTest {
         val written = writeProject(EVERY_ASSIGNMENT).replaceFirst("\"mayChangeWorld\"", "\"mayChangWorld\"")
         val course = """{"format": "robotran-course", "version": 1, "title": "C", "assignments": ["a.robotran"]}"""
         val loaded =
-            assertIs<CourseFileResult.Loaded>(readCourse(course, Language.ENGLISH) { written.encodeToByteArray() })
+            assertIs<CourseFileResult.Success>(readCourse(course, Language.ENGLISH) { written.encodeToByteArray() })
         assertTrue(loaded.warnings.single().message.startsWith("a.robotran: Line "), "${loaded.warnings}")
         assertTrue("mayChangeWorld" in loaded.warnings.single().message, "${loaded.warnings}")
     }

@@ -48,7 +48,7 @@ class ProjectSchemaTest {
             for (changed in changes(project)) {
                 if (PROJECT_SCHEMA.accepts(changed)) continue
                 refused++
-                if (readProject(writeCompactJson(changed), Language.ENGLISH) is ProjectFileResult.Rejected) continue
+                if (readProject(writeCompactJson(changed), Language.ENGLISH) is ProjectFileResult.Failure) continue
                 fail("${PROJECT_SCHEMA.mistakesIn(changed)}\n${writeCompactJson(changed)}")
             }
         }
@@ -62,7 +62,7 @@ class ProjectSchemaTest {
             if (COURSE_SCHEMA.accepts(changed)) continue
             refused++
             val text = writeCompactJson(changed)
-            assertIs<CourseFileResult.Rejected>(
+            assertIs<CourseFileResult.Failure>(
                 readCourse(text, Language.ENGLISH),
                 "${COURSE_SCHEMA.mistakesIn(changed)}\n$text",
             )

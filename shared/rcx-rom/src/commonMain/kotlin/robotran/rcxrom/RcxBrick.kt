@@ -12,7 +12,6 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sound.SoundTrack
-import robotran.language.Language
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.memory.MemorySnapshot
 import robotran.rcxrom.messages.BrickMessages
@@ -50,7 +49,7 @@ import robotran.rcxrom.state.RcxState
 class RcxBrick(
     private val programs: List<RcxProgram?>,
     air: InfraredAir = InfraredAir(),
-    private val messages: BrickMessages = BrickMessages.of(Language.ENGLISH),
+    private val messages: BrickMessages,
     firstSlot: Int = 0,
 ) : Brick {
     init {
@@ -87,7 +86,7 @@ class RcxBrick(
             Battery.millivolts(hardware.batteryRaw),
             InfraredState(hardware.serial.isSending || hardware.serial.line.isSending, hardware.serial.range),
             shell.explanation,
-            shell.isImmediate,
+            shell.isSnippet,
         )
 
     /** What the firmware knows, such as its variables; null for leJOS's. */
@@ -133,10 +132,10 @@ class RcxBrick(
 
     override fun stopProgram() = shell.stopProgram()
 
-    override fun runNow(program: BrickProgram) {
+    override fun runSnippet(program: BrickProgram) {
         if (program !is RcxProgram) return
         loadFirmwareOf(program)
-        shell.runNow(program)
+        shell.runSnippet(program)
     }
 
     /** Runs [work] of the shell, which may select a slot. */

@@ -6,9 +6,11 @@ import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
 import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.sensors.SensorField
 
@@ -19,7 +21,7 @@ import robotran.rcxrom.sensors.SensorField
 internal class BrickScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private val air = InfraredAir()
-    private var brick = RcxBrick(emptyList(), air)
+    private var brick = RcxBrick(emptyList(), air, messages = BrickMessages.of(Language.ENGLISH))
     private val tower = air.placeTower()
     private var soundsHeard = 0L
     private var line = 0
@@ -44,7 +46,7 @@ internal class BrickScript(private val path: String, private val text: String) {
             }
 
             "wait" -> advance(rest.toLong())
-            "programs" -> brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir())
+            "programs" -> brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir(), messages = BrickMessages.of(Language.ENGLISH))
             in ACTIONS -> act(word, rest)
             else -> compare(statement, rest, seen(word, rest))
         }

@@ -1,17 +1,19 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallOutcome
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 class ButtonRoutineTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `each button that is held down has its bit`() {

@@ -1,14 +1,16 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramStatus
 import robotran.brick.sensors.ExpectedSensor
 import robotran.brick.sensors.SensorKind
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 /** Which sensors a program expects at the ports is seen from what it sets and powers. */
 class ExpectedSensorsTest {
@@ -23,7 +25,7 @@ class ExpectedSensorsTest {
     private val initialising = (1..SensorCode.PORTS).map { setting(it, SensorCode.TYPE_LIGHT) }
 
     private fun brickAfter(actions: List<(Rom) -> ProgramStatus>): RcxBrick {
-        val brick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)))
+        val brick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)), messages = BrickMessages.of(Language.ENGLISH))
         brick.push(BrickButton.RUN)
         brick.tick(20)
         return brick

@@ -1,25 +1,27 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredLine
 import robotran.rcxrom.infrared.InfraredPacket
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.routines.Hardware
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 
 /** Plain bytes past the ROM, as josx `LLC` sends and receives them. */
 class InfraredLineTest {
     private val air = InfraredAir()
-    private val first = Hardware(air)
-    private val second = Hardware(air)
+    private val first = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
+    private val second = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
     private val Hardware.line: InfraredLine get() = rom.infraredLine
 
     @Test
@@ -74,7 +76,7 @@ class InfraredLineTest {
 
     @Test
     fun `damaged bytes are lost`() {
-        val third = Hardware(air)
+        val third = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
         for (brick in listOf(first, second, third)) brick.line.begin()
         first.line.write(listOf(1, 2, 3, 4))
         second.line.write(listOf(1, 2, 3, 4))
@@ -131,7 +133,7 @@ class InfraredLineTest {
                 if (takesIt) rom.infraredLine.begin()
                 ProgramStatus.Running
             }
-            val brick = RcxBrick(listOf(ScriptedProgram(listOf(take))))
+            val brick = RcxBrick(listOf(ScriptedProgram(listOf(take))), messages = BrickMessages.of(Language.ENGLISH))
             brick.press(BrickButton.RUN)
             brick.release(BrickButton.RUN)
             repeat(5) { brick.tick() }

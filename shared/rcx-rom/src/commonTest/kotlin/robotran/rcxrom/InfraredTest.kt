@@ -1,24 +1,26 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredPacket
 import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 
 class InfraredTest {
     private val air = InfraredAir()
-    private val first = Hardware(air)
-    private val second = Hardware(air)
+    private val first = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
+    private val second = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `what one brick sends the other receives, and nothing before its last bit`() {
@@ -65,7 +67,7 @@ class InfraredTest {
 
     @Test
     fun `a third brick hears only damage when two speak`() {
-        val third = Hardware(air)
+        val third = Hardware(air, messages = BrickMessages.of(Language.ENGLISH))
         repeat(3) { tickBoth() }
         first.send(0xF7, 1)
         second.send(0xF7, 1)
@@ -79,7 +81,7 @@ class InfraredTest {
     @Test
     fun `light reaches as far as the world says`() {
         val wide = InfraredAir { _, _, range -> range == InfraredRange.LONG }
-        val (near, far) = List(2) { Hardware(wide) }
+        val (near, far) = List(2) { Hardware(wide, messages = BrickMessages.of(Language.ENGLISH)) }
         for ((range, comes) in listOf(RomAddress.SET_RANGE_SHORT to false, RomAddress.SET_RANGE_LONG to true)) {
             near.call(range, RomCode.RANGE)
             near.send(0xF7, 5)
@@ -115,7 +117,7 @@ class InfraredTest {
     @Test
     fun `a tower that echoes lets a lone brick hear its own message`() {
         val alone = InfraredAir()
-        val brick = Hardware(alone)
+        val brick = Hardware(alone, messages = BrickMessages.of(Language.ENGLISH))
         val mirror = alone.placeTower(echoes = true)
         brick.send(0xF7, 99)
         repeat(150) {
@@ -151,7 +153,7 @@ class InfraredTest {
     fun `a message can start the program of a brick by P1 of the remote control`() {
         val room = InfraredAir()
         val program = endlessProgram()
-        val brick = RcxBrick(listOf(program), room)
+        val brick = RcxBrick(listOf(program), room, messages = BrickMessages.of(Language.ENGLISH))
         val remote = room.placeTower()
         remote.send(listOf(0xD2, 0x02, 0x00))
         repeat(200) {
@@ -165,7 +167,7 @@ class InfraredTest {
     @Test
     fun `a message that would load a program is reported with the reason`() {
         val room = InfraredAir()
-        val brick = RcxBrick(emptyList(), room)
+        val brick = RcxBrick(emptyList(), room, messages = BrickMessages.of(Language.ENGLISH))
         val tower = room.placeTower()
         tower.send(listOf(0x65, 1, 3, 5, 7, 0xB))
         repeat(200) {

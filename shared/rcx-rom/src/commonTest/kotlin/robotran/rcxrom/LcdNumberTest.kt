@@ -1,17 +1,19 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import robotran.brick.log.CallOutcome
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 
 class LcdNumberTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `signed numbers are shown without leading zeros and with the minus sign beside them`() {

@@ -1,18 +1,20 @@
 package robotran.rcxrom
 
-import robotran.brick.log.CallOutcome
-import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.display.LcdGlass
-import robotran.rcxrom.display.LcdIcon
-import robotran.rcxrom.routines.Hardware
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.brick.log.CallOutcome
+import robotran.language.Language
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.routines.Hardware
 
 class LcdSegmentTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     /** Code, byte and bit of the icons with a single segment, as on a real brick. */
     private val singleSegments = listOf(

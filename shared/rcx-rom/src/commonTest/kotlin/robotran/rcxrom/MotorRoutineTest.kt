@@ -1,17 +1,19 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
 import robotran.brick.log.CallOutcome
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.controls.romCode
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 class MotorRoutineTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `each mode sets the two direction bits of its motor and of no other`() {
@@ -24,7 +26,7 @@ class MotorRoutineTest {
         val shifts = mapOf(MotorPort.A to 6, MotorPort.B to 2, MotorPort.C to 0)
         for ((port, shift) in shifts) {
             for ((mode, bits) in directionBits) {
-                val fresh = Hardware()
+                val fresh = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 fresh.control(port, mode.code, 7)
                 fresh.tick()
                 assertEquals(bits shl shift, fresh.memory.readByte(0xEFCA), "directions for $port $mode")
@@ -75,7 +77,7 @@ class MotorRoutineTest {
         val patterns =
             listOf("10000000", "10001000", "10010010", "10101010", "10110110", "11101110", "11111110", "11111111")
         patterns.forEachIndexed { power, pattern ->
-            val fresh = Hardware()
+            val fresh = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             fresh.control(MotorPort.B, MotorMode.FORWARD.code, power)
             assertEquals(pattern + pattern, fresh.slots(MotorPort.B, 16), "power $power")
             assertEquals(power + 1, pattern.count { it == '1' })

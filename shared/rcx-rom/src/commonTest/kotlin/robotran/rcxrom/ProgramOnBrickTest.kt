@@ -161,21 +161,21 @@ class ProgramOnBrickTest {
     @Test
     fun `a slot without a program that could run is passed by Prgm and not started by Run`() {
         val program = ScriptedProgram(emptyList())
-        val brick = RcxBrick(listOf(program, null), firstSlot = 1)
+        val brick = RcxBrick(listOf(program, null), firstSlot = 1, messages = BrickMessages.of(Language.ENGLISH))
         brick.tick(10)
-        assertEquals("9.0 1", brick.state.glass.describe())
+        assertEquals("9.0 1", brick.state.glass.describe(messages = BrickMessages.of(Language.ENGLISH)))
         brick.push(BrickButton.RUN)
         assertEquals(RunState.Idle, brick.state.run)
         brick.push(BrickButton.PRGM)
-        assertEquals("9.0 0, standing man", brick.state.glass.describe())
+        assertEquals("9.0 0, standing man", brick.state.glass.describe(messages = BrickMessages.of(Language.ENGLISH)))
         brick.push(BrickButton.RUN)
         assertEquals(1, program.starts)
     }
 
     @Test
     fun `a brick takes five programs and no more`() {
-        RcxBrick(List(BrickProgram.MAX_PROGRAMS) { endlessProgram() })
-        assertFailsWith<IllegalArgumentException> { RcxBrick(List(BrickProgram.MAX_PROGRAMS + 1) { endlessProgram() }) }
+        RcxBrick(List(BrickProgram.MAX_PROGRAMS) { endlessProgram() }, messages = BrickMessages.of(Language.ENGLISH))
+        assertFailsWith<IllegalArgumentException> { RcxBrick(List(BrickProgram.MAX_PROGRAMS + 1) { endlessProgram() }, messages = BrickMessages.of(Language.ENGLISH)) }
     }
 
     @Test
@@ -192,7 +192,7 @@ class ProgramOnBrickTest {
                 override fun resume(steps: Int) = ProgramStatus.Ended
             }.also { isFirst = false }
         }
-        val brick = RcxBrick(listOf(program))
+        val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
         assertEquals(emptyList(), brick.remarks)
         for (expected in listOf(listOf(remark), emptyList())) {
             brick.push(BrickButton.RUN)
@@ -224,7 +224,7 @@ class ProgramOnBrickTest {
     @Test
     fun `a program can be run again from its beginning`() {
         val program = ScriptedProgram(listOf(calling(RomAddress.REFRESH_LCD)))
-        val brick = RcxBrick(listOf(program))
+        val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
         repeat(3) {
             brick.push(BrickButton.RUN)
             brick.tick()
@@ -268,5 +268,5 @@ class ProgramOnBrickTest {
     private fun started(
         actions: List<(Rom) -> ProgramStatus>,
         statusAtEnd: ProgramStatus = ProgramStatus.Ended,
-    ): RcxBrick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd))).apply { push(BrickButton.RUN) }
+    ): RcxBrick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd)), messages = BrickMessages.of(Language.ENGLISH)).apply { push(BrickButton.RUN) }
 }

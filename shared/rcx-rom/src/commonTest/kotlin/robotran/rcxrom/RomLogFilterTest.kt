@@ -1,22 +1,24 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.log.toCsv
 import robotran.brick.log.toLogText
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 class RomLogFilterTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     init {
         hardware.call(RomAddress.CONTROL_MOTOR, 0x2000, 1, 3)

@@ -1,16 +1,18 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.RotationSensor
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorRequest
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 class RotationTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     init {
         hardware.rom.setSensorTypeAndMode(0, 4, SensorMode.ANGLE.code)

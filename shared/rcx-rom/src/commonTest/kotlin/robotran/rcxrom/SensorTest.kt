@@ -1,21 +1,23 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 import robotran.brick.log.CallOutcome
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.SensorCode
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sensors.SensorState
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 
 class SensorTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     private fun measure(port: Int, raw: Int): List<Int> {
         hardware.sensors.measure(port, raw)
@@ -104,7 +106,7 @@ class SensorTest {
 
     @Test
     fun `a brick's sensors are measured from outside`() {
-        val brick = RcxBrick(emptyList())
+        val brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH))
         brick.setRawSensorValue(0, 200)
         repeat(3) { brick.tick() }
         assertFalse(brick.sensorIsActive(0))

@@ -1,23 +1,25 @@
 package robotran.rcxrom
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.program.ProgramStatus
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sound.SystemSounds
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 
 class ShellTest {
     private val endless = endlessProgram()
-    private val brick = RcxBrick(listOf(endless))
+    private val brick = RcxBrick(listOf(endless), messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `a brick begins switched on and shows its volts and the standing man`() {
@@ -32,7 +34,7 @@ class ShellTest {
 
     @Test
     fun `a brick without programs shows no man and cannot run`() {
-        val empty = RcxBrick(emptyList())
+        val empty = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH))
         assertEquals("9.0 0", empty.state.glass.text)
         assertFalse(empty.state.glass.isLit(LcdIcon.STANDING_MAN))
         empty.push(BrickButton.PRGM)
@@ -54,7 +56,7 @@ class ShellTest {
 
     @Test
     fun `Prgm beeps when pressed and chooses the next program when let go`() {
-        val three = RcxBrick(List(3) { endlessProgram() })
+        val three = RcxBrick(List(3) { endlessProgram() }, messages = BrickMessages.of(Language.ENGLISH))
         val shown = List(4) {
             three.press(BrickButton.PRGM)
             assertEquals("queue system sound 0 (beep)", three.log.entries.last().meaning)
@@ -67,7 +69,7 @@ class ShellTest {
     @Test
     fun `Run starts the program that was chosen`() {
         val programs = List(3) { endlessProgram() }
-        val three = RcxBrick(programs)
+        val three = RcxBrick(programs, messages = BrickMessages.of(Language.ENGLISH))
         three.push(BrickButton.PRGM)
         three.push(BrickButton.RUN)
         assertEquals(listOf(0, 1, 0), programs.map { it.starts })
@@ -194,7 +196,7 @@ class ShellTest {
     fun `the sounds of the firmware are told from those that a program asks for`() {
         val beeping =
             ScriptedProgram(listOf(calling(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, SystemSounds.TWO_BEEPS)))
-        val brick = RcxBrick(listOf(beeping))
+        val brick = RcxBrick(listOf(beeping), messages = BrickMessages.of(Language.ENGLISH))
         brick.push(BrickButton.RUN)
         brick.tick(2_000)
         assertEquals(listOf(true, true, false, false, true, true), brick.tones().map { it.isFirmware })
@@ -206,7 +208,7 @@ class ShellTest {
                 listOf(calling(RomAddress.CONTROL_MOTOR, 0x2000, 1, 7)),
                 statusAtEnd = ProgramStatus.Running,
             )
-        return RcxBrick(listOf(program)).apply {
+        return RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH)).apply {
             push(BrickButton.RUN)
             tick(2)
             assertEquals(MotorMode.FORWARD, motorOutput(MotorPort.A))

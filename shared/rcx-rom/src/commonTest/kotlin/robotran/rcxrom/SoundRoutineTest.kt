@@ -1,19 +1,21 @@
 package robotran.rcxrom
 
-import robotran.brick.log.CallOutcome
-import robotran.brick.sound.SoundEvent
-import robotran.brick.sound.SoundTrack
-import robotran.rcxrom.call.RomAddress
-import robotran.rcxrom.call.RomCode
-import robotran.rcxrom.routines.Hardware
 import kotlin.math.abs
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.brick.log.CallOutcome
+import robotran.brick.sound.SoundEvent
+import robotran.brick.sound.SoundTrack
+import robotran.language.Language
+import robotran.rcxrom.call.RomAddress
+import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.messages.BrickMessages
+import robotran.rcxrom.routines.Hardware
 
 class SoundRoutineTest {
-    private val hardware = Hardware()
+    private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
 
     @Test
     fun `system sounds have the pitches and lengths of the ROM`() {
@@ -29,7 +31,7 @@ class SoundRoutineTest {
             -1 to listOf(100 to 1000),
         )
         for ((number, tones) in sounds) {
-            val fresh = Hardware()
+            val fresh = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             fresh.call(RomAddress.PLAY_SYSTEM_SOUND, RomCode.SOUND_QUEUED, number)
             fresh.tick(2_000)
             val events = fresh.tones()
@@ -61,7 +63,7 @@ class SoundRoutineTest {
     fun `the duration of a tone is a byte of hundredths of a second`() {
         val durations = mapOf(1 to 10, 255 to 2550, 257 to 10, 300 to 440, -1 to 2550)
         for ((given, milliseconds) in durations) {
-            val fresh = Hardware()
+            val fresh = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             assertEquals("queue tone of 440 Hz for $milliseconds ms", fresh.tone(440, given).meaning)
             fresh.tick(10)
             assertEquals(milliseconds, fresh.tones().single().durationMilliseconds)
@@ -96,7 +98,7 @@ class SoundRoutineTest {
     @Test
     fun `a frequency out of range is a silent pause`() {
         for (hertz in listOf(0, 30, 20_001, 65_535)) {
-            val fresh = Hardware()
+            val fresh = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             assertEquals("queue pause of 100 ms", fresh.tone(hertz, 10).meaning)
             fresh.tone(440, 1)
             fresh.tick(200)

@@ -1,10 +1,12 @@
 package robotran.rcxrom
 
-import robotran.brick.controls.BrickButton
-import robotran.rcxrom.memory.MemoryRegion
-import robotran.rcxrom.memory.RcxMemory
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import robotran.brick.controls.BrickButton
+import robotran.language.Language
+import robotran.rcxrom.memory.MemoryRegion
+import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.messages.BrickMessages
 
 class MemoryTest {
     private val memory = RcxMemory()
@@ -62,7 +64,7 @@ class MemoryTest {
 
     @Test
     fun `a brick shows its memory as it is at the moment`() {
-        val brick = RcxBrick(listOf(endlessProgram()))
+        val brick = RcxBrick(listOf(endlessProgram()), messages = BrickMessages.of(Language.ENGLISH))
         val before = brick.memory()
         assertEquals(0x06, before.byte(0xEF43) and 0x0F)
         brick.push(BrickButton.RUN)

@@ -10,8 +10,11 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
+import kotlin.math.abs
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
 import robotran.rcxrom.sensors.RotationSensor
@@ -20,7 +23,6 @@ import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorReading
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sound.Speaker
-import kotlin.math.abs
 
 private val RAW = 0..1023
 
@@ -76,7 +78,7 @@ class FormulaProperties :
 
         "a rotation sensor counts any walk of its axle, however it turns" {
             checkAll(iterations = 200, Arb.list(Arb.int(0..1).map { 2 * it - 1 }, 1..60)) { steps ->
-                val hardware = Hardware()
+                val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 hardware.rom.setSensorTypeAndMode(2, 4, SensorMode.ANGLE.code)
                 var count = 0
                 val turnTo = { place: Int ->
@@ -95,7 +97,7 @@ class FormulaProperties :
 
         "edges and presses are counted as they come if none is within the debounce of another" {
             checkAll(iterations = 50, Arb.list(Arb.int(300..600), 1..12)) { gaps ->
-                val hardware = Hardware()
+                val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 hardware.rom.setSensorTypeAndMode(0, 1, SensorMode.EDGE.code)
                 hardware.rom.setSensorTypeAndMode(1, 1, SensorMode.PULSE.code)
                 for (port in 0..1) hardware.rom.setSensorValue(port, 0, SensorField.VALUE)
@@ -113,7 +115,7 @@ class FormulaProperties :
 
         "a switch that bounces within the debounce counts once" {
             checkAll(iterations = 50, Arb.list(Arb.int(0..1023), 0..90)) { bounces ->
-                val hardware = Hardware()
+                val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 hardware.rom.setSensorTypeAndMode(0, 1, SensorMode.EDGE.code)
                 hardware.rom.setSensorValue(0, 0, SensorField.VALUE)
                 hardware.tick(3)
@@ -136,7 +138,7 @@ class FormulaProperties :
 
         "the low byte of a duration is what a tone lasts" {
             checkAll(Exhaustive.ints(0..0xFFFF)) { duration ->
-                val hardware = Hardware()
+                val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 hardware.call(RomAddress.PLAY_TONE, RomCode.TONE, 440, duration)
                 hardware.memory.readByte(Speaker.QUEUE_VALUES) shouldBe duration % 256
             }

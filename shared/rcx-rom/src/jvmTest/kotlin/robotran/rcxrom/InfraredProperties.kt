@@ -9,6 +9,7 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import robotran.brick.log.CallGroup
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
@@ -16,6 +17,7 @@ import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.infrared.InfraredPacket
 import robotran.rcxrom.infrared.SerialReceiver
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 
 class InfraredProperties :
@@ -48,7 +50,7 @@ class InfraredProperties :
             ) { (opcode, operands) ->
                 if (!SerialReceiver.isTransfer(opcode) && opcode !in InfraredPacket.HEADER) {
                     val air = InfraredAir()
-                    val (one, other) = List(2) { Hardware(air) }
+                    val (one, other) = List(2) { Hardware(air, messages = BrickMessages.of(Language.ENGLISH)) }
                     val message = listOf(opcode) + operands.take(SerialReceiver.operandsOf(opcode))
                     message.forEachIndexed { place, value -> one.memory.writeByte(RESULT + place, value) }
                     one.call(RomAddress.SEND_DATA, RomCode.SEND_SHORT, 0, RESULT, message.size)
@@ -67,7 +69,7 @@ class InfraredProperties :
             val call = Arb.bind(address, Arb.list(Arb.int(0..0xFFFF), 4..4), Arb.int(0..40), ::Triple)
             checkAll(iterations = 60, Arb.list(call, 1..30)) { calls ->
                 val air = InfraredAir()
-                val bricks = List(2) { RcxBrick(listOf(endlessProgram()), air) }
+                val bricks = List(2) { RcxBrick(listOf(endlessProgram()), air, messages = BrickMessages.of(Language.ENGLISH)) }
                 calls.forEachIndexed { number, (address, arguments, wait) ->
                     val message =
                         listOf(if (number % 3 == 0) RomCode.SEND_LONG else RomCode.SEND_SHORT) + arguments.slice(1..2) +

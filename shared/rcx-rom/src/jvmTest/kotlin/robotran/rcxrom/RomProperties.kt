@@ -12,16 +12,18 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
+import kotlin.math.abs
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.log.RomLogEntry
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.Speaker
-import kotlin.math.abs
 
 private val WORDS = 0..0xFFFF
 private const val NUMBERS_SHOWN = 20_000
@@ -34,7 +36,7 @@ class RomProperties :
         val anyArgument = Arb.choice(Arb.int(WORDS), Arb.int(-10..10))
 
         "a number of the whole range reads back as itself or as the nearest that fits, with every decimal point" {
-            val hardware = Hardware()
+            val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             val points = mapOf(
                 RomCode.LCD_POINT_NONE to 0,
                 RomCode.LCD_POINT_1 to 1,
@@ -50,7 +52,7 @@ class RomProperties :
         }
 
         "an unsigned number of the whole range reads back with four digits" {
-            val hardware = Hardware()
+            val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             checkAll(Exhaustive.ints(-NUMBERS_SHOWN..NUMBERS_SHOWN)) { number ->
                 hardware.shown(RomCode.LCD_UNSIGNED, number, RomCode.LCD_POINT_NONE) shouldBe
                     (number and 0xFFFF).coerceAtMost(9999).toString().padStart(4, '0')
@@ -58,7 +60,7 @@ class RomProperties :
         }
 
         "any address with any arguments is logged and never throws" {
-            val hardware = Hardware()
+            val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             checkAll(iterations = 20_000, anyAddress, Arb.list(anyArgument, 0..4)) { address, arguments ->
                 val before = hardware.log.total
                 hardware.rom.call(RomCall(address, arguments), TEST_LINE)
@@ -73,7 +75,7 @@ class RomProperties :
         }
 
         "any code near the known ones is answered without throwing" {
-            val hardware = Hardware()
+            val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
             checkAll(iterations = 20_000, anyAddress, anyCode, Arb.list(anyArgument, 2..3)) { address, code, others ->
                 val before = hardware.log.total
                 hardware.rom.call(RomCall(address, listOf(code) + others), TEST_LINE)
@@ -85,7 +87,7 @@ class RomProperties :
 
         "a motor's power is on for power plus 1 of any 8 milliseconds" {
             checkAll(Exhaustive.ints(0..7), Exhaustive.ints(0..9)) { power, delay ->
-                val hardware = Hardware()
+                val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
                 hardware.call(RomAddress.CONTROL_MOTOR, 0x2001, MotorMode.FORWARD.code, power)
                 repeat(delay) { hardware.tick() }
                 val on = (1..8).count {

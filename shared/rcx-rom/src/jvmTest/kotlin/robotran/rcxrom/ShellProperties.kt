@@ -18,9 +18,11 @@ import robotran.brick.log.toLogText
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomTable
+import robotran.rcxrom.messages.BrickMessages
 
 /** An event that can happen to a brick in any state. */
 private typealias Deed = (RcxBrick) -> Unit
@@ -107,5 +109,6 @@ private fun newBrick(): RcxBrick {
             ScriptedProgram(listOf(drives, waiting(50), drives)),
             ScriptedProgram(listOf(drives), statusAtEnd = ProgramStatus.Running),
         ),
+        messages = BrickMessages.of(Language.ENGLISH),
     )
 }

@@ -1,6 +1,5 @@
 package robotran.robolang
 
-import robotran.language.Language
 import robotran.language.source.SourceRange
 import robotran.robolang.check.Checker
 import robotran.robolang.diagnostic.DiagnosticCode
@@ -25,7 +24,7 @@ fun compileRobolang(
     name: String,
     source: String,
     robot: RobotTarget,
-    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
+    messages: RobolangMessages,
 ): RobolangResult {
     val diagnostics = DiagnosticSink(messages, name)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
@@ -36,15 +35,15 @@ fun compileRobolang(
             "",
             messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
         )
-        return RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
+        return RobolangResult.Failure(diagnostics.mistakesInSourceOrder())
     }
     val lines = scan(source, diagnostics)
     diagnostics.brick = brickIn(lines) ?: robot.kind
     val parsed = Parser(lines, diagnostics).program()
     val checked = Checker(robot, diagnostics).check(parsed)
     return if (diagnostics.isEmpty) {
-        RobolangResult.Ready(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
+        RobolangResult.Success(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
     } else {
-        RobolangResult.HasErrors(diagnostics.mistakesInSourceOrder())
+        RobolangResult.Failure(diagnostics.mistakesInSourceOrder())
     }
 }

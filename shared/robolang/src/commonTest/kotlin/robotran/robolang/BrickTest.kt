@@ -1,29 +1,31 @@
 package robotran.robolang
 
-import robotran.brick.kind.BrickKind
-import robotran.language.source.Diagnostic
-import robotran.robolang.diagnostic.DiagnosticCode
-import robotran.robolang.outline.PhrasePart
-import robotran.robolang.outline.outlineRobolang
-import robotran.robolang.words.LineForm
-import robotran.robolang.words.ValueForm
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNull
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.robolang.diagnostic.DiagnosticCode
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.PhrasePart
+import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.LineForm
+import robotran.robolang.words.ValueForm
 
 /** What depends on the brick of the robot. */
 class BrickTest {
     private fun onNxt(source: String): List<Diagnostic> = when (val result = read(source, testNxt)) {
-        is RobolangResult.Ready -> emptyList()
-        is RobolangResult.HasErrors -> result.diagnostics
+        is RobolangResult.Success -> emptyList()
+        is RobolangResult.Failure -> result.diagnostics
     }
 
     @Test
     fun `a program without a header is for the brick of the robot`() {
         assertEquals(emptyList(), onNxt("show distance\nmotor B turn 90"))
-        assertEquals(BrickKind.NXT, assertIs<RobolangResult.Ready>(read("beep", testNxt)).program.kind)
-        assertEquals(BrickKind.RCX, assertIs<RobolangResult.Ready>(read("beep")).program.kind)
+        assertEquals(BrickKind.NXT, assertIs<RobolangResult.Success>(read("beep", testNxt)).program.kind)
+        assertEquals(BrickKind.RCX, assertIs<RobolangResult.Success>(read("beep")).program.kind)
         assertEquals(DiagnosticCode.BRICK_LACKS, mistakesOf("show distance").single().code)
     }
 
@@ -67,7 +69,7 @@ class BrickTest {
     fun `the outline knows the forms of an NXT`() {
         val source = "robot\n  brick nxt\n  sonar on 4\nend\nmotor A turn 90\nstart motor b turn 45 degrees\n" +
             "reset motor C\nshow turned A - 1\nwait until color == red"
-        val outline = outlineRobolang(source)
+        val outline = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH))
         val forms = listOf(
             LineForm.ROBOT,
             LineForm.BRICK,

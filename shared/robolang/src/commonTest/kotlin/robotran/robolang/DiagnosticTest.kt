@@ -84,7 +84,7 @@ class DiagnosticTest {
         val german = object : RobolangMessages by RobolangMessages.of(Language.ENGLISH) {
             override fun extraEnd() = "Dieses \"end\" schließt nichts."
         }
-        val result = compileRobolang("test", "end", testTarget, german) as RobolangResult.HasErrors
+        val result = compileRobolang("test", "end", testTarget, german) as RobolangResult.Failure
         assertEquals("Dieses \"end\" schließt nichts.", result.diagnostics.single().message)
     }
 }

@@ -96,8 +96,8 @@ class DocumentTest {
     }.toSet()
 
     private fun codesOf(source: String, robot: RobotTarget): List<String> = when (val result = read(source, robot)) {
-        is RobolangResult.HasErrors -> result.diagnostics
-        is RobolangResult.Ready -> result.warnings
+        is RobolangResult.Failure -> result.diagnostics
+        is RobolangResult.Success -> result.warnings
     }.mapNotNull { it.code?.id }
 
     private companion object {

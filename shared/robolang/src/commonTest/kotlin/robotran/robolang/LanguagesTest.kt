@@ -67,13 +67,13 @@ class LanguagesTest {
     }
 
     private fun assertTold(language: Language, vararg told: Pair<String, String>) = told.forEach { (source, message) ->
-        assertEquals(message, assertIs<RobolangResult.HasErrors>(read(source, language)).diagnostics.first().message)
+        assertEquals(message, assertIs<RobolangResult.Failure>(read(source, language)).diagnostics.first().message)
     }
 
     private fun diagnosticsOf(source: String, language: Language): List<Diagnostic> =
         when (val result = read(source, language)) {
-            is RobolangResult.Ready -> result.warnings
-            is RobolangResult.HasErrors -> result.diagnostics
+            is RobolangResult.Success -> result.warnings
+            is RobolangResult.Failure -> result.diagnostics
         }
 
     private fun read(source: String, language: Language) =

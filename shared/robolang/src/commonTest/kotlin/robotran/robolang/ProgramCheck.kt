@@ -1,17 +1,19 @@
 package robotran.robolang
 
+import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
+import robotran.robolang.messages.RobolangMessages
 
 /** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    val differences = when (val result = compileRobolang(program.path, program.text, robotFor(program.text))) {
-        is RobolangResult.HasErrors -> differencesOfMistakes(expected, result.diagnostics)
+    val differences = when (val result = compileRobolang(program.path, program.text, robotFor(program.text), messages = RobolangMessages.of(Language.ENGLISH))) {
+        is RobolangResult.Failure -> differencesOfMistakes(expected, result.diagnostics)
 
-        is RobolangResult.Ready -> differencesOfWarnings(expected, result.warnings)
+        is RobolangResult.Success -> differencesOfWarnings(expected, result.warnings)
             ?: differencesOfReady(expected, result.program)
     }
     return differences.map { "${program.path} $it" }

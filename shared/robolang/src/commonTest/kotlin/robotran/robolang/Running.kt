@@ -2,20 +2,22 @@ package robotran.robolang
 
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.rcxrom.program.RcxProgram
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 
 /** A calibration that gives round durations: 50 ms per centimetre and 5 ms per degree. */
 internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 internal fun read(source: String, calibration: RobotTarget = testTarget): RobolangResult =
-    compileRobolang("test", source, calibration)
+    compileRobolang("test", source, calibration, messages = RobolangMessages.of(Language.ENGLISH))
 
 /** The errors of [source]; empty if it can run. */
 internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
-    is RobolangResult.Ready -> emptyList()
-    is RobolangResult.HasErrors -> result.diagnostics
+    is RobolangResult.Success -> emptyList()
+    is RobolangResult.Failure -> result.diagnostics
 }
 
 /** A robot with an NXT, on the wheels of its construction kit. */
@@ -26,12 +28,12 @@ internal fun robotFor(text: String): RobotTarget = if (NXT_HEADER.containsMatchI
 
 private val NXT_HEADER = Regex("""(^|\n)\s*brick nxt\b""")
 
-internal val RobolangResult.Ready.rcxProgram: RobolangRcxProgram get() = program as RobolangRcxProgram
+internal val RobolangResult.Success.rcxProgram: RobolangRcxProgram get() = program as RobolangRcxProgram
 
 internal fun programOf(source: String, calibration: RobotTarget = testTarget): RcxProgram =
     when (val result = read(source, calibration)) {
-        is RobolangResult.Ready -> result.rcxProgram
-        is RobolangResult.HasErrors -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+        is RobolangResult.Success -> result.rcxProgram
+        is RobolangResult.Failure -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }
 
 /** Runs [program] to its end; advances the clock to the end of each wait. */

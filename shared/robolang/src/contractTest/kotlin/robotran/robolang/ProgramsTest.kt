@@ -1,9 +1,11 @@
 package robotran.robolang
 
-import robotran.brick.program.ProgramStatus
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
+import robotran.brick.program.ProgramStatus
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 
 class ProgramsTest {
     @Test
@@ -27,10 +29,10 @@ class ProgramsTest {
     fun `every example runs for a minute, or to its end, without a mistake or a warning`() {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
-            when (val result = compileRobolang(path, text, testTarget)) {
-                is RobolangResult.HasErrors -> result.diagnostics.map { "$path:${it.range?.line} ${it.message}" }
+            when (val result = compileRobolang(path, text, testTarget, messages = RobolangMessages.of(Language.ENGLISH))) {
+                is RobolangResult.Failure -> result.diagnostics.map { "$path:${it.range?.line} ${it.message}" }
 
-                is RobolangResult.Ready -> result.warnings.map { "$path:${it.range?.line} ${it.message}" } +
+                is RobolangResult.Success -> result.warnings.map { "$path:${it.range?.line} ${it.message}" } +
                     failureOf(result.rcxProgram)
             }
         }

@@ -12,6 +12,8 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
+import kotlin.random.Random
+import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.checkFormatting
@@ -24,11 +26,11 @@ import robotran.robolang.fuzz.checkHarmless
 import robotran.robolang.fuzz.piecesOfRobolang
 import robotran.robolang.fuzz.runFor
 import robotran.robolang.fuzz.spoiltProgram
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.readNumber
-import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
 class RobolangFuzzTest :
@@ -61,7 +63,7 @@ class RobolangFuzzTest :
         "a generated program has no mistakes, and formatted it is the same tree" {
             checkAll(config(2_000), programs) { source ->
                 mistakesOf(source).shouldBeEmpty()
-                (formatRobolang(source) is FormatResult.Formatted) shouldBe true
+                (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) is FormatResult.Success) shouldBe true
                 checkFormatting(source)
             }
         }
@@ -76,7 +78,7 @@ class RobolangFuzzTest :
 
         "a generated program runs as far as it may, twice in the same way" {
             checkAll(config(1_000), programs) { source ->
-                val program = (read(source) as RobolangResult.Ready).rcxProgram
+                val program = (read(source) as RobolangResult.Success).rcxProgram
                 runFor(program, 2_000) shouldBe runFor(program, 2_000)
             }
         }

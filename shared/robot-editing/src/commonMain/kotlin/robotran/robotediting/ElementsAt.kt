@@ -15,16 +15,16 @@ import robotran.world.robot.things
 import kotlin.math.abs
 
 /**
- * What is within [reach] of [place], small things first: a finger on the brick may mean a sensor beside it. Of sensors
+ * What is within [reach] of [point], small things first: a finger on the brick may mean a sensor beside it. Of sensors
  * over each other, the upper one comes first, which is the one that is seen.
  */
-fun RobotDescription.elementsAt(place: Point, reach: Double): List<RobotElement> =
-    elements().mapNotNull { element -> distance(element, place)?.takeIf { it <= reach }?.let { element to it } }
+fun RobotDescription.elementsAt(point: Point, reach: Double): List<RobotElement> =
+    elements().mapNotNull { element -> distance(element, point)?.takeIf { it <= reach }?.let { element to it } }
         .sortedWith(
             compareBy({ (element, _) ->
                 rank(element)
             }, { (_, distance) -> distance }, { (element, _) -> -top(element) }, { (element, _) ->
-                placeOf(element)?.let { beyond(it, 0.0, place) } ?: 0.0
+                placeOf(element)?.let { beyond(it, 0.0, point) } ?: 0.0
             }),
         )
         .map { (element, _) -> element }
@@ -54,39 +54,39 @@ private fun rank(element: RobotElement): Int = when (element) {
 }
 
 /** 0 on the element; null if it cannot be touched. */
-private fun RobotDescription.distance(element: RobotElement, place: Point): Double? = when (element) {
+private fun RobotDescription.distance(element: RobotElement, point: Point): Double? = when (element) {
     is RobotElement.Part -> {
         when (val part = things[element.number]) {
-            is BumperPart -> outside(part.corners, place)
-            is SensorPart -> outside(SensorBody.of(part.sensor, brick).corners(part), place)
+            is BumperPart -> outside(part.corners, point)
+            is SensorPart -> outside(SensorBody.of(part.sensor, brick).corners(part), point)
             else -> null
         }
     }
 
-    is RobotElement.Caster -> beyond(casters[element.number], CASTER, place)
-    is RobotElement.Corner -> beyond(chassis.outline[element.number], 0.0, place)
-    RobotElement.Pen -> beyond(Point(0.0, 0.0), CASTER, place)
-    RobotElement.Mass -> beyond(chassis.massAt, 0.0, place)
+    is RobotElement.Caster -> beyond(casters[element.number], CASTER, point)
+    is RobotElement.Corner -> beyond(chassis.outline[element.number], 0.0, point)
+    RobotElement.Pen -> beyond(Point(0.0, 0.0), CASTER, point)
+    RobotElement.Mass -> beyond(chassis.massAt, 0.0, point)
 
     RobotElement.Wheels -> {
-        val beside = abs(abs(place.y) - drive.track / 2) - drive.wheelWidth / 2
-        maxOf(beside, abs(place.x) - drive.wheelDiameter / 2, 0.0)
+        val beside = abs(abs(point.y) - drive.track / 2) - drive.wheelWidth / 2
+        maxOf(beside, abs(point.x) - drive.wheelDiameter / 2, 0.0)
     }
 
     RobotElement.Brick -> {
         brickSeat.let { seat ->
-            maxOf(abs(place.x - seat.middle.x) - seat.halfAlong, abs(place.y - seat.middle.y) - seat.halfAcross, 0.0)
+            maxOf(abs(point.x - seat.middle.x) - seat.halfAlong, abs(point.y - seat.middle.y) - seat.halfAcross, 0.0)
         }
     }
 
-    RobotElement.Chassis -> outside(chassisCorners, place)
+    RobotElement.Chassis -> outside(chassisCorners, point)
 }
 
-private fun outside(corners: List<Point>, place: Point): Double =
-    Outline.Angular(corners).let { if (it.contains(place.x, place.y)) 0.0 else it.distanceToEdge(place.x, place.y) }
+private fun outside(corners: List<Point>, point: Point): Double =
+    Outline.Angular(corners).let { if (it.contains(point.x, point.y)) 0.0 else it.distanceToEdge(point.x, point.y) }
 
-private fun beyond(at: Point, radius: Double, place: Point): Double =
-    maxOf(length(place.x - at.x, place.y - at.y) - radius, 0.0)
+private fun beyond(at: Point, radius: Double, point: Point): Double =
+    maxOf(length(point.x - at.x, point.y - at.y) - radius, 0.0)
 
 /** Half the size of a caster or a pen on the plan, in centimetres. */
 private const val CASTER = 0.8

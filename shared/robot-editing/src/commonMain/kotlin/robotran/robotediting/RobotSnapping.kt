@@ -13,7 +13,7 @@ object RobotSnapping {
     internal fun length(centimetres: Double, step: Double = CENTIMETRES): Double =
         floor(centimetres / step + HALF) * step
 
-    internal fun place(place: Point) = Point(length(place.x), length(place.y))
+    internal fun place(point: Point) = Point(length(point.x), length(point.y))
 
     /** The step of [DEGREES] that is nearest to the direction of [x], [y]; the same on every platform. */
     internal fun angleTowards(x: Double, y: Double): Double = normalAngle(

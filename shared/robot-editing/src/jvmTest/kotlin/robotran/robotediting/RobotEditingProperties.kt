@@ -56,13 +56,13 @@ class RobotEditingProperties :
                 val editing = edited(robot, list).after(RobotEdit.Drop)
                 val result = readRobot(writeRobot(editing.robot), Language.ENGLISH)
                 if (editing.isPossible) {
-                    result shouldBe RobotFileResult.Loaded(editing.robot)
+                    result shouldBe RobotFileResult.Success(editing.robot)
                 } else {
-                    (result is RobotFileResult.Rejected) shouldBe true
+                    (result is RobotFileResult.Failure) shouldBe true
                 }
                 val place = RobotPlacement(Pose(60.0, 45.0, 0.0), draft = editing.robot)
                 val world = World("World", Paper(120.0, 90.0), listOf(place))
-                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
+                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Success(world)
             }
         }
 

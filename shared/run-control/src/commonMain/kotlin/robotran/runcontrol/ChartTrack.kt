@@ -65,10 +65,10 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         if (lane.isSensor) kinds[robot].getOrNull(lane.port) else null
 
     /** A piece without values has a min that is greater than its max. */
-    private fun add(piece: Int, place: Int, value: Int?) {
+    private fun add(piece: Int, index: Int, value: Int?) {
         val isNew = piece >= size
-        min[place] = minOf(if (isNew) Int.MAX_VALUE else min[place], value ?: Int.MAX_VALUE)
-        greatest[place] = maxOf(if (isNew) Int.MIN_VALUE else greatest[place], value ?: Int.MIN_VALUE)
+        min[index] = minOf(if (isNew) Int.MAX_VALUE else min[index], value ?: Int.MAX_VALUE)
+        greatest[index] = maxOf(if (isNew) Int.MIN_VALUE else greatest[index], value ?: Int.MIN_VALUE)
     }
 
     private fun place(piece: Int, robot: Int, lane: ChartLane) = (piece * robots + robot) * LANES + lane.ordinal

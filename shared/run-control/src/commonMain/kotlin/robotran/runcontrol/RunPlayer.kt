@@ -6,7 +6,7 @@ import robotran.brick.sound.SoundTrack
 import robotran.language.Language
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
 import robotran.simulation.StopReason
@@ -102,12 +102,12 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     fun recorded(): RecordedRun = RecordedRun(setup, inputs, length)
 
     /** The program that [robot] got to run at once, if at [time] it runs or was the last one to run; otherwise null. */
-    fun immediateProgram(robot: Int): BrickProgram? {
-        if (!state.robots[robot].brick.isImmediate) return null
+    fun snippet(robot: Int): BrickProgram? {
+        if (!state.robots[robot].brick.isSnippet) return null
         val now = time
         val input =
-            recordedInputs.lastOrNull { it.milliseconds <= now && (it.input as? SessionInput.RunNow)?.robot == robot }
-        return (input?.input as? SessionInput.RunNow)?.program
+            recordedInputs.lastOrNull { it.milliseconds <= now && (it.input as? SessionInput.RunSnippet)?.robot == robot }
+        return (input?.input as? SessionInput.RunSnippet)?.program
     }
 
     /** All events of the known run, including those after [time]; the same list until that changes. */
@@ -117,13 +117,13 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     val sounds: SoundTrack get() = session.sounds
 
     /** The ROM calls of the [watched] robot up to [state]. */
-    val romCalls: RomCalls get() = RomCalls(front.session.romLog, state.robots[watched].romCalls.toLong())
+    val romCalls: RomCalls get() = RomCalls(front.session.callLog, state.robots[watched].romCalls.toLong())
 
     /** The chart of [lane] for the [watched] robot, over the whole known run. */
     fun chart(lane: ChartLane): ChartLine = ChartLine(shown.chart, watched, lane)
 
     /** The ROM call counts of the [watched] robot, over the whole known run. */
-    val callLine: RomCallLine get() = RomCallLine(shown.calls, watched)
+    val callLine: CallCountLine get() = CallCountLine(shown.calls, watched)
 
     /** Call before drawing each frame, with the [nanoseconds] of a monotonic clock. */
     fun frame(nanoseconds: Long) {
@@ -188,7 +188,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
      *
      * @param loads the same programs, with texts in that language.
      */
-    fun setLanguage(language: Language, loads: List<RobotLoad> = setup.loads) {
+    fun setLanguage(language: Language, loads: List<RobotProgramSet> = setup.loads) {
         if (language == setup.language) return
         setup = setup.telling(language, loads)
         val then = (playback as? PlaybackState.Seeking)?.then ?: playback

@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 import robotran.language.Language
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.world.World
@@ -12,9 +12,9 @@ import robotran.world.World
  * @property loads the configurations of the robots, in the world's order.
  * @property language the language of the run's texts; it does not affect the simulation.
  */
-class RunSetup(val world: World, val loads: List<RobotLoad>, val physics: PhysicsEngine, val language: Language) {
+class RunSetup(val world: World, val loads: List<RobotProgramSet>, val physics: PhysicsEngine, val language: Language) {
     /** The same setup in [language], with [loads] that contain the same programs in that language. */
-    internal fun telling(language: Language, loads: List<RobotLoad>) = RunSetup(world, loads, physics, language)
+    internal fun telling(language: Language, loads: List<RobotProgramSet>) = RunSetup(world, loads, physics, language)
 
     internal fun begin(): Session = Session(world, loads, physics, language)
 }

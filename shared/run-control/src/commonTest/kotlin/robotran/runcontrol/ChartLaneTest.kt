@@ -1,5 +1,9 @@
 package robotran.runcontrol
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
@@ -7,8 +11,9 @@ import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.ReadyRobots
@@ -16,10 +21,6 @@ import robotran.world.Wall
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 
 class ChartLaneTest {
     @Test
@@ -84,10 +85,10 @@ class ChartLaneTest {
     private suspend fun run(source: String, world: World): RunPlayer {
         val drive = ReadyRobots.NXT_PENBOT.drive
         val target = RobotTarget.Nxt(drive.wheelDiameter, drive.track)
-        val program = assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
+        val program = assertIs<RobolangResult.Success>(compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH))).program
         val player =
-            RunPlayer(RunSetup(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
-        player.apply(SessionInput.RunNow(program, 0))
+            RunPlayer(RunSetup(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
+        player.apply(SessionInput.RunSnippet(program, 0))
         player.pass(2_000)
         return player
     }

@@ -1,28 +1,29 @@
 package robotran.runcontrol
 
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.SessionInput
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
-import kotlin.test.assertIs
 
 internal fun robolang(source: String): BrickProgram {
     val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    return assertIs<RobolangResult.Ready>(compileRobolang("test", source, target)).program
+    return assertIs<RobolangResult.Success>(compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH))).program
 }
 
 internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =
-    RunSetup(world, world.robots.map { RobotLoad(listOf(robolang(source))) }, loadPhysicsEngine(), Language.ENGLISH)
+    RunSetup(world, world.robots.map { RobotProgramSet(listOf(robolang(source))) }, loadPhysicsEngine(), Language.ENGLISH)
 
 /** A run of [source] in which Run was pressed on all robots at the start. */
 internal suspend fun started(source: String, world: World = BuiltInWorlds.plain): RunPlayer =

@@ -59,7 +59,7 @@ class RunPlayerProperties :
                     )
                     player.session.traceHash shouldBe straight.traceHash
                     player.state.robots shouldBe straight.state.robots
-                    player.romCalls.entries shouldBe straight.romLog.entries
+                    player.romCalls.entries shouldBe straight.callLog.entries
                     straight.close()
                 }
                 player.close()

@@ -13,16 +13,16 @@ import robotran.scene3d.model.SceneNode
  */
 class SceneHit(val element: SceneElement, val point: Vector3)
 
-/** The nearest element of [scene] at the pixel [place]; null if only paper, desk or sky is there. */
-fun elementAt(scene: Scene, projection: Projection, place: ScreenPoint): SceneHit? {
-    val (solid, point) = solidAt(scene, projection, place) ?: return null
+/** The nearest element of [scene] at the pixel [position]; null if only paper, desk or sky is there. */
+fun elementAt(scene: Scene, projection: Projection, position: ScreenPoint): SceneHit? {
+    val (solid, point) = solidAt(scene, projection, position) ?: return null
     return solid.element?.let { SceneHit(it, point) }
 }
 
 /** The nearest solid at a pixel and the point of its surface, by a ray through all of them. */
-internal fun solidAt(scene: Scene, projection: Projection, place: ScreenPoint): Pair<SceneNode.Solid, Vector3>? {
+internal fun solidAt(scene: Scene, projection: Projection, position: ScreenPoint): Pair<SceneNode.Solid, Vector3>? {
     val eye = projection.view.eye
-    val ray = projection.rayThrough(place)
+    val ray = projection.rayThrough(position)
     val least = Projection.NEAR / ray.dot(projection.view.forward)
     val nearest = solids(scene.root).mapNotNull { solid -> entry(solid, eye, ray)?.let { it to solid } }
         .filter { (share, _) -> share >= least }

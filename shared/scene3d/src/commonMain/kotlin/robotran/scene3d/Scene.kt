@@ -104,14 +104,14 @@ class SceneBuilder(private val world: World, private val colours: SceneColours, 
         }
     }
 
-    private fun turned(place: Point, degrees: Double): Placement {
+    private fun turned(point: Point, degrees: Double): Placement {
         val angle = degrees * RADIANS_PER_DEGREE
-        return Placement(place.x, place.y, 0.0, round.cosine(angle), round.sine(angle))
+        return Placement(point.x, point.y, 0.0, round.cosine(angle), round.sine(angle))
     }
 
     /** The parts of a lamp on top of each other. */
-    private fun stacked(bodies: List<Body>, place: Placement, element: SceneElement): SceneNode {
-        val nodes = bodies.map { SceneNode.Solid(it, place, element) }
+    private fun stacked(bodies: List<Body>, placement: Placement, element: SceneElement): SceneNode {
+        val nodes = bodies.map { SceneNode.Solid(it, placement, element) }
         return SceneNode.Stack(nodes.last().footprint, nodes, bodies.drop(1).map { it.bottom })
     }
 

@@ -74,24 +74,24 @@ class DrawingOrderTest {
     }
 
     /** Closer to an edge than the width by which round sides are made larger, or than decals stick out. */
-    private fun isNearEdge(points: FloatArray, place: ScreenPoint): Boolean = (0 until points.size / 2).any {
+    private fun isNearEdge(points: FloatArray, position: ScreenPoint): Boolean = (0 until points.size / 2).any {
         val next = (it + 1) % (points.size / 2)
         robotran.world.geometry.distance(
-            Point(place.x, place.y),
+            Point(position.x, position.y),
             Point(points[2 * it].toDouble(), points[2 * it + 1].toDouble()),
             Point(points[2 * next].toDouble(), points[2 * next + 1].toDouble()),
         ) < EDGE
     }
 
-    private fun isIn(points: FloatArray, place: ScreenPoint): Boolean {
+    private fun isIn(points: FloatArray, position: ScreenPoint): Boolean {
         var inside = false
         for (corner in 0 until points.size / 2) {
             val next = (corner + 1) % (points.size / 2)
             val y = points[2 * corner + 1]
             val nextY = points[2 * next + 1]
-            if ((y > place.y) == (nextY > place.y)) continue
-            val x = points[2 * corner] + (place.y - y) / (nextY - y) * (points[2 * next] - points[2 * corner])
-            if (place.x < x) inside = !inside
+            if ((y > position.y) == (nextY > position.y)) continue
+            val x = points[2 * corner] + (position.y - y) / (nextY - y) * (points[2 * next] - points[2 * corner])
+            if (position.x < x) inside = !inside
         }
         return inside
     }

@@ -22,7 +22,7 @@ import robotran.world.World
 internal class BrickInstallation(
     private val number: Int,
     private val world: World,
-    private val load: RobotLoad,
+    private val load: RobotProgramSet,
     private val simulation: Simulation,
     private val air: InfraredAir,
     private val network: BluetoothNetwork,

@@ -65,7 +65,7 @@ data class ReportedShortfall(
 @Serializable
 data class ReportedPlace(val x: Thousandths, val y: Thousandths) {
     companion object {
-        fun of(place: Point) = ReportedPlace(roundToThousandths(place.x), roundToThousandths(place.y))
+        fun of(point: Point) = ReportedPlace(roundToThousandths(point.x), roundToThousandths(point.y))
     }
 }
 

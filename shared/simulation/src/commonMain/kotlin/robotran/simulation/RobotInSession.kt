@@ -20,7 +20,7 @@ import robotran.world.World
 internal class RobotInSession(
     private val number: Int,
     private val world: World,
-    load: RobotLoad,
+    load: RobotProgramSet,
     simulation: Simulation,
     air: InfraredAir,
     network: BluetoothNetwork,

@@ -32,7 +32,7 @@ import robotran.world.World
  * @param loads the configurations of the robots, in the world's order; robots without one get no program.
  * @param language the language of goals, bricks and [explain]; it does not affect the simulation.
  */
-class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, val language: Language) {
+class Session(val world: World, loads: List<RobotProgramSet>, physics: PhysicsEngine, val language: Language) {
     /**
      * A session in which only the first robot has programs: [programs] are its brick's slots, Run starts the one in
      * [firstSlot].
@@ -43,7 +43,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, 
         physics: PhysicsEngine,
         language: Language,
         firstSlot: Int = 0,
-    ) : this(world, listOf(RobotLoad(programs, firstSlot)), physics, language)
+    ) : this(world, listOf(RobotProgramSet(programs, firstSlot)), physics, language)
 
     private val running = SessionEngine(world, loads, physics, language)
     private val brick: Brick get() = running.robots[watched].brick
@@ -59,7 +59,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, 
         }
 
     /** All calls by the program and the firmware of the [watched] robot. */
-    val romLog: CallLog get() = brick.log
+    val callLog: CallLog get() = brick.log
 
     /** The sounds of the [watched] robot's brick, at times of [SessionState.milliseconds]. */
     val sounds: SoundTrack get() = brick.sounds
@@ -206,7 +206,7 @@ class Session(val world: World, loads: List<RobotLoad>, physics: PhysicsEngine, 
         /** Starts a new session, repeats [inputs], which are ordered by time, and advances it to [milliseconds]. */
         fun replay(
             world: World,
-            loads: List<RobotLoad>,
+            loads: List<RobotProgramSet>,
             physics: PhysicsEngine,
             inputs: List<RecordedInput>,
             milliseconds: Long,

@@ -24,7 +24,7 @@ import robotran.world.geometry.length
 /** Advances the world and all robots of a session with their bricks, millisecond by millisecond. */
 internal class SessionEngine(
     private val world: World,
-    loads: List<RobotLoad>,
+    loads: List<RobotProgramSet>,
     physics: PhysicsEngine,
     language: Language,
 ) {
@@ -47,7 +47,7 @@ internal class SessionEngine(
 
     /** In the world's order. */
     val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotLoad(emptyList()) }, simulation, air, network, language)
+        RobotInSession(it, world, loads.getOrElse(it) { RobotProgramSet(emptyList()) }, simulation, air, network, language)
     }
 
     private val programEvents = ProgramEvents(robots.map { it.brick.sounds })
@@ -98,9 +98,9 @@ internal class SessionEngine(
             is SessionInput.Release -> robots.getOrNull(input.robot)?.brick?.release(input.button)
             SessionInput.Stop -> robots.forEach { it.brick.stopProgram() }
 
-            is SessionInput.RunNow -> robots.getOrNull(input.robot)?.let {
+            is SessionInput.RunSnippet -> robots.getOrNull(input.robot)?.let {
                 judge.abandon()
-                it.brick.runNow(input.program)
+                it.brick.runSnippet(input.program)
             }
 
             is SessionInput.PlaceRobot -> if (input.robot in robots.indices) simulation.place(input.robot, input.pose)

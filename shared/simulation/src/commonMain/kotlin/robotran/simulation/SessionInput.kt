@@ -25,10 +25,10 @@ sealed interface SessionInput {
     data object Stop : SessionInput
 
     /**
-     * Sends [program] to a brick and runs it at once, see [Brick.runNow]. From then on the goals keep their progress,
+     * Sends [program] to a brick and runs it at once, see [Brick.runSnippet]. From then on the goals keep their progress,
      * because what the robots do is no longer the work of their programs alone.
      */
-    data class RunNow(val program: BrickProgram, val robot: Int = 0) : SessionInput
+    data class RunSnippet(val program: BrickProgram, val robot: Int = 0) : SessionInput
 
     /** Picks a robot up and puts it down elsewhere; positions beside the paper are clamped to its edge. */
     data class PlaceRobot(val robot: Int, val pose: Pose) : SessionInput
@@ -68,7 +68,7 @@ internal fun SessionInput.inThousandths(): SessionInput = when (this) {
     is SessionInput.Release,
     is SessionInput.SwitchLamp,
     is SessionInput.TouchSensor,
-    is SessionInput.RunNow,
+    is SessionInput.RunSnippet,
     SessionInput.Stop,
     -> this
 }

@@ -69,7 +69,7 @@ class BlockTest {
     }
 
     private suspend fun session(world: World) =
-        Session(world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
+        Session(world, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH)
 
     @Test
     fun `a block is put down with its middle where it is put, turned and at rest`() = runTest {

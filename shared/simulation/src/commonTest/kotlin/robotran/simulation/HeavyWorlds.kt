@@ -129,7 +129,7 @@ internal object HeavyWorlds {
         return session
     }
 
-    fun loads(number: Int) = List(3) { RobotLoad(listOf(program(number, it))) }
+    fun loads(number: Int) = List(3) { RobotProgramSet(listOf(program(number, it))) }
 
     private val STARTS = listOf(Pose(30.0, 30.0, 0.0), Pose(150.0, 100.0, 0.0), Pose(60.0, 110.0, 0.0))
     private val FORWARD_OR_BACKWARD = listOf(ScriptedProgram.FORWARD, ScriptedProgram.FORWARD, ScriptedProgram.BACKWARD)

@@ -43,7 +43,7 @@ class MissingSensorTest {
         world: World = BuiltInWorlds.plain,
         language: Language = Language.ENGLISH,
     ): Session {
-        val session = Session(world, listOf(RobotLoad(listOf(program))), loadPhysicsEngine(), language)
+        val session = Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), language)
         session.pressRun()
         session.advance(20)
         return session

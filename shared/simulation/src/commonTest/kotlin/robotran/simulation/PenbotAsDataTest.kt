@@ -1,9 +1,15 @@
 package robotran.simulation
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
+import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
@@ -14,11 +20,6 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 import robotran.world.robot.RobotFigures
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotEquals
-import kotlin.time.Duration.Companion.minutes
 
 /** A robot that is built like the penbot runs as the penbot, bit for bit, wherever its description comes from. */
 class PenbotAsDataTest {
@@ -29,12 +30,12 @@ class PenbotAsDataTest {
     private suspend fun hash(name: String, world: World): String {
         val figures = RobotFigures.of(world.robots.first().description)
         val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
-        val ready = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
+        val ready = assertIs<RobolangResult.Success>(compileRobolang(name, exampleTexts.getValue(name), target, messages = RobolangMessages.of(Language.ENGLISH)))
         val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val session =
             Session(
                 world,
-                listOf(RobotLoad(listOf(ready.program), lightFacing = facing)),
+                listOf(RobotProgramSet(listOf(ready.program), lightFacing = facing)),
                 loadPhysicsEngine(),
                 Language.ENGLISH,
             )
@@ -55,7 +56,7 @@ class PenbotAsDataTest {
     fun `so are runs with deviations in worlds with obstacles`() = runTest(timeout = 5.minutes) {
         for (name in listOf("maze", "obstacle-course", "line-loop", "sumo")) {
             val text = BuiltInWorlds.texts.getValue("$name.world.json")
-            val world = assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH)).world.copy(realism = 1.0)
+            val world = assertIs<WorldFileResult.Success>(readWorld(text, Language.ENGLISH)).world.copy(realism = 1.0)
             for (program in listOf("wall-bouncer.robo", "line-follower.robo")) {
                 val penbot = hash(program, world.driving(ReadyRobots.RCX_PENBOT))
                 assertEquals(penbot, hash(program, world.driving(baseless)), "$program in $name")

@@ -67,7 +67,7 @@ class ReplayTest {
         session.apply(SessionInput.Release(BrickButton.RUN))
         session.advance(4_321)
 
-        val loads = listOf(RobotLoad(listOf(hardProgram)))
+        val loads = listOf(RobotProgramSet(listOf(hardProgram)))
         val again = Session.replay(
             session.world,
             loads,
@@ -99,7 +99,7 @@ class ReplayTest {
                 it
             }
         }
-        val loads = listOf(RobotLoad(listOf(ScriptedProgram.square)))
+        val loads = listOf(RobotProgramSet(listOf(ScriptedProgram.square)))
         val other = Session.replay(
             session.world,
             loads,

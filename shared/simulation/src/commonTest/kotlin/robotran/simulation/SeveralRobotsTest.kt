@@ -38,7 +38,7 @@ class SeveralRobotsTest {
 
     private suspend fun session(world: World, vararg programs: ScriptedProgram?): Session {
         val session =
-            Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
+            Session(world, programs.map { RobotProgramSet(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         for (robot in programs.indices) {
             session.apply(SessionInput.Press(BrickButton.RUN, robot))
             session.apply(SessionInput.Release(BrickButton.RUN, robot))
@@ -102,7 +102,7 @@ class SeveralRobotsTest {
             val session =
                 Session(
                     wide,
-                    listOf(RobotLoad(listOf(sender)), RobotLoad(listOf(receiver))),
+                    listOf(RobotProgramSet(listOf(sender)), RobotProgramSet(listOf(receiver))),
                     loadPhysicsEngine(),
                     Language.ENGLISH,
                 )
@@ -161,8 +161,8 @@ class SeveralRobotsTest {
         val session =
             session(world(Pose(20.0, 20.0, 0.0), Pose(20.0, 60.0, 0.0)), ahead, ScriptedProgram { forward(5.0) })
         session.advance(2_000)
-        val first = session.romLog.total
+        val first = session.callLog.total
         session.watched = 1
-        assertNotEquals(first, session.romLog.total)
+        assertNotEquals(first, session.callLog.total)
     }
 }

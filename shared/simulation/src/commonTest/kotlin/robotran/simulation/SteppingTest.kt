@@ -1,5 +1,9 @@
 package robotran.simulation
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
@@ -9,14 +13,11 @@ import robotran.brick.program.VariableView
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 
 class SteppingTest {
     private suspend fun started(source: String): Session = startedForDebugging(source)
@@ -99,7 +100,7 @@ class SteppingTest {
 
     @Test
     fun `with no program time passes and no step is made`() = runTest {
-        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH)
         assertEquals(StopReason.TimeUp, session.runUntilStop(20))
         assertEquals(StopReason.Ended, session.stepStatement(StepKind.INTO))
         assertEquals(20, session.state.milliseconds)
@@ -130,8 +131,8 @@ class SteppingTest {
         session.apply(SessionInput.Stop)
         session.advance(100)
         val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", target)
-        val loads = listOf(RobotLoad(listOf(assertIs<RobolangResult.Ready>(program).program)))
+        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", target, messages = RobolangMessages.of(Language.ENGLISH))
+        val loads = listOf(RobotProgramSet(listOf(assertIs<RobolangResult.Success>(program).program)))
         val again = Session.replay(
             BuiltInWorlds.plain,
             loads,

@@ -33,7 +33,7 @@ class TrailTest {
 
     @Test
     fun `where a robot is carried is no part of its trail`() = runTest {
-        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH)
         session.advance(100)
         session.apply(SessionInput.PlaceRobot(0, Pose(20.0, 20.0, 0.0)))
         session.advance(100)
@@ -43,7 +43,7 @@ class TrailTest {
 
     @Test
     fun `the trail of a robot that stands still is the same object`() = runTest {
-        val session = Session(BuiltInWorlds.plain, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(BuiltInWorlds.plain, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH)
         session.advance(100)
         val before = session.state.trail
         session.advance(100)
@@ -53,7 +53,7 @@ class TrailTest {
     @Test
     fun `light and warmth are told as they are now`() = runTest {
         val world = BuiltInWorlds.plain.copy(ambientLight = 1.5, temperature = 12.0)
-        val session = Session(world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(world, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH)
         assertEquals(AmbientConditions(1.5, 12.0), session.state.surroundings)
         session.apply(SessionInput.ChangeAmbientLight(0.25))
         session.apply(SessionInput.ChangeTemperature(30.0))

@@ -1,19 +1,20 @@
 package robotran.simulation
 
-import kotlinx.coroutines.test.runTest
-import robotran.language.Language
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
-import robotran.robolang.robot.RobotTarget
-import robotran.simulation.physics.loadPhysicsEngine
-import robotran.world.LightFacing
-import robotran.world.Penbot
-import robotran.world.file.BuiltInWorlds
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 import kotlin.time.Duration.Companion.minutes
+import kotlinx.coroutines.test.runTest
+import robotran.language.Language
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.RobotTarget
+import robotran.simulation.physics.loadPhysicsEngine
+import robotran.world.LightFacing
+import robotran.world.Penbot
+import robotran.world.file.BuiltInWorlds
 
 /**
  * Runs the examples like `robotran run` and compares the reports with those in `resources/runs`. Their trace hash
@@ -24,9 +25,9 @@ import kotlin.time.Duration.Companion.minutes
 class ExampleRunTest {
     private suspend fun run(name: String): Session {
         val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val result = assertIs<RobolangResult.Ready>(compileRobolang(name, exampleTexts.getValue(name), target))
+        val result = assertIs<RobolangResult.Success>(compileRobolang(name, exampleTexts.getValue(name), target, messages = RobolangMessages.of(Language.ENGLISH)))
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
-        val load = RobotLoad(listOf(result.program), lightFacing = facing)
+        val load = RobotProgramSet(listOf(result.program), lightFacing = facing)
         return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine(), Language.ENGLISH).apply {
             runUnattended(60_000)
             close()
@@ -39,8 +40,8 @@ class ExampleRunTest {
         for (name in exampleTexts.keys) {
             val session = run(name)
             val record = name.removeSuffix(".robo")
-            val romLog = session.romLog.entries.joinToString("") { it.text + "\n" }
-            assertEquals(expectedRuns["$record.rom-log.txt"], romLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
+            val callLog = session.callLog.entries.joinToString("") { it.text + "\n" }
+            assertEquals(expectedRuns["$record.rom-log.txt"], callLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }

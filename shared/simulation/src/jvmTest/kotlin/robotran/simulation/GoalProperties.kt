@@ -16,10 +16,13 @@ import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.goal.GoalJudge
 import robotran.simulation.goal.ProgramEvent
 import robotran.simulation.ink.InkWriter
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -56,7 +59,7 @@ import robotran.world.roundToThousandths
 class GoalProperties :
     StringSpec({
         val trigonometry = runBlocking { loadPhysicsEngine() }.trigonometry
-        val brick = RcxBrick(emptyList()).state
+        val brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state
         val points = listOf(Point(10.0, 10.0), Point(70.0, 12.0), Point(30.0, 50.0))
         val sheet = World(
             "A sheet",
@@ -148,7 +151,7 @@ class GoalProperties :
             look: (List<GoalProgress>) -> Unit = {},
         ): List<GoalProgress> {
             val world = sheet.copy(goals = goals)
-            val judge = GoalJudge(world, trigonometry)
+            val judge = GoalJudge(world, trigonometry, messages = SimulationMessages.of(Language.ENGLISH))
             val ink = InkWriter(world.paper, robots = 2)
             var touched = emptySet<TouchKind>()
             lateinit var last: SessionState

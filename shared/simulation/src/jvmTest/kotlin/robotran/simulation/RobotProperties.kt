@@ -12,6 +12,7 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
+import kotlin.math.hypot
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
@@ -19,6 +20,7 @@ import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.nxt.ScriptedNxt
 import robotran.simulation.physics.PhysicsEngine
@@ -39,7 +41,6 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.robot.RobotFigures
 import robotran.world.robot.robotErrors
-import kotlin.math.hypot
 
 /**
  * A robot described at random is refused in a sentence, or is the same after it has been written and read, and drives
@@ -59,10 +60,10 @@ class RobotProperties :
                 ->
                 val read = readRobot(writeRobot(robot), Language.ENGLISH)
                 if (robotErrors(robot).isNotEmpty()) {
-                    (read as RobotFileResult.Rejected).message.trim().endsWith(".") shouldBe true
+                    (read as RobotFileResult.Failure).message.trim().endsWith(".") shouldBe true
                     return@checkAll
                 }
-                read shouldBe RobotFileResult.Loaded(robot)
+                read shouldBe RobotFileResult.Success(robot)
                 driven++
                 val program = if (isScripted) scripted else programFor(robot)
                 if (DriveInPen(robot, heading.toDouble(), noise / 3.0, program, physics).letDrive(MINUTE) > 1) moved++
@@ -105,7 +106,7 @@ class RobotProperties :
                 // Most figures change somewhat, so that many robots can still be built.
                 val damaged = value.value.toDoubleOrNull()?.let { "${(it * factor * 1000).toInt() / 1000.0}" } ?: other
                 val read = readRobot(whole.replaceRange(value.range, damaged), Language.ENGLISH)
-                val robot = (read as? RobotFileResult.Loaded)?.robot ?: return@checkAll
+                val robot = (read as? RobotFileResult.Success)?.robot ?: return@checkAll
                 driven++
                 DriveInPen(robot, heading = 30.0, realism = 1.0, programFor(robot), physics).letDrive(SECONDS)
             }
@@ -163,7 +164,7 @@ private fun programFor(robot: RobotDescription): BrickProgram {
     val text =
         "${pen}repeat 5 times\n  forward 40\n  turn left 100\n  show light\n$nxt  backward 25\n  turn right 30\n" +
             "  power 7\n  start forward\n  wait 2 seconds\n  stop\n  power 3\nend\n"
-    return (compileRobolang("random", text, targetOf(robot)) as RobolangResult.Ready).program
+    return (compileRobolang("random", text, targetOf(robot), messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success).program
 }
 
 private fun targetOf(robot: RobotDescription): RobotTarget = with(robot.drive) {

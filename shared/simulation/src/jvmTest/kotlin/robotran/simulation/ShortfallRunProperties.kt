@@ -118,7 +118,7 @@ class ShortfallRunProperties :
                     // It was nearest before the program began.
                     if (until < session.milliseconds) return@inSession
                     session.advance((until - session.milliseconds).toInt())
-                    val calls = session.romLog.entries.filter { it.sourceLine > 0 }
+                    val calls = session.callLog.entries.filter { it.sourceLine > 0 }
                     val last = calls.lastOrNull()?.sourceLine ?: 0
                     // Between two looks, a program may go on by a line, or make its last call and end.
                     withClue("${told.moment}, last call in line $last") {

@@ -31,7 +31,7 @@ class WorldRunProperties :
         }
 
         fun run(world: World, physics: PhysicsEngine) {
-            val session = Session(world, world.robots.map { RobotLoad(listOf(driving)) }, physics, Language.ENGLISH)
+            val session = Session(world, world.robots.map { RobotProgramSet(listOf(driving)) }, physics, Language.ENGLISH)
             session.pressRun()
             session.advance(250)
             val places = session.state.robots.map { it.robot.pose } + session.state.blocks
@@ -56,7 +56,7 @@ class WorldRunProperties :
                 Pose(x, y, heading)
             }
             checkAll(100, arbitraryWorlds(), Arb.list(poses, 1..12)) { world, places ->
-                val session = Session(world, emptyList<RobotLoad>(), physics, Language.ENGLISH)
+                val session = Session(world, emptyList<RobotProgramSet>(), physics, Language.ENGLISH)
                 for ((number, pose) in places.withIndex()) {
                     session.apply(SessionInput.PlaceBlock(number % maxOf(1, world.blocks.size), pose))
                     session.apply(SessionInput.PlaceRobot(number % world.robots.size, pose))
@@ -90,7 +90,7 @@ class WorldRunProperties :
                 "robots": [{ "start": { "x": 40, "y": 30, "heading": 0 } }], "barriers": [{ $shape }], "blocks": [{ $shape }],
                 "marks": [{ $shape }], "goals": [{ "kind": "stayOut", "region": { $shape } }] }"""
                 val read = readWorld(world, Language.ENGLISH)
-                if (read is WorldFileResult.Loaded) {
+                if (read is WorldFileResult.Success) {
                     run(read.world, physics)
                     run++
                 }

@@ -1,6 +1,6 @@
 package robotran.textediting
 
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.isWordCharacter
 import robotran.textediting.text.widthAt
@@ -29,7 +29,7 @@ enum class CaretMove {
  * @param goal the preferred column for vertical movement, used in lines that are long enough; null for the current one.
  * @param page the number of lines on a page.
  */
-fun Draft.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): Draft {
+fun TextDocument.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): TextDocument {
     val leavesSelection = !selecting && !selection.isEmpty
     val caret = when {
         leavesSelection && move == CaretMove.LEFT -> selection.start
@@ -39,7 +39,7 @@ fun Draft.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: In
     return copy(selection = TextSelection(if (selecting) selection.anchor else caret, caret))
 }
 
-private fun Draft.target(move: CaretMove, column: Int, page: Int): Int {
+private fun TextDocument.target(move: CaretMove, column: Int, page: Int): Int {
     val caret = selection.caret
     return when (move) {
         CaretMove.LEFT -> if (caret > 0) caret - widthBefore(text, caret) else 0
@@ -57,7 +57,7 @@ private fun Draft.target(move: CaretMove, column: Int, page: Int): Int {
     }
 }
 
-private fun Draft.vertically(by: Int, column: Int): Int {
+private fun TextDocument.vertically(by: Int, column: Int): Int {
     val line = lines.lineOf(selection.caret)
     val target = line + by
     return when {
@@ -68,7 +68,7 @@ private fun Draft.vertically(by: Int, column: Int): Int {
 }
 
 /** The start of the line's first word, or the start of the line if the caret is already there. */
-private fun Draft.lineStart(): Int {
+private fun TextDocument.lineStart(): Int {
     val line = lines.lineOf(selection.caret)
     val start = lines.start(line)
     val words = start + indentOf(lines.line(line)).length

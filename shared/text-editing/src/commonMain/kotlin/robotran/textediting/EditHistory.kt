@@ -1,7 +1,7 @@
 package robotran.textediting
 
 import robotran.language.history.History
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 
 /** The kind of an edit. Consecutive edits of the same kind can be undone together, except for `OTHER`. */
@@ -18,7 +18,7 @@ class EditHistory private constructor(private val steps: History<Step>) {
     val canRedo: Boolean get() = steps.canRedo
 
     /** The history with the edit from [before] to [after] added. */
-    fun recorded(before: Draft, after: Draft, kind: EditKind): EditHistory {
+    fun recorded(before: TextDocument, after: TextDocument, kind: EditKind): EditHistory {
         val edit = editBetween(before, after) ?: return this
         val step = Step(edit, before.selection, after.selection, kind)
         val past = steps.past
@@ -28,18 +28,18 @@ class EditHistory private constructor(private val steps: History<Step>) {
     }
 
     /** Undoes one step from [draft]; null if there is none. */
-    fun undone(draft: Draft): Pair<Draft, EditHistory>? {
+    fun undone(draft: TextDocument): Pair<TextDocument, EditHistory>? {
         val (step, rest) = steps.undone { it } ?: return null
         val text = step.edit.inverse.applyTo(draft.text)
-        return Draft(text, step.before.within(text.length)) to EditHistory(rest)
+        return TextDocument(text, step.before.within(text.length)) to EditHistory(rest)
     }
 
     /** Redoes one step from [draft]; null if nothing was undone. */
-    fun redone(draft: Draft): Pair<Draft, EditHistory>? {
+    fun redone(draft: TextDocument): Pair<TextDocument, EditHistory>? {
         // A redone step does not merge with the next edit.
         val (step, rest) = steps.redone { it.copy(kind = EditKind.OTHER) } ?: return null
         val text = step.edit.applyTo(draft.text)
-        return Draft(text, step.after.within(text.length)) to EditHistory(rest)
+        return TextDocument(text, step.after.within(text.length)) to EditHistory(rest)
     }
 
     /** This history, but the next edit starts a new step. */

@@ -1,7 +1,7 @@
 package robotran.textediting
 
 import robotran.language.source.SourceSpan
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 
 /**
@@ -14,20 +14,20 @@ import robotran.textediting.text.TextSelection
  */
 data class InputWindow(val span: SourceSpan, val containsSelection: Boolean) {
     /** The field's text for [draft]. */
-    fun textOf(draft: Draft): String = draft.text.substring(span.start, span.end)
+    fun textOf(draft: TextDocument): String = draft.text.substring(span.start, span.end)
 
     /** The field's selection for [draft]. */
-    fun selectionOf(draft: Draft): TextSelection = if (containsSelection) {
+    fun selectionOf(draft: TextDocument): TextSelection = if (containsSelection) {
         TextSelection(draft.selection.anchor - span.start, draft.selection.caret - span.start)
     } else {
         TextSelection(0, span.length)
     }
 
     /** Returns [draft] updated from the field's new [text] and [selection]. */
-    fun applied(draft: Draft, text: String, selection: TextSelection): Draft {
+    fun applied(draft: TextDocument, text: String, selection: TextSelection): TextDocument {
         if (containsSelection) {
             val whole = draft.text.replaceRange(span.start, span.end, text)
-            return Draft(whole, inWhole(selection, whole))
+            return TextDocument(whole, inWhole(selection, whole))
         }
         return when {
             text != textOf(draft) -> draft.replaced(text)
@@ -43,7 +43,7 @@ data class InputWindow(val span: SourceSpan, val containsSelection: Boolean) {
      * This window after [edit] if it can stay in place for [draft], because input methods expect a stable text; null
      * otherwise.
      */
-    fun reusedFor(draft: Draft, edit: TextEdit?): InputWindow? {
+    fun reusedFor(draft: TextDocument, edit: TextEdit?): InputWindow? {
         if (!containsSelection) return null
         val moved = if (edit == null) span else movedWith(edit) ?: return null
         val fits = moved.length in 0..2 * SIZE && moved.end <= draft.text.length
@@ -76,7 +76,7 @@ data class InputWindow(val span: SourceSpan, val containsSelection: Boolean) {
         const val MARGIN = 60
 
         /** Creates the window for [draft]. */
-        fun of(draft: Draft): InputWindow {
+        fun of(draft: TextDocument): InputWindow {
             if (draft.text.length <= MAX_WHOLE_LENGTH) {
                 return InputWindow(SourceSpan(0, draft.text.length), containsSelection = true)
             }
@@ -94,7 +94,7 @@ data class InputWindow(val span: SourceSpan, val containsSelection: Boolean) {
         private const val PLACEHOLDER_LENGTH = 40
 
         /** The start of the line of [offset], or [offset] itself in a very long line. */
-        private fun lineStartBefore(draft: Draft, offset: Int): Int {
+        private fun lineStartBefore(draft: TextDocument, offset: Int): Int {
             val position = offset.coerceAtLeast(0)
             val start = draft.lines.start(draft.lines.lineOf(position))
             return if (position - start <= SIZE) start else position

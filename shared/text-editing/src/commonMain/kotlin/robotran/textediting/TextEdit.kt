@@ -1,6 +1,6 @@
 package robotran.textediting
 
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 
 /**
  * One change of a text.
@@ -41,14 +41,14 @@ fun editBetween(before: String, after: String): TextEdit? {
 }
 
 /** Returns the edit from [before] to [after], at the caret if several fit; null if the texts are equal. */
-fun editBetween(before: Draft, after: Draft): TextEdit? {
+fun editBetween(before: TextDocument, after: TextDocument): TextEdit? {
     if (before.text == after.text) return null
     val typed = typedBetween(before, after) ?: return editBetween(before.text, after.text)
     return TextEdit(before.selection.start, before.selectedText, typed)
 }
 
 /** Returns the text that replaced the selection of [before], or null if [after] differs in anything else. */
-internal fun typedBetween(before: Draft, after: Draft): String? {
+internal fun typedBetween(before: TextDocument, after: TextDocument): String? {
     val start = before.selection.start
     val caret = after.selection.caret
     val growth = after.text.length - before.text.length

@@ -1,7 +1,7 @@
 package robotran.textediting
 
 import robotran.languagesupport.CodeSyntax
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.widthAt
 import robotran.textediting.text.widthBefore
@@ -9,14 +9,14 @@ import robotran.textediting.text.widthBefore
 /**
  * This text with [typed] typed or pasted. A line that now ends a block gets the indentation of the block's first line.
  */
-fun Draft.typed(typed: String, syntax: CodeSyntax): Draft {
+fun TextDocument.typed(typed: String, syntax: CodeSyntax): TextDocument {
     if (typed == "\n") return withLineBreak(syntax)
     val after = replaced(typed.replace("\r\n", "\n").replace('\r', '\n').replace("\t", syntax.indent))
     return if (typed.length == 1) after.withBlockEndAligned(syntax) else after
 }
 
 /** This text with a line break at the caret, and the new line indented. */
-fun Draft.withLineBreak(syntax: CodeSyntax): Draft {
+fun TextDocument.withLineBreak(syntax: CodeSyntax): TextDocument {
     val position = selection.start
     val line = lines.lineOf(position)
     val before = text.substring(lines.start(line), position)
@@ -29,15 +29,15 @@ fun Draft.withLineBreak(syntax: CodeSyntax): Draft {
 }
 
 /** Moves a closing brace behind the caret to its own line. */
-private fun Draft.withBehindCaret(inserted: String, rest: String): Draft {
+private fun TextDocument.withBehindCaret(inserted: String, rest: String): TextDocument {
     val caret = selection.caret
-    return Draft(text.replaceRange(caret, caret + rest.length - rest.trimStart().length, inserted), selection)
+    return TextDocument(text.replaceRange(caret, caret + rest.length - rest.trimStart().length, inserted), selection)
 }
 
-private fun Draft.withoutBlanksBehindCaret(rest: String): Draft =
-    Draft(text.removeRange(selection.caret, selection.caret + rest.length - rest.trimStart().length), selection)
+private fun TextDocument.withoutBlanksBehindCaret(rest: String): TextDocument =
+    TextDocument(text.removeRange(selection.caret, selection.caret + rest.length - rest.trimStart().length), selection)
 
-private fun Draft.withBlockEndAligned(syntax: CodeSyntax): Draft {
+private fun TextDocument.withBlockEndAligned(syntax: CodeSyntax): TextDocument {
     val line = lines.lineOf(selection.caret)
     val content = lines.line(line)
     if (selection.caret != lines.end(line) || content.trim().lowercase() !in syntax.blockEnds) return this
@@ -45,14 +45,14 @@ private fun Draft.withBlockEndAligned(syntax: CodeSyntax): Draft {
     val expected = indentOfOpener(line, syntax) ?: return this
     if (expected == indent) return this
     val start = lines.start(line)
-    return Draft(
+    return TextDocument(
         text.replaceRange(start, start + indent.length, expected),
         TextSelection(selection.caret + expected.length - indent.length),
     )
 }
 
 /** The indentation of the block that [line] ends; null if there is no such block. */
-private fun Draft.indentOfOpener(line: Int, syntax: CodeSyntax): String? {
+private fun TextDocument.indentOfOpener(line: Int, syntax: CodeSyntax): String? {
     var open = 0
     for (above in line - 1 downTo maxOf(0, line - MAX_LINES_OF_A_BLOCK)) {
         val content = lines.line(above)
@@ -70,7 +70,7 @@ private fun Draft.indentOfOpener(line: Int, syntax: CodeSyntax): String? {
  * This text without its selection or, if nothing is selected, without the character before the caret. Leading spaces
  * are deleted one indentation level at a time.
  */
-fun Draft.erasedBackwards(syntax: CodeSyntax): Draft {
+fun TextDocument.erasedBackwards(syntax: CodeSyntax): TextDocument {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     if (caret == 0) return this
@@ -85,18 +85,18 @@ fun Draft.erasedBackwards(syntax: CodeSyntax): Draft {
 }
 
 /** This text without its selection or, if nothing is selected, without the character behind the caret. */
-fun Draft.erasedForwards(): Draft {
+fun TextDocument.erasedForwards(): TextDocument {
     if (!selection.isEmpty) return replaced("")
     val caret = selection.caret
     return if (caret == text.length) this else replaced(caret, caret + widthAt(text, caret), "")
 }
 
 /** This text without its selection or, if nothing is selected, without the word before the caret. */
-fun Draft.wordErasedBackwards(): Draft =
+fun TextDocument.wordErasedBackwards(): TextDocument =
     if (selection.isEmpty) replaced(wordStartBefore(text, selection.caret), selection.caret, "") else replaced("")
 
 /** This text without its selection or, if nothing is selected, without the word behind the caret. */
-fun Draft.wordErasedForwards(): Draft =
+fun TextDocument.wordErasedForwards(): TextDocument =
     if (selection.isEmpty) replaced(selection.caret, wordEndAfter(text, selection.caret), "") else replaced("")
 
 /** The search for the beginning of a block stops after this many lines. */

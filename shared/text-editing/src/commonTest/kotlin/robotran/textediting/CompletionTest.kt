@@ -8,7 +8,7 @@ import robotran.languagesupport.CompletionList
 import robotran.programs.support
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -19,7 +19,7 @@ import kotlin.test.assertTrue
 class CompletionTest {
     private val help = CompletionHelp { word -> "About $word.".takeIf { word == "forward" } }
 
-    private fun draft(marked: String) = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
+    private fun draft(marked: String) = TextDocument(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
 
     private fun offered(
         marked: String,

@@ -2,15 +2,15 @@ package robotran.textediting
 
 import robotran.language.ProgramLanguage
 import robotran.programs.support
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNull
 
 class EditHistoryTest {
-    private fun write(text: String): Pair<Draft, EditHistory> {
-        var draft = Draft("")
+    private fun write(text: String): Pair<TextDocument, EditHistory> {
+        var draft = TextDocument("")
         var history = EditHistory()
         for (character in text) {
             val after = draft.replaced(character.toString())
@@ -52,7 +52,7 @@ class EditHistoryTest {
     @Test
     fun `only so much is remembered`() {
         var history = EditHistory()
-        var draft = Draft("")
+        var draft = TextDocument("")
         repeat(EditHistory.MAX_STEPS + 50) {
             val after = draft.replaced("x")
             history = history.recorded(draft, after, EditKind.OTHER)

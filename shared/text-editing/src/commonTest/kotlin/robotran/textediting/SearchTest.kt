@@ -5,7 +5,7 @@ import robotran.textediting.find.nextMatch
 import robotran.textediting.find.previousMatch
 import robotran.textediting.find.withAllReplaced
 import robotran.textediting.find.withSelected
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -29,7 +29,7 @@ class SearchTest {
     @Test
     fun `one goes from match to match, round and round`() {
         val matches = Search("side").matchesIn(text)
-        var draft = Draft(text, TextSelection(5))
+        var draft = TextDocument(text, TextSelection(5))
         val gone = (1..4).map {
             val next = draft.nextMatch(matches)
             draft = draft.withSelected(matches[next])
@@ -42,7 +42,7 @@ class SearchTest {
     @Test
     fun `all are replaced at once and the caret stays at its word`() {
         val matches = Search("side", wholeWords = true).matchesIn(text)
-        val draft = Draft(text, TextSelection(text.length)).withAllReplaced(matches, "edge length")
+        val draft = TextDocument(text, TextSelection(text.length)).withAllReplaced(matches, "edge length")
         assertEquals("edge length = 2\nforward edge length\nsideways", draft.text)
         assertEquals(draft.text.length, draft.selection.caret)
     }

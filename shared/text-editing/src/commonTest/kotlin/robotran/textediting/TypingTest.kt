@@ -2,21 +2,21 @@ package robotran.textediting
 
 import robotran.language.ProgramLanguage
 import robotran.programs.support
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class TypingTest {
     /** A draft with the caret at `|`, or the selection between two of them. */
-    private fun at(marked: String): Draft {
+    private fun at(marked: String): TextDocument {
         val first = marked.indexOf('|')
         val last = marked.lastIndexOf('|')
         val text = marked.replace("|", "")
-        return Draft(text, TextSelection(first, if (last > first) last - 1 else first))
+        return TextDocument(text, TextSelection(first, if (last > first) last - 1 else first))
     }
 
-    private fun Draft.marked() = text.replaceRange(selection.caret, selection.caret, "|")
+    private fun TextDocument.marked() = text.replaceRange(selection.caret, selection.caret, "|")
 
     private fun typed(before: String, typed: String, language: ProgramLanguage = ProgramLanguage.ROBOLANG): String =
         typed.fold(at(before)) { draft, character -> draft.typed(character.toString(), language.support.code) }.marked()

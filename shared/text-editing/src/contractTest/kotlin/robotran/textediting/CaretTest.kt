@@ -1,16 +1,16 @@
 package robotran.textediting
 
 import robotran.languagesupport.TextLines
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.withWordSelected
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
 class CaretTest {
-    private val draft = Draft("repeat 4 times\n  forward 20\nend", TextSelection(0))
+    private val draft = TextDocument("repeat 4 times\n  forward 20\nend", TextSelection(0))
 
-    private fun Draft.after(vararg moves: CaretMove, selecting: Boolean = false) =
+    private fun TextDocument.after(vararg moves: CaretMove, selecting: Boolean = false) =
         moves.fold(this) { now, move -> now.moved(move, selecting) }.selection
 
     @Test
@@ -55,9 +55,9 @@ class CaretTest {
     @Test
     fun `a long press selects a word`() {
         assertEquals("forward", draft.withWordSelected(20).selectedText)
-        assertEquals("  ", Draft("(  )").withWordSelected(2).selectedText)
-        assertEquals("(", Draft("x=(+").withWordSelected(2).selectedText)
-        assertEquals("", Draft("+\n").withWordSelected(1).selectedText)
+        assertEquals("  ", TextDocument("(  )").withWordSelected(2).selectedText)
+        assertEquals("(", TextDocument("x=(+").withWordSelected(2).selectedText)
+        assertEquals("", TextDocument("+\n").withWordSelected(1).selectedText)
     }
 
     @Test

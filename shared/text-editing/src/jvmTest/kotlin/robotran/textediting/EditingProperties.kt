@@ -17,7 +17,7 @@ import robotran.languagesupport.CompletionHelp
 import robotran.programs.support
 import robotran.textediting.complete.completed
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.withWordSelected
 
@@ -70,7 +70,7 @@ class EditingProperties :
             checkAll(drafts, texts, Arb.int(0..200)) { short, typed, repeats ->
                 val text = short.text + "forward 20\n".repeat(repeats * 2)
                 val draft =
-                    Draft(
+                    TextDocument(
                         text,
                         TextSelection(
                             short.selection.anchor,
@@ -143,7 +143,7 @@ class EditingProperties :
         }
     })
 
-private class Action(val kind: EditKind, val change: (Draft) -> Draft)
+private class Action(val kind: EditKind, val change: (TextDocument) -> TextDocument)
 
 private val texts: Arb<String> = Arb.list(
     Arb.element(
@@ -181,10 +181,10 @@ private val texts: Arb<String> = Arb.list(
     0..14,
 ).map { it.joinToString("") }
 
-private val drafts: Arb<Draft> = arbitrary { random ->
+private val drafts: Arb<TextDocument> = arbitrary { random ->
     val text = texts.sample(random).value
     val place = Arb.int(0..text.length)
-    Draft(text, TextSelection(place.sample(random).value, place.sample(random).value))
+    TextDocument(text, TextSelection(place.sample(random).value, place.sample(random).value))
 }
 
 private val actions: Arb<Action> = Arb.element(

@@ -12,7 +12,7 @@ import robotran.languagesupport.TextLines
 import robotran.nxjlibrary.NxjSources
 import robotran.programs.support
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import kotlin.test.BeforeTest
 import kotlin.test.Test
@@ -27,7 +27,7 @@ class NxjCompletionTest {
     fun load() = runBlocking { NxjSources.load() }.let { }
 
     private fun offered(marked: String, brick: BrickKind = BrickKind.RCX): List<Completion> {
-        val draft = Draft(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
+        val draft = TextDocument(marked.replace("|", ""), TextSelection(marked.indexOf('|')))
         val list =
             completionsAt(draft, ProgramLanguage.JAVA.support.code, CompletionHelp { null }, isExplicit = true, brick)
         return list?.items.orEmpty()

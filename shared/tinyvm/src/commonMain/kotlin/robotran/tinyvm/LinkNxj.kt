@@ -1,7 +1,6 @@
 package robotran.tinyvm
 
 import robotran.brick.program.DebuggableRun
-import robotran.language.Language
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtProgram
 import robotran.tinyvm.classfile.DamagedClassFile
@@ -24,10 +23,10 @@ import robotran.tinyvm.run.Peripherals
 /** The result of [linkNxj]. */
 sealed interface NxjResult {
     /** [program] can be loaded into a brick. */
-    class Ready(val program: NxjProgram) : NxjResult
+    class Success(val program: NxjProgram) : NxjResult
 
     /** The program cannot run; [refusal] says why. */
-    class Rejected(val refusal: LinkError) : NxjResult
+    class Failure(val refusal: LinkError) : NxjResult
 }
 
 /**
@@ -66,7 +65,7 @@ fun linkNxj(
     program: Map<String, ByteArray>,
     library: Map<String, ByteArray>,
     mainClass: String? = null,
-    messages: TinyVmMessages = TinyVmMessages.of(Language.ENGLISH),
+    messages: TinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     mode: TinyVmMode = TinyVmMode.BRICK,
 ): NxjResult = linkNxj(name, program, library, mainClass, messages, speed, mode, NxjNatives::find)
@@ -85,13 +84,13 @@ internal fun linkNxj(
     val files = ClassPath(program, library, messages)
     try {
         val linker = Linker(files, messages, MachineModel.nxtOf(mode), null, null) { nativeOf(it) != null }
-        NxjResult.Ready(NxjProgram(name, linker.link(mainClass), messages, speed, mode, nativeOf))
+        NxjResult.Success(NxjProgram(name, linker.link(mainClass), messages, speed, mode, nativeOf))
     } catch (refused: LinkException) {
         val refusal = refused.refusal
-        NxjResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
+        NxjResult.Failure(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
     }
 } catch (refused: LinkException) {
-    NxjResult.Rejected(refused.refusal)
+    NxjResult.Failure(refused.refusal)
 } catch (_: DamagedClassFile) {
-    NxjResult.Rejected(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
+    NxjResult.Failure(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
 }

@@ -32,7 +32,7 @@ fun linkTinyVm(
     library: Map<String, ByteArray>,
     mainClass: String? = null,
     mode: TinyVmMode = TinyVmMode.BRICK,
-    messages: TinyVmMessages = TinyVmMessages.of(Language.ENGLISH),
+    messages: TinyVmMessages,
     speed: TinyVmSpeed = TinyVmSpeed.BRICK,
     version: LejosVersion = LejosVersion.DEFAULT,
     layout: BrickLayout? = null,
@@ -42,15 +42,15 @@ fun linkTinyVm(
         val linked = Linker(files, messages, MachineModel.of(mode), BrickRoom.of(version), layout) {
             NativeMethods.find(it) != null
         }.link(mainClass)
-        TinyVmResult.Ready(TinyVmProgram(name, linked, mode, messages, speed, version))
+        TinyVmResult.Success(TinyVmProgram(name, linked, mode, messages, speed, version))
     } catch (refused: LinkException) {
         val refusal = refused.refusal
-        TinyVmResult.Rejected(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
+        TinyVmResult.Failure(refusal.copy(sourceFile = files.sourceFileOf(refusal.className.replace('.', '/'))))
     }
 } catch (refused: LinkException) {
-    TinyVmResult.Rejected(refused.refusal)
+    TinyVmResult.Failure(refused.refusal)
 } catch (_: DamagedClassFile) {
-    TinyVmResult.Rejected(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
+    TinyVmResult.Failure(LinkError(messages.classFileDamaged(), mainClass.orEmpty()))
 }
 
 /**

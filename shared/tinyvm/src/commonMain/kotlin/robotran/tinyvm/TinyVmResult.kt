@@ -5,8 +5,8 @@ import robotran.tinyvm.diagnostic.LinkError
 /** The result of [linkTinyVm]. */
 sealed interface TinyVmResult {
     /** [program] can be loaded into a brick. */
-    data class Ready(val program: TinyVmProgram) : TinyVmResult
+    data class Success(val program: TinyVmProgram) : TinyVmResult
 
     /** The program cannot run; [refusal] says why. */
-    data class Rejected(val refusal: LinkError) : TinyVmResult
+    data class Failure(val refusal: LinkError) : TinyVmResult
 }

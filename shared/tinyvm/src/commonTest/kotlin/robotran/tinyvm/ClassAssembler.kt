@@ -1,5 +1,8 @@
 package robotran.tinyvm
 
+import robotran.language.Language
+import robotran.tinyvm.messages.TinyVmMessages
+
 /** Builds a class file of version 45 from constants and bytecode. */
 internal class ClassAssembler(name: String, superName: String?, private val flags: Int = 0x21) {
     private val constants = ArrayList<List<Int>>()
@@ -124,7 +127,7 @@ internal fun linkMain(code: ClassAssembler.() -> List<Int>): TinyVmResult {
     val assembler = ClassAssembler("Main", "java/lang/Object")
     assembler.addMethod("show", "(I)V", 0x9, showing(assembler))
     assembler.addMethod("main", "([Ljava/lang/String;)V", 0x9, assembler.code())
-    return linkTinyVm("Main", mapOf("Main" to assembler.assemble()), minLibrary)
+    return linkTinyVm("Main", mapOf("Main" to assembler.assemble()), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH))
 }
 
 private fun showing(assembler: ClassAssembler): List<Int> = with(assembler) {

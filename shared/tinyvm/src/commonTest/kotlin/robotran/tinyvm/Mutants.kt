@@ -1,9 +1,11 @@
 package robotran.tinyvm
 
-import robotran.brick.program.ProgramStatus
-import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.programs.libraryClassFiles
 import kotlin.random.Random
+import robotran.brick.program.ProgramStatus
+import robotran.language.Language
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.TinyVmMessages
+import robotran.tinyvm.programs.libraryClassFiles
 
 /**
  * Links and runs a program of [classes] with a [mutated] class file. Fails if the machine's state becomes invalid; false if it rejects the program.
@@ -12,9 +14,9 @@ internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, rando
     val name = classes.keys.random(random)
     val bytes = mutated(classes.getValue(name), random)
     val mode = if (random.nextInt(8) == 0) TinyVmMode.FORGIVING else TinyVmMode.BRICK
-    val result = linkTinyVm("mutant", classes + (name to bytes), libraryClassFiles, mainClass, mode)
-    if (result is TinyVmResult.Ready) run(result.program)
-    return result is TinyVmResult.Ready
+    val result = linkTinyVm("mutant", classes + (name to bytes), libraryClassFiles, mainClass, mode, messages = TinyVmMessages.of(Language.ENGLISH))
+    if (result is TinyVmResult.Success) run(result.program)
+    return result is TinyVmResult.Success
 }
 
 /** A copy of [original] with one to three bytes changed, half of the time after its first third, where the code is. */

@@ -13,14 +13,14 @@ import kotlin.test.assertTrue
 class VerifierTest {
     private fun shownBy(code: ClassAssembler.() -> List<Int>): List<Int> {
         val result = linkMain(code)
-        val program = assertIs<TinyVmResult.Ready>(result, result.toString()).program
+        val program = assertIs<TinyVmResult.Success>(result, result.toString()).program
         val rom = RecordingRom()
         assertEquals(ProgramStatus.Ended, program.start(rom).resume(100_000))
         return rom.shown
     }
 
     private fun assertUnsound(code: ClassAssembler.() -> List<Int>) {
-        val refused = assertIs<TinyVmResult.Rejected>(linkMain(code))
+        val refused = assertIs<TinyVmResult.Failure>(linkMain(code))
         assertEquals(TinyVmMessages.of(Language.ENGLISH).codeInvalid(), refused.refusal.message)
         assertEquals("main", refused.refusal.methodName)
     }
@@ -97,7 +97,7 @@ class VerifierTest {
             listOf(0x73) to UnsupportedFeature.DECIMAL_REMAINDER,
         )
         for ((code, feature) in refused) {
-            val refusal = assertIs<TinyVmResult.Rejected>(linkMain { code + 0xB1 }).refusal
+            val refusal = assertIs<TinyVmResult.Failure>(linkMain { code + 0xB1 }).refusal
             assertEquals(
                 LinkError(TinyVmMessages.of(Language.ENGLISH).unsupportedFeature(feature), "Main", "main"),
                 refusal,
@@ -150,7 +150,7 @@ class VerifierTest {
     @Test
     fun `a subroutine that calls itself for ever is refused or ends`() {
         val result = linkMain { listOf(0xA8) + short(0) }
-        assertTrue(result is TinyVmResult.Rejected)
+        assertTrue(result is TinyVmResult.Failure)
     }
 
     @Test
@@ -158,7 +158,7 @@ class VerifierTest {
         val loop = ClassAssembler("Main", "Main").apply {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }
-        val refused = assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary))
+        val refused = assertIs<TinyVmResult.Failure>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH)))
         assertEquals(TinyVmMessages.of(Language.ENGLISH).cyclicInheritance("Main"), refused.refusal.message)
     }
 
@@ -168,7 +168,7 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }.assemble()
         for (length in 0 until whole.size) {
-            assertIs<TinyVmResult.Rejected>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), minLibrary))
+            assertIs<TinyVmResult.Failure>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH)))
         }
     }
 }

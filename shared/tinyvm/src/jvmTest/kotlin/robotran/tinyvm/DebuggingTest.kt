@@ -1,6 +1,10 @@
 package robotran.tinyvm
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
+import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
 import robotran.brick.program.CallFrame
 import robotran.brick.program.DebuggableRun
@@ -8,12 +12,12 @@ import robotran.brick.program.ProgramStatus
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.VariableView
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.programs.libraryClassFiles
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 
 class DebuggingTest {
     private val source = """
@@ -72,8 +76,8 @@ class DebuggingTest {
             "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / " +
                 "none;\n}\n}"
         val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
-        val program = assertIs<TinyVmResult.Ready>(linkTinyVm("Program", classes, libraryClassFiles)).program
-        val brick = RcxBrick(listOf(program))
+        val program = assertIs<TinyVmResult.Success>(linkTinyVm("Program", classes, libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH))).program
+        val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)
         val run = checkNotNull(brick.debuggableRun)
@@ -90,7 +94,7 @@ class DebuggingTest {
             brick.log.entries.filter { it.sourceLine > 0 }.map { it.text.substringAfter(' ') },
         )
         val failure = assertIs<RunState.Failed>(brick.state.run).failure
-        assertEquals("Helper.java, line 5", failure.place())
+        assertEquals("Helper.java, line 5", failure.place(messages = PlaceMessages.of(Language.ENGLISH)))
     }
 
     @Test

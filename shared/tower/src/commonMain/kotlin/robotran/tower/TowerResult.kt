@@ -4,5 +4,5 @@ package robotran.tower
 sealed interface TowerResult<out T> {
     data class Success<T>(val value: T) : TowerResult<T>
 
-    data class Failed(val error: TowerError) : TowerResult<Nothing>
+    data class Failure(val error: TowerError) : TowerResult<Nothing>
 }

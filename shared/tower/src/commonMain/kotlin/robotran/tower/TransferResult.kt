@@ -13,10 +13,10 @@ data class TransferProgress(
 /** The result of sending a program or a firmware. */
 sealed interface TransferResult {
     /** The brick has confirmed everything that was sent. */
-    data class Complete(val bytes: Int, val repeats: Int) : TransferResult
+    data class Success(val bytes: Int, val repeats: Int) : TransferResult
 
     /** The brick has not confirmed everything. [remains] is what it holds instead. */
-    data class Failed(val error: TowerError, val remains: Remains = Remains.AS_BEFORE) : TransferResult
+    data class Failure(val error: TowerError, val remains: Remains = Remains.AS_BEFORE) : TransferResult
 }
 
 /** What a brick holds after a transfer that has failed. */

@@ -43,7 +43,7 @@ import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
-import robotran.workshop.handins.HandInVisits
+import robotran.workshop.handins.HandInPreviews
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.learning.programsLeftBehind
@@ -151,7 +151,7 @@ class Workshop(
         document.state.name.ifEmpty { this.project.world.title }
     }
     private val handIns: HandInsStateHolder =
-        HandInsStateHolder(platform, scope, this, this, physics, HandInVisits(document, this, this)) {
+        HandInsStateHolder(platform, scope, this, this, physics, HandInPreviews(document, this, this)) {
             document.state.name.ifEmpty { this.project.world.title }
         }
 
@@ -570,9 +570,9 @@ class Workshop(
         if (event is BlockEvent.ViewChosen) {
             settingsHolder.handle(SettingsEvent.SettingsChanged(settings.copy(programView = event.view)))
         }
-        if (event is BlockEvent.DoneNow) {
-            programs.immediateProgram(event.load)?.let {
-                run.runNow(it)
+        if (event is BlockEvent.SnippetRequested) {
+            programs.snippet(event.load)?.let {
+                run.runSnippet(it)
                 board.projectUsed()
                 showTask(false)
             }

@@ -7,7 +7,7 @@ import robotran.languagesupport.CompletionHelp
 import robotran.programs.Program
 import robotran.programs.support
 import robotran.textediting.complete.completionsAt
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
@@ -134,7 +134,7 @@ class FollowsBrickTest {
 
     private fun offered(brick: BrickKind): List<String> {
         val caret = TURN.indexOf("rotateTo") + "rotate".length
-        val draft = Draft(TURN.replace("rotateTo", "rotate"), TextSelection(caret))
+        val draft = TextDocument(TURN.replace("rotateTo", "rotate"), TextSelection(caret))
         return completionsAt(
             draft,
             ProgramLanguage.JAVA.support.code,

@@ -5,7 +5,7 @@ import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.projects.ProjectLimits
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import kotlin.test.AfterTest
@@ -21,7 +21,7 @@ class LongProgramTest {
     fun close() = workshop.close()
 
     private fun write(text: String) =
-        workshop.handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(TextDocument(text).withCaret(text.length), EditKind.OTHER))
 
     @Test
     fun `a program that becomes too long is refused in a sentence, and stays as it was`() {

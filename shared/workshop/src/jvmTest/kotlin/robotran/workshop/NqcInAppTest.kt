@@ -210,7 +210,7 @@ class NqcInAppTest {
         assertContentEquals(image, machine.files.disk["out"])
         workshop.handle(DocumentEvent.ProgramFileRequested)
         assertEquals("robot.lasm", machine.files.suggestion)
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
+        val file = assertIs<ProjectFileResult.Success>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         workshop.close()
     }
@@ -220,7 +220,7 @@ class NqcInAppTest {
         val machine = Machine()
         val workshop = machine.window()
         workshop.handle(ProgramEvent.ProgramAdded(counting))
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
+        val file = assertIs<ProjectFileResult.Success>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         assertEquals(ProgramLanguage.NQC, file.project.robots.first().programs.last().language)
         machine.files.location = "out"
@@ -322,7 +322,7 @@ class NqcInAppTest {
             PENBOT_TARGET,
             language = Language.ENGLISH,
         ).compileNow(Program(program.name, program.language, files))
-        return checkNotNull(assertIs<ProgramResult.Ready>(result).firmwareImage).toBytes()
+        return checkNotNull(assertIs<ProgramResult.Success>(result).firmwareImage).toBytes()
     }
 
     private companion object {

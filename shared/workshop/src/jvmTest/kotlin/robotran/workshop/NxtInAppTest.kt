@@ -26,7 +26,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import java.io.ByteArrayInputStream
 import java.util.zip.ZipInputStream
 import kotlin.math.abs
@@ -112,7 +112,7 @@ class NxtInAppTest {
     fun `the change of the robot is a step that the world editor takes back`() = workshop { workshop ->
         workshop.use(BrickKind.NXT)
         workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Undo))
         workshop.handle(WorldEditEvent.EditorClosed)
         assertEquals(BrickKind.RCX, workshop.brick)
     }
@@ -154,7 +154,7 @@ class NxtInAppTest {
     @Test
     fun `a project keeps the robot and its programs`() = workshop(square) { workshop ->
         workshop.use(BrickKind.NXT)
-        val file = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(workshop.project), Language.ENGLISH))
+        val file = assertIs<ProjectFileResult.Success>(readProject(writeProject(workshop.project), Language.ENGLISH))
         assertEquals(workshop.project, file.project)
         assertEquals(BrickKind.NXT, file.project.world.robots.first().description.brick)
     }
@@ -226,7 +226,7 @@ class NxtInAppTest {
             file.content().toList()
         }
         assertEquals(listOf(listOf<Byte>(1), listOf<Byte>(2)), counts)
-        val again = assertIs<ProjectFileResult.Loaded>(
+        val again = assertIs<ProjectFileResult.Success>(
             readProject(writeProject(workshop.project), Language.ENGLISH),
         ).project
         assertEquals(workshop.project, again)
@@ -255,7 +255,7 @@ class NxtInAppTest {
         assertEquals(1, workshop.project.robots.single().files.size, "asked first")
         press(BrickButton.RIGHT, BrickButton.ENTER)
         assertEquals(emptyList(), workshop.project.robots.single().files)
-        val again = assertIs<ProjectFileResult.Loaded>(
+        val again = assertIs<ProjectFileResult.Success>(
             readProject(writeProject(workshop.project), Language.ENGLISH),
         ).project
         assertEquals(emptyList(), again.robots.flatMap { it.files })

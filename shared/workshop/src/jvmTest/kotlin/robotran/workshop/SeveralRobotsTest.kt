@@ -6,7 +6,7 @@ import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.simulation.Breakpoint
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -71,7 +71,7 @@ class SeveralRobotsTest {
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         val blocks = checkNotNull(workshop.state.programs.blocks)
         val before = workshop.state.session.robots
-        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(blocks.program.blocks.first().id))))
+        workshop.handle(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(blocks.program.blocks.first().id))))
         workshop.advance(100)
         assertEquals(1, workshop.state.shownProgramRun.runningLine)
         workshop.advance(2_000)
@@ -93,12 +93,12 @@ class SeveralRobotsTest {
         workshop.handle(ProgramEvent.RobotChosen("red"))
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         val (_, forward, division) = checkNotNull(workshop.state.programs.blocks).program.blocks
-        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(forward.id))))
+        workshop.handle(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(forward.id))))
         workshop.advance(100)
         assertEquals(WorkshopStatus.Running(0), workshop.state.status)
         workshop.advance(2_000)
         assertEquals(WorkshopStatus.Ended(stopped = false), workshop.state.status)
-        workshop.handle(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(division.id))))
+        workshop.handle(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(division.id))))
         workshop.advance(500)
         assertIs<WorkshopStatus.Failed>(workshop.state.status)
         workshop.handle(RunEvent.RunPressed)

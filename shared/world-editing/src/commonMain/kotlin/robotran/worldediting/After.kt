@@ -7,51 +7,51 @@ import robotran.world.World
  * The state after [edit]. An invalid edit leaves the world unchanged and sets [WorldEditing.error]. An edit of a
  * missing element does nothing.
  */
-fun WorldEditing.after(edit: Edit): WorldEditing {
+fun WorldEditing.after(edit: WorldEdit): WorldEditing {
     val calm = copy(error = null)
     return when (edit) {
-        is Edit.TapAt, is Edit.Select, is Edit.SelectWithin, Edit.SelectAll, is Edit.SelectNext -> calm.chosen(edit)
-        is Edit.StartDrag -> calm.grabbed(edit)
-        is Edit.DragTo -> calm.dragged(edit)
-        Edit.Drop -> calm.dropped()
-        Edit.CancelDrag -> calm.letGo()
+        is WorldEdit.TapAt, is WorldEdit.Select, is WorldEdit.SelectWithin, WorldEdit.SelectAll, is WorldEdit.SelectNext -> calm.chosen(edit)
+        is WorldEdit.StartDrag -> calm.grabbed(edit)
+        is WorldEdit.DragTo -> calm.dragged(edit)
+        WorldEdit.Drop -> calm.dropped()
+        WorldEdit.CancelDrag -> calm.letGo()
 
-        is Edit.SelectTool -> calm.copy(
+        is WorldEdit.SelectTool -> calm.copy(
             tool = edit.tool,
             selection = if (edit.tool == Tool.SELECT) selection else emptySet(),
         )
 
-        is Edit.SelectSeveral -> calm.copy(several = edit.several)
-        is Edit.Snap -> calm.copy(snapping = edit.snapping)
-        Edit.FinishChange -> calm.copy(history = history.mergeEnded())
-        is Edit.Batch -> calm.together(edit.edits)
-        Edit.Undo -> calm.undone()
-        Edit.Redo -> calm.redone()
-        Edit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
+        is WorldEdit.SetMultiSelect -> calm.copy(isMultiSelect = edit.isMultiSelect)
+        is WorldEdit.Snap -> calm.copy(snapping = edit.snapping)
+        WorldEdit.FinishChange -> calm.copy(history = history.mergeEnded())
+        is WorldEdit.Batch -> calm.together(edit.edits)
+        WorldEdit.Undo -> calm.undone()
+        WorldEdit.Redo -> calm.redone()
+        WorldEdit.Copy -> if (selection.isEmpty()) calm else calm.copy(clipboard = selection.mapNotNull(world::piece))
 
-        is Edit.Draw,
-        is Edit.Nudge,
-        is Edit.TurnBy,
-        is Edit.ScaleBy,
-        Edit.Duplicate,
-        Edit.Delete,
-        is Edit.Paste,
-        Edit.Group,
-        Edit.Ungroup,
-        is Edit.Align,
-        is Edit.Restack,
-        is Edit.Put,
-        is Edit.Change,
-        is Edit.MoveCorner,
-        is Edit.AddCorner,
-        is Edit.RemoveCorner,
-        is Edit.MakeCorners,
-        is Edit.AddGoal,
-        is Edit.MoveGoal,
-        is Edit.WrapGoal,
-        is Edit.UnwrapGoal,
-        is Edit.ChangeSheet,
-        is Edit.NewWorld,
+        is WorldEdit.Draw,
+        is WorldEdit.Nudge,
+        is WorldEdit.TurnBy,
+        is WorldEdit.ScaleBy,
+        WorldEdit.Duplicate,
+        WorldEdit.Delete,
+        is WorldEdit.Paste,
+        WorldEdit.Group,
+        WorldEdit.Ungroup,
+        is WorldEdit.Align,
+        is WorldEdit.Restack,
+        is WorldEdit.Put,
+        is WorldEdit.Change,
+        is WorldEdit.MoveCorner,
+        is WorldEdit.AddCorner,
+        is WorldEdit.RemoveCorner,
+        is WorldEdit.MakeCorners,
+        is WorldEdit.AddGoal,
+        is WorldEdit.MoveGoal,
+        is WorldEdit.WrapGoal,
+        is WorldEdit.UnwrapGoal,
+        is WorldEdit.ChangeSheet,
+        is WorldEdit.NewWorld,
         -> calm.dropped().changed(edit)
     }
 }
@@ -60,10 +60,10 @@ fun WorldEditing.after(edit: Edit): WorldEditing {
 internal sealed interface Outcome {
     class Made(val snapshot: WorldSnapshot, val mergeKey: Any? = null) : Outcome
 
-    class Not(val error: EditError) : Outcome
+    class Not(val error: WorldEditError) : Outcome
 }
 
-private fun WorldEditing.changed(edit: Edit): WorldEditing = when (val outcome = outcomeOf(edit)) {
+private fun WorldEditing.changed(edit: WorldEdit): WorldEditing = when (val outcome = outcomeOf(edit)) {
     null -> this
     is Outcome.Not -> copy(error = outcome.error)
     is Outcome.Made -> made(snapshot, outcome.snapshot, outcome.mergeKey)
@@ -84,7 +84,7 @@ internal fun WorldEditing.made(before: WorldSnapshot, after: WorldSnapshot, merg
     )
 }
 
-private fun WorldEditing.together(edits: List<Edit>): WorldEditing {
+private fun WorldEditing.together(edits: List<WorldEdit>): WorldEditing {
     val begun = dropped()
     val done = edits.fold(begun) { now, edit -> if (now.error != null) now else now.after(edit) }
     if (done.error != null) return copy(error = done.error)

@@ -7,36 +7,36 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
 /** The result of [edit]; null if there is nothing to do. */
-internal fun WorldEditing.outcomeOf(edit: Edit): Outcome? = when (edit) {
-    is Edit.Draw -> drawn(edit.points)
-    is Edit.Nudge -> each { it.movedBy(edit.x, edit.y) }
-    is Edit.TurnBy -> middleOfSelection()?.let { middle -> each { it.rotatedBy(edit.degrees, middle) } }
-    is Edit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
-    Edit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
-    Edit.Delete -> deleted()
-    is Edit.Paste -> pasted(edit.at)
-    Edit.Group -> grouped()
-    Edit.Ungroup -> Outcome.Made(snapshot.copy(groups = groups.filter { group -> group.none { it in selection } }))
-    is Edit.Align -> aligned(edit.side)
-    is Edit.Restack -> restacked(edit.order)
-    is Edit.Put -> put(edit.piece, edit.at)
-    is Edit.Change -> changed(edit.thing, edit.piece)
-    is Edit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
-    is Edit.AddCorner -> cornerAdded(edit)
+internal fun WorldEditing.outcomeOf(edit: WorldEdit): Outcome? = when (edit) {
+    is WorldEdit.Draw -> drawn(edit.points)
+    is WorldEdit.Nudge -> each { it.movedBy(edit.x, edit.y) }
+    is WorldEdit.TurnBy -> middleOfSelection()?.let { middle -> each { it.rotatedBy(edit.degrees, middle) } }
+    is WorldEdit.ScaleBy -> middleOfSelection()?.let { middle -> each { it.scaledBy(edit.factor, middle) } }
+    WorldEdit.Duplicate -> added(selection.mapNotNull(world::piece), Point(STEP_ASIDE, -STEP_ASIDE))
+    WorldEdit.Delete -> deleted()
+    is WorldEdit.Paste -> pasted(edit.at)
+    WorldEdit.Group -> grouped()
+    WorldEdit.Ungroup -> Outcome.Made(snapshot.copy(groups = groups.filter { group -> group.none { it in selection } }))
+    is WorldEdit.Align -> aligned(edit.side)
+    is WorldEdit.Restack -> restacked(edit.order)
+    is WorldEdit.Put -> put(edit.piece, edit.at)
+    is WorldEdit.Change -> changed(edit.thing, edit.piece)
+    is WorldEdit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
+    is WorldEdit.AddCorner -> cornerAdded(edit)
 
-    is Edit.RemoveCorner -> corners(edit.thing) { corners ->
+    is WorldEdit.RemoveCorner -> corners(edit.thing) { corners ->
         corners.filterIndexed { number, _ ->
             number != edit.number
         }
     }
 
-    is Edit.MakeCorners -> cornersMade(edit.thing)
-    is Edit.AddGoal -> goalAdded(edit)
-    is Edit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
-    is Edit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
-    is Edit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
-    is Edit.ChangeSheet -> Outcome.Made(snapshot.copy(world = world.with(edit.figures)), mergeKey = "sheet")
-    is Edit.NewWorld -> Outcome.Made(WorldSnapshot(newWorld(edit.title), emptySet(), emptyList()))
+    is WorldEdit.MakeCorners -> cornersMade(edit.thing)
+    is WorldEdit.AddGoal -> goalAdded(edit)
+    is WorldEdit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
+    is WorldEdit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
+    is WorldEdit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
+    is WorldEdit.ChangeSheet -> Outcome.Made(snapshot.copy(world = world.with(edit.figures)), mergeKey = "sheet")
+    is WorldEdit.NewWorld -> Outcome.Made(WorldSnapshot(newWorld(edit.title), emptySet(), emptyList()))
     else -> null
 }
 
@@ -74,7 +74,7 @@ private fun WorldEditing.middleOfSelection(): Point? =
 private fun WorldEditing.deleted(): Outcome? {
     if (selection.isEmpty()) return null
     val robots = selection.count { it.kind == ElementKind.ROBOT }
-    if (robots == world.robots.size) return Outcome.Not(EditError.LastRobot)
+    if (robots == world.robots.size) return Outcome.Not(WorldEditError.LastRobot)
     val left = world.without(selection)
     val kept = groups.map { group -> renumbered((group - selection).map(::numberLeft).toSet(), world, left) }
     return Outcome.Made(WorldSnapshot(left, emptySet(), kept))
@@ -123,10 +123,10 @@ private fun restackedOrder(count: Int, chosen: Set<Int>, order: StackOrder): Lis
     }
 }
 
-private fun MutableList<Int>.swap(place: Int) {
-    val item = this[place]
-    this[place] = this[place + 1]
-    this[place + 1] = item
+private fun MutableList<Int>.swap(index: Int) {
+    val item = this[index]
+    this[index] = this[index + 1]
+    this[index + 1] = item
 }
 
 /** Offset of a copy from its original, in centimetres. */

@@ -13,7 +13,7 @@ internal fun WorldEditing.changed(ref: ElementRef, wanted: Element): Outcome? {
     errorOf(piece)?.let { return Outcome.Not(it) }
     val name = piece.name
     if (name != null && world.names().any { (other, taken) -> taken == name && other != ref }) {
-        return Outcome.Not(EditError.NameTaken(name))
+        return Outcome.Not(WorldEditError.NameTaken(name))
     }
     val changed = world.with(ref.number, piece)
     val oldName = before.name
@@ -31,14 +31,14 @@ internal fun WorldEditing.corners(ref: ElementRef, change: (List<Point>) -> List
     val corners = change(form.corners)
     val isBent = form is Form.Area || (form is Form.Way && form.isBent)
     if (corners.size < (if (form.isRound) MIN_CORNERS else 2) || (!isBent && corners.size != 2)) {
-        return Outcome.Not(EditError.TooFewCorners)
+        return Outcome.Not(WorldEditError.TooFewCorners)
     }
     val changed = piece.withForm(form.withCorners(corners))
     errorOf(changed)?.let { return Outcome.Not(it) }
     return Outcome.Made(snapshot.copy(world = world.with(ref.number, changed)))
 }
 
-internal fun WorldEditing.cornerAdded(edit: Edit.AddCorner): Outcome? {
+internal fun WorldEditing.cornerAdded(edit: WorldEdit.AddCorner): Outcome? {
     val form = world.piece(edit.thing)?.form ?: return null
     if (form is Form.Way && !form.isBent) return null
     val (from, to) = form.takeIf { it.corners.isNotEmpty() }?.edges()?.getOrNull(edit.after) ?: return null

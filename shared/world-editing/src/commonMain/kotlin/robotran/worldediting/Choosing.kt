@@ -1,9 +1,9 @@
 package robotran.worldediting
 
-internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
-    is Edit.TapAt -> tapped(edit)
+internal fun WorldEditing.chosen(edit: WorldEdit): WorldEditing = when (edit) {
+    is WorldEdit.TapAt -> tapped(edit)
 
-    is Edit.Select -> {
+    is WorldEdit.Select -> {
         when {
             edit.thing == null -> if (edit.adding) this else copy(selection = emptySet())
             world.piece(edit.thing) == null -> this
@@ -11,19 +11,19 @@ internal fun WorldEditing.chosen(edit: Edit): WorldEditing = when (edit) {
         }
     }
 
-    is Edit.SelectWithin -> {
+    is WorldEdit.SelectWithin -> {
         val before = if (edit.adding) selection else emptySet()
         copy(selection = before + withGroups(world.elementsWithin(edit.area), groups))
     }
 
-    Edit.SelectAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
-    is Edit.SelectNext -> next(edit.backwards)
+    WorldEdit.SelectAll -> copy(selection = world.listed().filter { world.piece(it)?.form != null }.toSet())
+    is WorldEdit.SelectNext -> next(edit.backwards)
     else -> this
 }
 
-private fun WorldEditing.tapped(edit: Edit.TapAt): WorldEditing {
+private fun WorldEditing.tapped(edit: WorldEdit.TapAt): WorldEditing {
     val there = world.elementsAt(edit.place, edit.reach)
-    val adding = edit.adding || several
+    val adding = edit.adding || isMultiSelect
     if (there.isEmpty()) return if (adding) this else copy(selection = emptySet())
     if (adding) return choosing(setOf(there.first()), adding = true)
     val chosen = there.indexOf(only)

@@ -3,13 +3,13 @@ package robotran.worldediting
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
-internal fun WorldEditing.grabbed(edit: Edit.StartDrag): WorldEditing {
+internal fun WorldEditing.grabbed(edit: WorldEdit.StartDrag): WorldEditing {
     val begun = dropped()
     return if (begun.selection.isEmpty()) begun else begun.copy(gesture = Gesture(edit.grip, edit.at, begun.snapshot))
 }
 
 /** Moves the dragged elements with the pointer; where they cannot go, they keep their last position. */
-internal fun WorldEditing.dragged(edit: Edit.DragTo): WorldEditing {
+internal fun WorldEditing.dragged(edit: WorldEdit.DragTo): WorldEditing {
     val held = gesture ?: return this
     val drag = Drag(held, snapping, edit)
     val (pieces, guides) = when (val grip = held.grip) {
@@ -38,7 +38,7 @@ internal fun WorldEditing.letGo(): WorldEditing {
 }
 
 /** Computes a drag from the state at its start. */
-private class Drag(private val held: Gesture, private val snapping: Snapping, private val edit: Edit.DragTo) {
+private class Drag(private val held: Gesture, private val snapping: Snapping, private val edit: WorldEdit.DragTo) {
     private val world = held.before.world
     private val things = held.before.selection
     private val pieces = things.mapNotNull { thing -> world.piece(thing)?.let { thing to it } }.toMap()

@@ -54,13 +54,13 @@ val Form.bounds: Bounds
         is Form.Picture -> Bounds(corner.x, corner.y, corner.x + width, corner.y + height)
     }
 
-/** Distance of [place] from the element; 0 inside. */
-fun Form.distanceTo(place: Point): Double = when (this) {
-    is Form.Area -> flat(shape).distanceTo(place)
-    is Form.Way -> (edges().minOf { (from, to) -> distance(place, from, to) } - width / 2).coerceAtLeast(0.0)
-    is Form.Start -> outline(pose, robot).distanceTo(place)
-    is Form.Light -> (distance(this.place, place, place) - LAMP_RADIUS).coerceAtLeast(0.0)
-    is Form.Picture -> bounds.distanceTo(place)
+/** Distance of [point] from the element; 0 inside. */
+fun Form.distanceTo(point: Point): Double = when (this) {
+    is Form.Area -> flat(shape).distanceTo(point)
+    is Form.Way -> (edges().minOf { (from, to) -> distance(point, from, to) } - width / 2).coerceAtLeast(0.0)
+    is Form.Start -> outline(pose, robot).distanceTo(point)
+    is Form.Light -> (distance(this.place, point, point) - LAMP_RADIUS).coerceAtLeast(0.0)
+    is Form.Picture -> bounds.distanceTo(point)
 }
 
 fun Form.movedBy(x: Double, y: Double): Form {
@@ -167,7 +167,7 @@ private fun Shape.mapped(change: (Point) -> Point): Shape = when (this) {
     is Shape.Polygon -> Shape.Polygon(corners.map(change))
 }
 
-private fun Outline.distanceTo(place: Point) = if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
+private fun Outline.distanceTo(point: Point) = if (contains(point.x, point.y)) 0.0 else distanceToEdge(point.x, point.y)
 
 /** The radius of a lamp for pointer input. */
 internal const val LAMP_RADIUS = 2.0

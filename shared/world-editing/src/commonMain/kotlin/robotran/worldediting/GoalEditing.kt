@@ -8,14 +8,14 @@ import robotran.world.NeedsTemplate
 /** A copy of the goal that is a different object. */
 internal fun Goal.separate(): Goal = withParts(parts.map { it.separate() }).tidied()
 
-internal fun WorldEditing.goalAdded(edit: Edit.AddGoal): Outcome? {
+internal fun WorldEditing.goalAdded(edit: WorldEdit.AddGoal): Outcome? {
     val goal = edit.goal.separate()
     val all = listOf(goal) + allGoals(goal.parts).map { it.goal }
     if (goal.isGroup && goal.parts.isEmpty()) return null
     if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) {
-        return Outcome.Not(EditError.NeedsLine)
+        return Outcome.Not(WorldEditError.NeedsLine)
     }
-    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(EditError.NeedsTemplate)
+    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(WorldEditError.NeedsTemplate)
     all.firstNotNullOfOrNull { errorOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
     val goals = if (into == null) {
@@ -80,16 +80,16 @@ private fun movedWithin(goals: List<Goal>, goal: Goal, move: GoalMove): List<Goa
     return null
 }
 
-private fun movedHere(goals: List<Goal>, place: Int, move: GoalMove): List<Goal>? {
-    val goal = goals[place]
-    val others = goals.filterIndexed { number, _ -> number != place }
+private fun movedHere(goals: List<Goal>, index: Int, move: GoalMove): List<Goal>? {
+    val goal = goals[index]
+    val others = goals.filterIndexed { number, _ -> number != index }
     return when (move) {
-        GoalMove.UP -> if (place == 0) null else others.take(place - 1) + goal + others.drop(place - 1)
-        GoalMove.DOWN -> if (place == goals.lastIndex) null else others.take(place + 1) + goal + others.drop(place + 1)
+        GoalMove.UP -> if (index == 0) null else others.take(index - 1) + goal + others.drop(index - 1)
+        GoalMove.DOWN -> if (index == goals.lastIndex) null else others.take(index + 1) + goal + others.drop(index + 1)
 
-        GoalMove.IN -> others.getOrNull(place - 1)?.takeIf {
+        GoalMove.IN -> others.getOrNull(index - 1)?.takeIf {
             it.isGroup
-        }?.let { others.with(place - 1, it.withParts(it.parts + goal)) }
+        }?.let { others.with(index - 1, it.withParts(it.parts + goal)) }
 
         GoalMove.OUT -> null
     }

@@ -29,7 +29,7 @@ sealed interface GoalField {
     val name: GoalFieldName
 
     /** Why the value is invalid; null if it is valid. */
-    val error: EditError? get() = null
+    val error: WorldEditError? get() = null
 
     /** The condition with this value rounded as in a file; null if a file needs no rounding. */
     fun rounded(): GoalCondition? = null
@@ -42,7 +42,7 @@ sealed interface GoalField {
         val maximum: Int,
         val with: (String) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.InvalidText.takeIf { !isValidText(text, maximum) }
+        override val error: WorldEditError? get() = WorldEditError.InvalidText.takeIf { !isValidText(text, maximum) }
     }
 
     class Number(
@@ -51,7 +51,7 @@ sealed interface GoalField {
         val spec: NumberSpec,
         val with: (Double) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.OutOfRange.takeIf { value !in spec.range }
+        override val error: WorldEditError? get() = WorldEditError.OutOfRange.takeIf { value !in spec.range }
 
         override fun rounded(): GoalCondition? = if (spec.isWhole) null else with(nearestDecimal(value))
     }
@@ -70,8 +70,8 @@ sealed interface GoalField {
         private val isAllowed: Boolean = true,
         val with: (Double?) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError?
-            get() = EditError.OutOfRange.takeIf { !isAllowed || (value != null && value !in spec.range) }
+        override val error: WorldEditError?
+            get() = WorldEditError.OutOfRange.takeIf { !isAllowed || (value != null && value !in spec.range) }
 
         override fun rounded(): GoalCondition? = if (spec.isWhole) null else value?.let { with(nearestDecimal(it)) }
     }
@@ -82,7 +82,7 @@ sealed interface GoalField {
         val maximum: Int,
         val with: (String) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.InvalidText.takeIf { !isValidText(line, maximum) }
+        override val error: WorldEditError? get() = WorldEditError.InvalidText.takeIf { !isValidText(line, maximum) }
     }
 
     /** The kinds of elements that the robot must not touch; at least one. */
@@ -91,7 +91,7 @@ sealed interface GoalField {
         val kinds: Set<TouchKind>,
         val with: (Set<TouchKind>) -> GoalCondition,
     ) : GoalField {
-        override val error: EditError? get() = EditError.OutOfRange.takeIf { kinds.isEmpty() }
+        override val error: WorldEditError? get() = WorldEditError.OutOfRange.takeIf { kinds.isEmpty() }
     }
 }
 

@@ -152,12 +152,12 @@ fun newGoals(world: World): List<Goal> {
 }
 
 /** Why [goal], without its parts, is invalid; null if it is valid. */
-internal fun errorOf(goal: Goal): EditError? {
+internal fun errorOf(goal: Goal): WorldEditError? {
     val says = goal.says
     val who = (goal.condition as? HasActor)?.who
     return when {
-        says != null && !isValidText(says, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS) -> EditError.InvalidText
-        who != null && !isValidText(who, WorldLimits.MAXIMUM_NAME_CHARACTERS) -> EditError.InvalidText
+        says != null && !isValidText(says, WorldLimits.MAXIMUM_SENTENCE_CHARACTERS) -> WorldEditError.InvalidText
+        who != null && !isValidText(who, WorldLimits.MAXIMUM_NAME_CHARACTERS) -> WorldEditError.InvalidText
         else -> fieldsOf(goal.condition).firstNotNullOfOrNull { it.error }
     }
 }

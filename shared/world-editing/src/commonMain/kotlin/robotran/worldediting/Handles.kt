@@ -53,8 +53,8 @@ data class Frame(val centre: Point, val width: Double, val height: Double, val a
     /** The point at these multiples of half the width and height from the centre. */
     fun at(across: Int, up: Int): Point = direction.from(centre, across * width / 2, up * height / 2)
 
-    /** [place] relative to the centre, along the width and the height. */
-    internal fun seen(place: Point): Point = relativeTo(centre, direction, place)
+    /** [point] relative to the centre, along the width and the height. */
+    internal fun seen(point: Point): Point = relativeTo(centre, direction, point)
 
     internal fun outwards(across: Int, up: Int): Point {
         val part = if (across != 0 && up != 0) DIAGONAL else 1.0
@@ -123,9 +123,9 @@ private fun turnHandle(middle: Point, heading: Double, ahead: Double): Handle {
 
 internal fun middleOf(one: Point, other: Point) = Point((one.x + other.x) / 2, (one.y + other.y) / 2)
 
-/** [place] relative to [origin] and [direction]: the distance ahead and to the left. */
-internal fun relativeTo(origin: Point, direction: Direction, place: Point): Point {
-    val x = place.x - origin.x
-    val y = place.y - origin.y
+/** [point] relative to [origin] and [direction]: the distance ahead and to the left. */
+internal fun relativeTo(origin: Point, direction: Direction, point: Point): Point {
+    val x = point.x - origin.x
+    val y = point.y - origin.y
     return Point(x * direction.cosine + y * direction.sine, y * direction.cosine - x * direction.sine)
 }

@@ -12,14 +12,14 @@ import robotran.world.geometry.Shape
 import robotran.world.robot.robotErrors
 
 /** Why [element] is invalid in any world; null if it is valid. */
-internal fun errorOf(element: Element): EditError? {
+internal fun errorOf(element: Element): WorldEditError? {
     val name = element.name
-    if (name != null && !isValidText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return EditError.InvalidText
+    if (name != null && !isValidText(name, WorldLimits.MAXIMUM_NAME_CHARACTERS)) return WorldEditError.InvalidText
     return element.form?.let(::errorOf) ?: valueError(element)
 }
 
 /** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
-internal fun errorOf(world: World): EditError? {
+internal fun errorOf(world: World): WorldEditError? {
     val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
     val isWithin = world.paper.width in sides && world.paper.height in sides &&
         world.ambientLight in 0.0..WorldLimits.MAXIMUM_BRIGHTNESS &&
@@ -30,7 +30,7 @@ internal fun errorOf(world: World): EditError? {
             world.task.isEmpty() ||
                 isValidText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
         )
-    return if (!isWithin) EditError.OutOfRange else EditError.InvalidText.takeIf { !areTexts } ?: countError(world)
+    return if (!isWithin) WorldEditError.OutOfRange else WorldEditError.InvalidText.takeIf { !areTexts } ?: countError(world)
 }
 
 /** Whether a file can hold [text] in one line, or in several if [severalLines]. */
@@ -50,11 +50,11 @@ fun max(kind: ElementKind): Int = when (kind) {
     ElementKind.LAMP -> WorldLimits.MAXIMUM_LAMPS
 }
 
-private fun countError(world: World): EditError? {
-    ElementKind.entries.firstOrNull { world.count(it) > max(it) }?.let { return EditError.TooMany(it) }
-    if (world.robots.isEmpty()) return EditError.LastRobot
+private fun countError(world: World): WorldEditError? {
+    ElementKind.entries.firstOrNull { world.count(it) > max(it) }?.let { return WorldEditError.TooMany(it) }
+    if (world.robots.isEmpty()) return WorldEditError.LastRobot
     val goals = allGoals(world.goals)
-    if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return EditError.TooDeep
+    if (goals.any { it.depth >= WorldLimits.MAXIMUM_GOAL_DEPTH }) return WorldEditError.TooDeep
     val points =
         world.marks.sumOf {
             (it.figure as? MarkFigure.Line)?.points?.size
@@ -63,8 +63,8 @@ private fun countError(world: World): EditError? {
             world.strokes.sumOf { it.size } + goals.sumOf { pointsIn(it.goal.region) } +
             world.barriers.sumOf { pointsIn(it.shape) } + world.blocks.sumOf { pointsIn(it.shape) }
     return when {
-        points > WorldLimits.MAXIMUM_POINTS -> EditError.TooManyPoints
-        cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> EditError.TooMany(ElementKind.MARK)
+        points > WorldLimits.MAXIMUM_POINTS -> WorldEditError.TooManyPoints
+        cellsIn(world.marks) > WorldLimits.MAXIMUM_MAP_CELLS -> WorldEditError.TooMany(ElementKind.MARK)
         else -> null
     }
 }
@@ -76,7 +76,7 @@ private fun cellsIn(marks: List<Mark>) = marks.sumOf { mark ->
         ?: 0
 }
 
-private fun errorOf(form: Form): EditError? = when (form) {
+private fun errorOf(form: Form): WorldEditError? = when (form) {
     is Form.Area -> errorOf(form.shape)
     is Form.Way -> errorOf(form)
     is Form.Start -> errorOf(Point(form.pose.x, form.pose.y))
@@ -84,37 +84,37 @@ private fun errorOf(form: Form): EditError? = when (form) {
     is Form.Picture -> errorOf(form.corner)
 }
 
-private fun errorOf(shape: Shape): EditError? = when (shape) {
+private fun errorOf(shape: Shape): WorldEditError? = when (shape) {
     is Shape.Rectangle -> errorOf(shape.centre) ?: sizeError(shape.width) ?: sizeError(shape.height)
     is Shape.Circle -> errorOf(shape.centre) ?: sizeError(shape.radius)
 
     is Shape.Polygon -> when {
-        shape.corners.size < MIN_CORNERS -> EditError.TooFewCorners
-        shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> EditError.TooManyPoints
+        shape.corners.size < MIN_CORNERS -> WorldEditError.TooFewCorners
+        shape.corners.size > WorldLimits.MAXIMUM_CORNERS -> WorldEditError.TooManyPoints
         else -> shape.corners.firstNotNullOfOrNull(::errorOf)
     }
 }
 
-private fun errorOf(way: Form.Way): EditError? = when {
-    way.points.size < (if (way.closed) MIN_CORNERS else 2) -> EditError.TooFewCorners
-    way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> EditError.TooManyPoints
-    way.isBent && way.edges().any { (from, to) -> from == to } -> EditError.CoincidentPoints
+private fun errorOf(way: Form.Way): WorldEditError? = when {
+    way.points.size < (if (way.closed) MIN_CORNERS else 2) -> WorldEditError.TooFewCorners
+    way.points.size > WorldLimits.MAXIMUM_LINE_POINTS -> WorldEditError.TooManyPoints
+    way.isBent && way.edges().any { (from, to) -> from == to } -> WorldEditError.CoincidentPoints
     else -> way.points.firstNotNullOfOrNull(::errorOf)
 }
 
-private fun errorOf(place: Point): EditError? {
+private fun errorOf(point: Point): WorldEditError? {
     val range = WorldLimits.MINIMUM_COORDINATE..WorldLimits.MAXIMUM_COORDINATE
-    return EditError.TooFar.takeIf { place.x !in range || place.y !in range }
+    return WorldEditError.TooFar.takeIf { point.x !in range || point.y !in range }
 }
 
-private fun sizeError(side: Double): EditError? =
-    EditError.InvalidSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
+private fun sizeError(side: Double): WorldEditError? =
+    WorldEditError.InvalidSize.takeIf { side !in WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_SHAPE_SIDE }
 
-private fun valueError(element: Element): EditError? = when (element) {
+private fun valueError(element: Element): WorldEditError? = when (element) {
     is Element.OfRobot -> errorOf(element.robot)
-    is Element.OfWall -> EditError.OutOfRange.takeIf { element.wall.thickness !in THICKNESSES }
+    is Element.OfWall -> WorldEditError.OutOfRange.takeIf { element.wall.thickness !in THICKNESSES }
 
-    is Element.OfBlock -> EditError.OutOfRange.takeIf {
+    is Element.OfBlock -> WorldEditError.OutOfRange.takeIf {
         element.block.mass !in MASSES ||
             element.block.friction !in FRICTIONS
     }
@@ -125,7 +125,7 @@ private fun valueError(element: Element): EditError? = when (element) {
     is Element.OfBarrier, is Element.OfStroke -> null
 }
 
-private fun errorOf(robot: RobotPlacement): EditError? {
+private fun errorOf(robot: RobotPlacement): WorldEditError? {
     val lines = robot.program?.lines().orEmpty()
     val areLines = lines.size <= WorldLimits.MAXIMUM_PROGRAM_LINES && lines.all { line ->
         line.length <= WorldLimits.MAXIMUM_PROGRAM_LINE_CHARACTERS && hasNoUnpairedSurrogate(line) &&
@@ -133,22 +133,22 @@ private fun errorOf(robot: RobotPlacement): EditError? {
     }
     val isPossible = robotErrors(robot.description).isEmpty()
     return when {
-        !areLines -> EditError.InvalidText
-        !isPossible || robot.beacon !in BRIGHTNESSES -> EditError.OutOfRange
+        !areLines -> WorldEditError.InvalidText
+        !isPossible || robot.beacon !in BRIGHTNESSES -> WorldEditError.OutOfRange
         else -> null
     }
 }
 
-private fun errorOf(mark: Mark): EditError? {
+private fun errorOf(mark: Mark): WorldEditError? {
     val isShade = when (val shade = mark.shade) {
         is Shade.Grey -> shade.reflectance in 0.0..1.0
         is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MAX_COLOUR }
     }
     val isWidth = (mark.figure as? MarkFigure.Line)?.let { it.width in THICKNESSES } ?: true
-    return EditError.OutOfRange.takeIf { !isShade || !isWidth }
+    return WorldEditError.OutOfRange.takeIf { !isShade || !isWidth }
 }
 
-private fun errorOf(lamp: Lamp): EditError? = EditError.OutOfRange.takeIf {
+private fun errorOf(lamp: Lamp): WorldEditError? = WorldEditError.OutOfRange.takeIf {
     lamp.brightness !in BRIGHTNESSES || lamp.cone !in WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND ||
         lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
 }

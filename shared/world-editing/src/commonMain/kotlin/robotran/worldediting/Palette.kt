@@ -41,7 +41,7 @@ val World.nextRobotColour: RobotColour
     get() = RobotColour.entries.firstOrNull { colour -> robots.none { it.colour == colour } }
         ?: RobotColour.entries[robots.size % RobotColour.entries.size]
 
-/** A new element near the paper's lower left corner; [Edit.Put] moves it. */
+/** A new element near the paper's lower left corner; [WorldEdit.Put] moves it. */
 fun PaletteItem.piece(world: World): Element = when (this) {
     PaletteItem.WALL -> Element.OfWall(Wall(Point(0.0, 0.0), Point(30.0, 0.0), thickness = 1.0))
     PaletteItem.BOX -> Element.OfBarrier(Barrier(rectangle(16.0, 10.0)))

@@ -24,8 +24,8 @@ val Bounds.height: Double get() = top - bottom
 internal operator fun Bounds.contains(other: Bounds) =
     other.left >= left && other.right <= right && other.bottom >= bottom && other.top <= top
 
-internal fun Bounds.distanceTo(place: Point): Double =
-    length(place.x - place.x.coerceIn(left, right), place.y - place.y.coerceIn(bottom, top))
+internal fun Bounds.distanceTo(point: Point): Double =
+    length(point.x - point.x.coerceIn(left, right), point.y - point.y.coerceIn(bottom, top))
 
 /** Normalizes an angle to (-180, 180] degrees. */
 internal fun normalizedAngle(degrees: Double): Double = normalHeading(degrees.rem(FULL_TURN))

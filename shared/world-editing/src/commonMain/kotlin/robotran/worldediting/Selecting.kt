@@ -4,9 +4,9 @@ import robotran.world.World
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
-/** The elements within [reach] of [place], topmost first; a small element comes before one that contains it. */
-fun World.elementsAt(place: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
-    val distance = piece(thing)?.form?.distanceTo(place)
+/** The elements within [reach] of [point], topmost first; a small element comes before one that contains it. */
+fun World.elementsAt(point: Point, reach: Double): List<ElementRef> = things().asReversed().mapNotNull { thing ->
+    val distance = piece(thing)?.form?.distanceTo(point)
     thing.takeIf { distance != null && distance <= reach }?.let { it to checkNotNull(distance) }
 }.sortedBy { (_, distance) -> if (distance == 0.0) 0.0 else distance }.map { it.first }
 

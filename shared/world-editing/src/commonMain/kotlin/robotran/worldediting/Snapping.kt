@@ -14,7 +14,7 @@ import kotlin.math.floor
  * @property toOthers whether to snap to edges and centres of other elements and of the paper.
  */
 data class Snapping(val grid: Double = 1.0, val angle: Double = 15.0, val toOthers: Boolean = true) {
-    fun onGrid(place: Point) = Point(onGrid(place.x), onGrid(place.y))
+    fun onGrid(point: Point) = Point(onGrid(point.x), onGrid(point.y))
 
     internal fun onGrid(coordinate: Double): Double = if (grid > 0) nearestMultiple(coordinate, grid) else coordinate
 
@@ -71,10 +71,10 @@ internal fun Snapping.move(by: Double, own: List<Double>, anchor: Double, lines:
     return Snapped(if (isMoved) onGrid(anchor + by) - anchor else 0.0, null)
 }
 
-/** [place] snapped to [lines] or to the grid. */
-internal fun Snapping.point(place: Point, lines: SnapLines, reach: Double): Pair<Point, List<Guide>> {
-    val x = coordinate(place.x, lines.across, reach)
-    val y = coordinate(place.y, lines.up, reach)
+/** [point] snapped to [lines] or to the grid. */
+internal fun Snapping.point(point: Point, lines: SnapLines, reach: Double): Pair<Point, List<Guide>> {
+    val x = coordinate(point.x, lines.across, reach)
+    val y = coordinate(point.y, lines.up, reach)
     return Point(x.coordinate, y.coordinate) to guides(x, y)
 }
 

@@ -48,7 +48,7 @@ sealed interface ValidationError {
 
         /** A sentence; empty if the world is valid. */
         fun message(language: Language): String =
-            (readWorld(writeWorld(world), language) as? WorldFileResult.Rejected)?.message.orEmpty()
+            (readWorld(writeWorld(world), language) as? WorldFileResult.Failure)?.message.orEmpty()
     }
 }
 
@@ -59,8 +59,8 @@ fun quickValidationErrorsOf(world: World): List<ValidationError> =
 /** All errors of [world]; if empty, its file can be read again. */
 fun validationErrorsOf(world: World): List<ValidationError> = quickValidationErrorsOf(world).ifEmpty {
     when (readWorld(writeWorld(world), Language.ENGLISH)) {
-        is WorldFileResult.Loaded -> emptyList()
-        is WorldFileResult.Rejected -> listOf(ValidationError.Rejected(world))
+        is WorldFileResult.Success -> emptyList()
+        is WorldFileResult.Failure -> listOf(ValidationError.Rejected(world))
     }
 }
 

@@ -21,13 +21,13 @@ data class WorldEditing(
     val selection: Set<ElementRef> = emptySet(),
     val groups: List<Set<ElementRef>> = emptyList(),
     val tool: Tool = Tool.SELECT,
-    val several: Boolean = false,
+    val isMultiSelect: Boolean = false,
     val snapping: Snapping = Snapping(),
     val clipboard: List<Element> = emptyList(),
     val history: History<WorldSnapshot> = History(),
     val gesture: Gesture? = null,
     val guides: List<Guide> = emptyList(),
-    val error: EditError? = null,
+    val error: WorldEditError? = null,
     val errors: List<ValidationError> = emptyList(),
 ) {
     /** The only selected element; null if there is none or more than one. */

@@ -89,9 +89,9 @@ internal fun World.without(things: Set<ElementRef>): World {
     )
 }
 
-/** This list with [item] at index [place], if the index is valid. */
-internal fun <T> List<T>.with(place: Int, item: T): List<T> = mapIndexed { number, old ->
-    if (number == place) {
+/** This list with [item] at index [index], if the index is valid. */
+internal fun <T> List<T>.with(index: Int, item: T): List<T> = mapIndexed { number, old ->
+    if (number == index) {
         item
     } else {
         old

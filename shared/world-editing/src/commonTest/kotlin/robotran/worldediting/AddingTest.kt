@@ -21,7 +21,7 @@ class AddingTest {
     @Test
     fun `one of each on one sheet can be kept, wherever they are put`() {
         val full = PaletteItem.entries.fold(emptySheet()) { now, item ->
-            now.after(Edit.Put(item.piece(now.world), Point(60.0, 45.0)))
+            now.after(WorldEdit.Put(item.piece(now.world), Point(60.0, 45.0)))
         }
         assertEquals(PaletteItem.entries.size + 1, full.world.things().size)
         full.assertSound()
@@ -38,20 +38,20 @@ class AddingTest {
     @Test
     fun `each new robot has a colour and a name of its own`() {
         val robots = (1..7).fold(emptySheet()) { now, _ ->
-            now.after(Edit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0)))
+            now.after(WorldEdit.Put(PaletteItem.ROBOT.piece(now.world), Point(60.0, 45.0)))
         }
         assertEquals(8, robots.world.robots.map { it.colour }.toSet().size)
         assertEquals(8, robots.world.robots.map { it.name }.toSet().size)
-        val ninth = robots.after(Edit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))
-        assertEquals(EditError.TooMany(ElementKind.ROBOT), ninth.error)
+        val ninth = robots.after(WorldEdit.Put(PaletteItem.ROBOT.piece(robots.world), Point(60.0, 45.0)))
+        assertEquals(WorldEditError.TooMany(ElementKind.ROBOT), ninth.error)
         assertEquals(robots.world, ninth.world)
-        assertEquals(null, ninth.after(Edit.SelectAll).error)
+        assertEquals(null, ninth.after(WorldEdit.SelectAll).error)
     }
 
     @Test
     fun `no more lamps than a world can have`() {
         val lamps = (1..WorldLimits.MAXIMUM_LAMPS + 3).fold(emptySheet()) { now, _ ->
-            now.after(Edit.Put(PaletteItem.LAMP.piece(now.world), Point(60.0, 45.0)))
+            now.after(WorldEdit.Put(PaletteItem.LAMP.piece(now.world), Point(60.0, 45.0)))
         }
         assertEquals(WorldLimits.MAXIMUM_LAMPS, lamps.world.lamps.size)
         lamps.assertSound()
@@ -60,31 +60,31 @@ class AddingTest {
     @Test
     fun `a line drawn by hand keeps its corners and not much else`() {
         val points = (0..40).map { Point(it * 1.0, 5.0) } + (1..20).map { Point(40.0, 5.0 + it) }
-        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(points))
+        val drawn = emptySheet().after(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE), WorldEdit.Draw(points))
         assertEquals(listOf(listOf(Point(0.0, 5.0), Point(40.0, 5.0), Point(40.0, 25.0))), drawn.world.strokes)
-        val line = drawn.after(Edit.SelectTool(Tool.DRAW_LINE), Edit.Draw(points))
+        val line = drawn.after(WorldEdit.SelectTool(Tool.DRAW_LINE), WorldEdit.Draw(points))
         assertEquals(1, line.world.marks.size)
         line.assertSound()
     }
 
     @Test
     fun `a point is no line`() {
-        val drawn = emptySheet().after(Edit.SelectTool(Tool.DRAW_TEMPLATE), Edit.Draw(List(5) { Point(3.0, 3.0) }))
+        val drawn = emptySheet().after(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE), WorldEdit.Draw(List(5) { Point(3.0, 3.0) }))
         assertEquals(null, drawn.world.template)
     }
 
     @Test
     fun `a copy has a name of its own and lies beside what it was made of`() {
         val block = emptySheet().with(PaletteItem.BLOCK, 80.0, 45.0)
-        val named = block.after(Edit.Change(checkNotNull(block.only), block.chosenPiece.named("box")))
-        val two = named.after(Edit.Duplicate)
+        val named = block.after(WorldEdit.Change(checkNotNull(block.only), block.chosenPiece.named("box")))
+        val two = named.after(WorldEdit.Duplicate)
         assertEquals(listOf("box", "box 2"), two.world.blocks.map { it.name })
         assertEquals(setOf(ElementRef(ElementKind.BLOCK, 1)), two.selection)
         assertNear(Point(83.0, 42.0), two.chosenForm.middle)
-        val pasted = two.after(Edit.Copy, Edit.Paste(Point(60.0, 20.0)))
+        val pasted = two.after(WorldEdit.Copy, WorldEdit.Paste(Point(60.0, 20.0)))
         assertNear(Point(60.0, 20.0), pasted.chosenForm.middle)
         assertEquals("box 3", pasted.world.blocks.last().name)
-        assertTrue(two.after(Edit.Select(null), Edit.Copy).clipboard.isEmpty())
+        assertTrue(two.after(WorldEdit.Select(null), WorldEdit.Copy).clipboard.isEmpty())
         pasted.assertSound()
     }
 }

@@ -17,15 +17,15 @@ class ChangingTest {
     fun `typing a title is one step until it is settled`() {
         val figures = emptySheet().world.figures
         val typed = emptySheet().after(
-            Edit.ChangeSheet(figures.copy(title = "A")),
-            Edit.ChangeSheet(figures.copy(title = "Ab")),
-            Edit.FinishChange,
-            Edit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
+            WorldEdit.ChangeSheet(figures.copy(title = "A")),
+            WorldEdit.ChangeSheet(figures.copy(title = "Ab")),
+            WorldEdit.FinishChange,
+            WorldEdit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
         )
         assertEquals(2, typed.history.past.size)
-        val undone = typed.after(Edit.Undo, Edit.Undo)
+        val undone = typed.after(WorldEdit.Undo, WorldEdit.Undo)
         assertEquals("Test", undone.world.title)
-        assertEquals(typed.world, undone.after(Edit.Redo, Edit.Redo).world)
+        assertEquals(typed.world, undone.after(WorldEdit.Redo, WorldEdit.Redo).world)
     }
 
     @Test
@@ -48,7 +48,7 @@ class ChangingTest {
             figures.copy(width = Double.NaN),
         )
         for (wanted in impossible) {
-            val refused = sheet.after(Edit.ChangeSheet(wanted))
+            val refused = sheet.after(WorldEdit.ChangeSheet(wanted))
             assertTrue(refused.error != null, "$wanted is taken")
             assertEquals(sheet.world, refused.world)
         }
@@ -57,7 +57,7 @@ class ChangingTest {
     @Test
     fun `what is to be done may be told in several lines`() {
         val sheet = emptySheet()
-        val told = sheet.after(Edit.ChangeSheet(sheet.world.figures.copy(task = "Drive to the flag.\nThen stop.")))
+        val told = sheet.after(WorldEdit.ChangeSheet(sheet.world.figures.copy(task = "Drive to the flag.\nThen stop.")))
         assertEquals(null, told.error)
         assertEquals("Drive to the flag.\nThen stop.", told.world.task)
     }
@@ -65,28 +65,28 @@ class ChangingTest {
     @Test
     fun `two things cannot be called the same`() {
         val lamp = emptySheet().with(PaletteItem.LAMP, 80.0, 45.0)
-        val renamed = lamp.after(Edit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow")))
-        assertEquals(EditError.NameTaken("yellow"), renamed.error)
+        val renamed = lamp.after(WorldEdit.Change(checkNotNull(lamp.only), lamp.chosenPiece.named("yellow")))
+        assertEquals(WorldEditError.NameTaken("yellow"), renamed.error)
     }
 
     @Test
     fun `the last robot stays`() {
-        val sheet = emptySheet().after(Edit.SelectAll, Edit.Delete)
-        assertEquals(EditError.LastRobot, sheet.error)
+        val sheet = emptySheet().after(WorldEdit.SelectAll, WorldEdit.Delete)
+        assertEquals(WorldEditError.LastRobot, sheet.error)
         assertEquals(1, sheet.world.robots.size)
     }
 
     @Test
     fun `a robot in a wall or beside the paper is told of until it is mended, and the paper may still shrink`() {
-        val wall = emptySheet().with(PaletteItem.WALL, 80.0, 45.0).after(Edit.Nudge(-50.0, 0.0))
+        val wall = emptySheet().with(PaletteItem.WALL, 80.0, 45.0).after(WorldEdit.Nudge(-50.0, 0.0))
         assertEquals(
             listOf<ValidationError>(
                 ValidationError.Obstructed(ElementRef(ElementKind.ROBOT, 0), ElementRef(ElementKind.WALL, 0)),
             ),
             wall.errors,
         )
-        wall.after(Edit.Delete).assertSound()
-        val narrow = emptySheet().after(Edit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
+        wall.after(WorldEdit.Delete).assertSound()
+        val narrow = emptySheet().after(WorldEdit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
         assertEquals(listOf<ValidationError>(ValidationError.OffPaper(ElementRef(ElementKind.ROBOT, 0))), narrow.errors)
     }
 
@@ -96,12 +96,12 @@ class ChangingTest {
         val barrier = (box.chosenPiece as Element.OfBarrier).barrier.copy(
             unknown = UnknownFields(mapOf("paint" to JsonPrimitive("wet"))),
         )
-        val marked = box.after(Edit.Change(checkNotNull(box.only), Element.OfBarrier(barrier)))
+        val marked = box.after(WorldEdit.Change(checkNotNull(box.only), Element.OfBarrier(barrier)))
         val copied = marked.after(
-            Edit.Nudge(1.0, 1.0),
-            Edit.TurnBy(30.0),
-            Edit.MakeCorners(checkNotNull(marked.only)),
-            Edit.Duplicate,
+            WorldEdit.Nudge(1.0, 1.0),
+            WorldEdit.TurnBy(30.0),
+            WorldEdit.MakeCorners(checkNotNull(marked.only)),
+            WorldEdit.Duplicate,
         )
         assertEquals(List(2) { barrier.unknown }, copied.world.barriers.map { it.unknown })
         copied.assertSound()
@@ -110,48 +110,48 @@ class ChangingTest {
     @Test
     fun `several edits together are one step or nothing`() {
         val box = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
-        val moved = box.after(Edit.Batch(listOf(Edit.Nudge(1.0, 0.0), Edit.TurnBy(15.0))))
+        val moved = box.after(WorldEdit.Batch(listOf(WorldEdit.Nudge(1.0, 0.0), WorldEdit.TurnBy(15.0))))
         assertEquals(box.history.past.size + 1, moved.history.past.size)
-        assertEquals(box.world, moved.after(Edit.Undo).world)
-        val refused = box.after(Edit.Batch(listOf(Edit.Nudge(1.0, 0.0), Edit.Nudge(1e7, 0.0))))
+        assertEquals(box.world, moved.after(WorldEdit.Undo).world)
+        val refused = box.after(WorldEdit.Batch(listOf(WorldEdit.Nudge(1.0, 0.0), WorldEdit.Nudge(1e7, 0.0))))
         assertEquals(box.world, refused.world)
-        assertEquals(EditError.TooFar, refused.error)
+        assertEquals(WorldEditError.TooFar, refused.error)
     }
 
     @Test
     fun `a new world has nothing but a robot, and undoing brings the old one back`() {
         val old = emptySheet().with(PaletteItem.BOX, 80.0, 45.0)
-        val new = old.after(Edit.NewWorld("Fresh"))
+        val new = old.after(WorldEdit.NewWorld("Fresh"))
         assertEquals(listOf(ElementRef(ElementKind.ROBOT, 0)), new.world.things())
         new.assertSound()
-        assertEquals(old.world, new.after(Edit.Undo).world)
+        assertEquals(old.world, new.after(WorldEdit.Undo).world)
     }
 
     @Test
     fun `every world that comes with Robotran can be opened, moved as a whole and kept`() {
         for ((name, text) in BuiltInWorlds.texts) {
-            val editing = WorldEditing.of((readWorld(text, Language.ENGLISH) as WorldFileResult.Loaded).world)
+            val editing = WorldEditing.of((readWorld(text, Language.ENGLISH) as WorldFileResult.Success).world)
             assertEquals(emptyList(), editing.errors, name)
-            val moved = editing.after(Edit.SelectAll, Edit.Nudge(1.0, 1.0), Edit.Select(null))
+            val moved = editing.after(WorldEdit.SelectAll, WorldEdit.Nudge(1.0, 1.0), WorldEdit.Select(null))
             moved.assertSound()
-            assertEquals(editing.world, moved.after(Edit.Undo).world)
+            assertEquals(editing.world, moved.after(WorldEdit.Undo).world)
         }
     }
 
     @Test
     fun `undoing goes back at most so many steps`() {
         val moved = (1..History.MAX_STEPS + 20).fold(
-            emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0))),
+            emptySheet().after(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0))),
         ) { now, number ->
-            now.after(Edit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
+            now.after(WorldEdit.Nudge(if (number % 2 == 0) 1.0 else -1.0, 0.0))
         }
         assertEquals(History.MAX_STEPS, moved.history.past.size)
     }
 
     @Test
     fun `the place of a tap is exact enough for small things`() {
-        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(Edit.Select(null))
-        assertEquals(ElementKind.STROKE, stroke.after(Edit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
-        assertEquals(null, stroke.after(Edit.TapAt(Point(80.0, 47.0), REACH)).only)
+        val stroke = emptySheet().with(PaletteItem.TEMPLATE_LINE, 80.0, 45.0).after(WorldEdit.Select(null))
+        assertEquals(ElementKind.STROKE, stroke.after(WorldEdit.TapAt(Point(80.0, 46.0), REACH)).only?.kind)
+        assertEquals(null, stroke.after(WorldEdit.TapAt(Point(80.0, 47.0), REACH)).only)
     }
 }

@@ -11,17 +11,17 @@ import kotlin.test.assertTrue
 /** A new sheet of 120 by 90 cm with the robot at 30, 45. */
 internal fun emptySheet() = WorldEditing.of(newWorld("Test"))
 
-internal fun WorldEditing.after(vararg edits: Edit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
+internal fun WorldEditing.after(vararg edits: WorldEdit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
 
 /** Adds and selects a new [item] with its centre at [x], [y]. */
 internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEditing {
-    val put = after(Edit.Snap(Snapping(0.0, 0.0, toOthers = false)), Edit.Put(item.piece(world), Point(x, y)))
-    return put.after(Edit.Snap(Snapping()))
+    val put = after(WorldEdit.Snap(Snapping(0.0, 0.0, toOthers = false)), WorldEdit.Put(item.piece(world), Point(x, y)))
+    return put.after(WorldEdit.Snap(Snapping()))
 }
 
 /** Drags the selection by [grip] from [from] to [to]. */
 internal fun WorldEditing.drag(grip: DragHandle, from: Point, to: Point): WorldEditing =
-    after(Edit.StartDrag(grip, from), Edit.DragTo(to, REACH), Edit.Drop)
+    after(WorldEdit.StartDrag(grip, from), WorldEdit.DragTo(to, REACH), WorldEdit.Drop)
 
 internal fun WorldEditing.handle(grip: DragHandle): Point = world.handlesOf(selection).first { it.grip == grip }.place
 
@@ -32,7 +32,7 @@ internal val WorldEditing.chosenForm: Form get() = checkNotNull(chosenPiece.form
 /** Checks that the world can be saved. */
 internal fun WorldEditing.assertSound() {
     assertEquals(emptyList(), errors)
-    assertEquals(WorldFileResult.Loaded(world), readWorld(writeWorld(world), Language.ENGLISH))
+    assertEquals(WorldFileResult.Success(world), readWorld(writeWorld(world), Language.ENGLISH))
 }
 
 internal fun assertNear(expected: Point, actual: Point) = assertTrue(

@@ -18,7 +18,7 @@ import kotlin.test.assertTrue
 class GoalsTest {
     private val beep = Goal(PlaySound())
     private val end = Goal(EndWithin(20))
-    private val two = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(end))
+    private val two = emptySheet().after(WorldEdit.AddGoal(beep), WorldEdit.AddGoal(end))
 
     @Test
     fun `goals are added at the end and chosen`() {
@@ -31,7 +31,7 @@ class GoalsTest {
     fun `all thirteen kinds of goal can be in a world`() {
         val sheet = emptySheet().with(PaletteItem.LINE, 80.0, 45.0).with(PaletteItem.TEMPLATE_LINE, 80.0, 20.0)
         val line = ElementRef(ElementKind.MARK, 0)
-        val named = sheet.after(Edit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
+        val named = sheet.after(WorldEdit.Change(line, checkNotNull(sheet.world.piece(line)).named("loop")))
         val simple = listOf(
             NeverTouch(),
             DrawTemplate(),
@@ -44,7 +44,7 @@ class GoalsTest {
             All(listOf(beep)),
             AnyOf(listOf(beep)),
         ).map { Goal(it) }
-        val all = simple.fold(named) { now, goal -> now.after(Edit.AddGoal(goal)) }
+        val all = simple.fold(named) { now, goal -> now.after(WorldEdit.AddGoal(goal)) }
             .with(PaletteItem.GOAL_AREA, 20.0, 20.0).with(PaletteItem.FORBIDDEN_AREA, 60.0, 20.0)
             .with(PaletteItem.PERMITTED_AREA, 60.0, 45.0)
         assertEquals(13, all.world.goals.map { it.condition::class }.toSet().size)
@@ -53,77 +53,77 @@ class GoalsTest {
 
     @Test
     fun `a goal can go up and down, into a group and out of it`() {
-        assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(1, GoalMove.UP)).world.goals)
-        assertEquals(listOf(end, beep), two.after(Edit.MoveGoal(0, GoalMove.DOWN)).world.goals)
-        val wrapped = two.after(Edit.WrapGoal(0, GoalGroup.IN_ORDER))
+        assertEquals(listOf(end, beep), two.after(WorldEdit.MoveGoal(1, GoalMove.UP)).world.goals)
+        assertEquals(listOf(end, beep), two.after(WorldEdit.MoveGoal(0, GoalMove.DOWN)).world.goals)
+        val wrapped = two.after(WorldEdit.WrapGoal(0, GoalGroup.IN_ORDER))
         assertEquals(listOf(Goal(InOrder(listOf(beep))), end), wrapped.world.goals)
         assertEquals(ElementRef(ElementKind.GOAL, 2), wrapped.only)
-        val inside = wrapped.after(Edit.MoveGoal(2, GoalMove.IN))
+        val inside = wrapped.after(WorldEdit.MoveGoal(2, GoalMove.IN))
         assertEquals(listOf<Goal>(Goal(InOrder(listOf(beep, end)))), inside.world.goals)
-        val out = inside.after(Edit.MoveGoal(1, GoalMove.OUT))
+        val out = inside.after(WorldEdit.MoveGoal(1, GoalMove.OUT))
         assertEquals(listOf(Goal(InOrder(listOf(end))), beep), out.world.goals)
-        assertEquals(listOf(end, beep), out.after(Edit.UnwrapGoal(0)).world.goals)
-        assertEquals(two.world, two.after(Edit.MoveGoal(0, GoalMove.OUT)).world)
+        assertEquals(listOf(end, beep), out.after(WorldEdit.UnwrapGoal(0)).world.goals)
+        assertEquals(two.world, two.after(WorldEdit.MoveGoal(0, GoalMove.OUT)).world)
     }
 
     @Test
     fun `a group goes with its last goal`() {
         val wrapped = two.after(
-            Edit.WrapGoal(0, GoalGroup.ANY_OF),
-            Edit.Select(ElementRef(ElementKind.GOAL, 1)),
-            Edit.Delete,
+            WorldEdit.WrapGoal(0, GoalGroup.ANY_OF),
+            WorldEdit.Select(ElementRef(ElementKind.GOAL, 1)),
+            WorldEdit.Delete,
         )
         assertEquals(listOf<Goal>(end), wrapped.world.goals)
     }
 
     @Test
     fun `goals lie at most four deep`() {
-        val deep = (1..3).fold(emptySheet().after(Edit.AddGoal(beep))) { now, _ ->
-            now.after(Edit.WrapGoal(0, GoalGroup.ALL))
+        val deep = (1..3).fold(emptySheet().after(WorldEdit.AddGoal(beep))) { now, _ ->
+            now.after(WorldEdit.WrapGoal(0, GoalGroup.ALL))
         }
         deep.assertSound()
-        assertEquals(EditError.TooDeep, deep.after(Edit.WrapGoal(0, GoalGroup.ALL)).error)
+        assertEquals(WorldEditError.TooDeep, deep.after(WorldEdit.WrapGoal(0, GoalGroup.ALL)).error)
     }
 
     @Test
     fun `goals that are the same are still two`() {
-        val twice = emptySheet().after(Edit.AddGoal(beep), Edit.AddGoal(beep), Edit.MoveGoal(0, GoalMove.DOWN))
+        val twice = emptySheet().after(WorldEdit.AddGoal(beep), WorldEdit.AddGoal(beep), WorldEdit.MoveGoal(0, GoalMove.DOWN))
         assertEquals(listOf(beep, beep), twice.world.goals)
-        assertEquals(1, twice.after(Edit.Select(ElementRef(ElementKind.GOAL, 1)), Edit.Delete).world.goals.size)
+        assertEquals(1, twice.after(WorldEdit.Select(ElementRef(ElementKind.GOAL, 1)), WorldEdit.Delete).world.goals.size)
     }
 
     @Test
     fun `a goal that needs a line or a drawing is not added without one`() {
-        assertEquals(EditError.NeedsLine, emptySheet().after(Edit.AddGoal(Goal(FollowLine("loop")))).error)
-        assertEquals(EditError.NeedsTemplate, emptySheet().after(Edit.AddGoal(Goal(DrawTemplate()))).error)
+        assertEquals(WorldEditError.NeedsLine, emptySheet().after(WorldEdit.AddGoal(Goal(FollowLine("loop")))).error)
+        assertEquals(WorldEditError.NeedsTemplate, emptySheet().after(WorldEdit.AddGoal(Goal(DrawTemplate()))).error)
     }
 
     @Test
     fun `a goal follows the name of its block and says so when the block is gone`() {
         val block = emptySheet().with(PaletteItem.BLOCK, 80.0, 45.0)
         val thing = ElementRef(ElementKind.BLOCK, 0)
-        val box = block.after(Edit.Change(thing, block.chosenPiece.named("box")))
+        val box = block.after(WorldEdit.Change(thing, block.chosenPiece.named("box")))
         val reach = (PaletteItem.GOAL_AREA.piece(box.world) as Element.OfGoal).goal.withWho("box")
         val goal = box.after(
-            Edit.AddGoal(reach),
-            Edit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")),
+            WorldEdit.AddGoal(reach),
+            WorldEdit.Change(thing, checkNotNull(box.world.piece(thing)).named("crate")),
         )
         assertEquals("crate", goal.world.goals.single().who)
         goal.assertSound()
-        val gone = goal.after(Edit.Select(thing), Edit.Delete)
+        val gone = goal.after(WorldEdit.Select(thing), WorldEdit.Delete)
         assertEquals(
             listOf<ValidationError>(ValidationError.MissingActor(ElementRef(ElementKind.GOAL, 0), "crate")),
             gone.errors,
         )
-        gone.after(Edit.Undo).assertSound()
+        gone.after(WorldEdit.Undo).assertSound()
     }
 
     @Test
     fun `figures of goals keep to what a world can have`() {
         val thing = ElementRef(ElementKind.GOAL, 1)
-        assertEquals(EditError.OutOfRange, two.after(Edit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error)
-        assertEquals(EditError.InvalidText, two.after(Edit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
+        assertEquals(WorldEditError.OutOfRange, two.after(WorldEdit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error)
+        assertEquals(WorldEditError.InvalidText, two.after(WorldEdit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
         val soon = Goal(EndWithin(7))
-        assertTrue(two.after(Edit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
+        assertTrue(two.after(WorldEdit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
     }
 }

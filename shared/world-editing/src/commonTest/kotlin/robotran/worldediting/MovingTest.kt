@@ -14,7 +14,7 @@ class MovingTest {
 
     @Test
     fun `a thing follows the finger onto the grid`() {
-        val alone = box.after(Edit.Snap(Snapping(toOthers = false)))
+        val alone = box.after(WorldEdit.Snap(Snapping(toOthers = false)))
         val moved = alone.drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
         assertNear(Point(84.0, 38.0), moved.chosenForm.middle)
         assertEquals(1, moved.history.past.size - box.history.past.size)
@@ -24,7 +24,7 @@ class MovingTest {
     @Test
     fun `without a grid and others it follows exactly`() {
         val moved = box.after(
-            Edit.Snap(Snapping(0.0, 0.0, toOthers = false)),
+            WorldEdit.Snap(Snapping(0.0, 0.0, toOthers = false)),
         ).drag(DragHandle.Body, Point(80.0, 45.0), Point(84.4, 38.3))
         assertNear(Point(84.4, 38.3), moved.chosenForm.middle)
     }
@@ -32,18 +32,18 @@ class MovingTest {
     @Test
     fun `near another thing it is drawn to its edge and the line is shown`() {
         val two = box.with(PaletteItem.DOT, 50.0, 20.0)
-        val held = two.after(Edit.StartDrag(DragHandle.Body, Point(50.0, 20.0)), Edit.DragTo(Point(78.9, 20.0), REACH))
+        val held = two.after(WorldEdit.StartDrag(DragHandle.Body, Point(50.0, 20.0)), WorldEdit.DragTo(Point(78.9, 20.0), REACH))
         assertEquals(listOf(Guide(isUpright = true, 72.0)), held.guides.filter { it.isUpright })
         assertNear(Point(78.0, 20.0), held.chosenForm.middle)
-        assertEquals(emptyList(), held.after(Edit.Drop).guides)
+        assertEquals(emptyList(), held.after(WorldEdit.Drop).guides)
     }
 
     @Test
     fun `what is let go comes back and is no step`() {
         val back = box.after(
-            Edit.StartDrag(DragHandle.Body, Point(80.0, 45.0)),
-            Edit.DragTo(Point(20.0, 20.0), REACH),
-            Edit.CancelDrag,
+            WorldEdit.StartDrag(DragHandle.Body, Point(80.0, 45.0)),
+            WorldEdit.DragTo(Point(20.0, 20.0), REACH),
+            WorldEdit.CancelDrag,
         )
         assertEquals(box.world, back.world)
         assertEquals(box.history, back.history)
@@ -53,7 +53,7 @@ class MovingTest {
     fun `nothing can be dragged out of all sight`() {
         val far = box.drag(DragHandle.Body, Point(80.0, 45.0), Point(1e7, 45.0))
         assertEquals(box.world, far.world)
-        assertEquals(EditError.TooFar, box.after(Edit.Nudge(1e7, 0.0)).error)
+        assertEquals(WorldEditError.TooFar, box.after(WorldEdit.Nudge(1e7, 0.0)).error)
     }
 
     @Test
@@ -68,7 +68,7 @@ class MovingTest {
 
     @Test
     fun `a handle of a turned box draws along the box`() {
-        val turned = box.after(Edit.TurnBy(90.0))
+        val turned = box.after(WorldEdit.TurnBy(90.0))
         val right = turned.handle(DragHandle.Size(SizeSide.RIGHT))
         assertNear(Point(80.0, 53.0), right)
         val wider = turned.drag(DragHandle.Size(SizeSide.RIGHT), right, Point(80.0, 57.0))
@@ -95,7 +95,7 @@ class MovingTest {
         val top = box.handle(DragHandle.Turn)
         val turned = box.drag(DragHandle.Turn, top, Point(80.0 - 10, 45.0 + 9))
         assertEquals(45.0, ((turned.chosenForm as Form.Area).shape as Shape.Rectangle).angle)
-        val free = box.after(Edit.Snap(Snapping(angle = 0.0))).drag(
+        val free = box.after(WorldEdit.Snap(Snapping(angle = 0.0))).drag(
             DragHandle.Turn,
             top,
             Point(80.0, 45.0).let {
@@ -110,14 +110,14 @@ class MovingTest {
 
     @Test
     fun `a robot is turned by the handle before it and moved by itself`() {
-        val robot = emptySheet().after(Edit.Select(ElementRef(ElementKind.ROBOT, 0)))
+        val robot = emptySheet().after(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0)))
         val turned = robot.drag(DragHandle.Turn, robot.handle(DragHandle.Turn), Point(30.0, 80.0))
         assertEquals(Pose(30.0, 45.0, 90.0), turned.world.start)
         val moved = turned.drag(DragHandle.Body, Point(31.0, 44.0), Point(41.0, 44.0))
         assertEquals(Pose(40.0, 45.0, 90.0), moved.world.start)
         val robotNow = (moved.chosenPiece as Element.OfRobot).robot
         val facing = moved.after(
-            Edit.Change(
+            WorldEdit.Change(
                 ElementRef(ElementKind.ROBOT, 0),
                 Element.OfRobot(robotNow.copy(lightFacing = LightFacing.FORWARD)),
             ),
@@ -139,40 +139,40 @@ class MovingTest {
         val four = triangle.drag(DragHandle.Edge(0), triangle.handle(DragHandle.Edge(0)), Point(80.0, 20.0))
         assertEquals(4, four.chosenForm.corners.size)
         val thing = checkNotNull(four.only)
-        val three = four.after(Edit.RemoveCorner(thing, 1))
+        val three = four.after(WorldEdit.RemoveCorner(thing, 1))
         assertEquals(3, three.chosenForm.corners.size)
-        assertEquals(EditError.TooFewCorners, three.after(Edit.RemoveCorner(thing, 1)).error)
-        assertEquals(4, three.after(Edit.AddCorner(thing, 2)).chosenForm.corners.size)
-        assertEquals(Point(70.0, 70.0), three.after(Edit.MoveCorner(thing, 0, Point(70.0, 70.0))).chosenForm.corners[0])
+        assertEquals(WorldEditError.TooFewCorners, three.after(WorldEdit.RemoveCorner(thing, 1)).error)
+        assertEquals(4, three.after(WorldEdit.AddCorner(thing, 2)).chosenForm.corners.size)
+        assertEquals(Point(70.0, 70.0), three.after(WorldEdit.MoveCorner(thing, 0, Point(70.0, 70.0))).chosenForm.corners[0])
     }
 
     @Test
     fun `a polygon whose edges cross says so until it is mended`() {
-        val square = box.after(Edit.MakeCorners(checkNotNull(box.only)))
+        val square = box.after(WorldEdit.MakeCorners(checkNotNull(box.only)))
         assertEquals(4, square.chosenForm.corners.size)
-        val tangled = square.after(Edit.MoveCorner(checkNotNull(square.only), 0, Point(80.0, 60.0)))
+        val tangled = square.after(WorldEdit.MoveCorner(checkNotNull(square.only), 0, Point(80.0, 60.0)))
         assertEquals(
             listOf<ValidationError>(ValidationError.SelfIntersecting(ElementRef(ElementKind.BARRIER, 0))),
             tangled.errors,
         )
-        tangled.after(Edit.Undo).assertSound()
+        tangled.after(WorldEdit.Undo).assertSound()
     }
 
     @Test
     fun `plus and minus make a thing larger and smaller about its middle`() {
-        val larger = box.after(Edit.ScaleBy(1.5))
+        val larger = box.after(WorldEdit.ScaleBy(1.5))
         assertEquals(Shape.Rectangle(Point(80.0, 45.0), 24.0, 15.0), (larger.chosenForm as Form.Area).shape)
-        val min = (1..40).fold(box) { now, _ -> now.after(Edit.ScaleBy(0.5)) }
-        assertEquals(EditError.InvalidSize, min.error)
-        min.after(Edit.Select(null)).assertSound()
+        val min = (1..40).fold(box) { now, _ -> now.after(WorldEdit.ScaleBy(0.5)) }
+        assertEquals(WorldEditError.InvalidSize, min.error)
+        min.after(WorldEdit.Select(null)).assertSound()
     }
 
     @Test
     fun `several things turn and grow together about their common middle`() {
         val two = emptySheet().with(PaletteItem.DOT, 60.0, 20.0).with(PaletteItem.DOT, 80.0, 20.0)
-            .after(Edit.SelectWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
+            .after(WorldEdit.SelectWithin(robotran.world.geometry.Bounds(40.0, 5.0, 100.0, 30.0)))
         assertEquals(2, two.selection.size)
-        val turned = two.after(Edit.TurnBy(90.0))
+        val turned = two.after(WorldEdit.TurnBy(90.0))
         assertEquals(listOf(10.0, 30.0), turned.world.marks.map { checkNotNull(Element.OfMark(it).form).middle.y })
         val corner = two.handle(DragHandle.Size(SizeSide.TOP_RIGHT))
         val grown = two.drag(DragHandle.Size(SizeSide.TOP_RIGHT), corner, Point(corner.x + 32, corner.y + 12))
@@ -186,10 +186,10 @@ class MovingTest {
             PaletteItem.DOT,
             50.0,
             20.0,
-        ).after(Edit.SelectAll, Edit.Select(ElementRef(ElementKind.ROBOT, 0), adding = true))
-        val left = two.after(Edit.Align(AlignSide.LEFT))
+        ).after(WorldEdit.SelectAll, WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0), adding = true))
+        val left = two.after(WorldEdit.Align(AlignSide.LEFT))
         assertEquals(listOf(44.0, 44.0), left.selection.map { checkNotNull(left.world.piece(it)?.form).bounds.left })
-        val middle = box.after(Edit.Align(AlignSide.CENTRE), Edit.Align(AlignSide.TOP))
+        val middle = box.after(WorldEdit.Align(AlignSide.CENTRE), WorldEdit.Align(AlignSide.TOP))
         assertNear(Point(60.0, 85.0), middle.chosenForm.middle)
     }
 

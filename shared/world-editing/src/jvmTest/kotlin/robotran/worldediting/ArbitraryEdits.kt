@@ -14,56 +14,56 @@ import kotlin.random.Random
 
 /** Random edits of any world, sensible or not. */
 internal class ArbitraryEdits(private val random: Random) {
-    fun edit(): Edit = when (random.nextInt(KINDS)) {
-        0 -> Edit.TapAt(place(), 2.0, random.nextBoolean())
-        1 -> Edit.Select(thing(), random.nextBoolean())
-        2 -> Edit.SelectWithin(area(), random.nextBoolean())
-        3 -> Edit.SelectAll
-        4 -> Edit.SelectNext(random.nextBoolean())
-        5 -> Edit.StartDrag(grip(), place())
-        6, 7 -> Edit.DragTo(place(), random.nextDouble(3.0))
-        8 -> if (random.nextBoolean()) Edit.Drop else Edit.CancelDrag
-        9 -> Edit.Draw(List(random.nextInt(5)) { place() })
-        10 -> Edit.Nudge(number(), number())
-        11 -> Edit.TurnBy(random.nextDouble(-800.0, 800.0))
-        12 -> Edit.ScaleBy(random.nextDouble(0.2, 3.0))
-        13 -> Edit.Duplicate
-        14 -> Edit.Delete
-        15 -> if (random.nextBoolean()) Edit.Copy else Edit.Paste(place().takeIf { random.nextBoolean() })
-        16 -> if (random.nextBoolean()) Edit.Group else Edit.Ungroup
-        17 -> Edit.Align(AlignSide.entries.random(random))
-        18 -> Edit.Restack(StackOrder.entries.random(random))
-        19, 20 -> Edit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
+    fun edit(): WorldEdit = when (random.nextInt(KINDS)) {
+        0 -> WorldEdit.TapAt(place(), 2.0, random.nextBoolean())
+        1 -> WorldEdit.Select(thing(), random.nextBoolean())
+        2 -> WorldEdit.SelectWithin(area(), random.nextBoolean())
+        3 -> WorldEdit.SelectAll
+        4 -> WorldEdit.SelectNext(random.nextBoolean())
+        5 -> WorldEdit.StartDrag(grip(), place())
+        6, 7 -> WorldEdit.DragTo(place(), random.nextDouble(3.0))
+        8 -> if (random.nextBoolean()) WorldEdit.Drop else WorldEdit.CancelDrag
+        9 -> WorldEdit.Draw(List(random.nextInt(5)) { place() })
+        10 -> WorldEdit.Nudge(number(), number())
+        11 -> WorldEdit.TurnBy(random.nextDouble(-800.0, 800.0))
+        12 -> WorldEdit.ScaleBy(random.nextDouble(0.2, 3.0))
+        13 -> WorldEdit.Duplicate
+        14 -> WorldEdit.Delete
+        15 -> if (random.nextBoolean()) WorldEdit.Copy else WorldEdit.Paste(place().takeIf { random.nextBoolean() })
+        16 -> if (random.nextBoolean()) WorldEdit.Group else WorldEdit.Ungroup
+        17 -> WorldEdit.Align(AlignSide.entries.random(random))
+        18 -> WorldEdit.Restack(StackOrder.entries.random(random))
+        19, 20 -> WorldEdit.Put(PaletteItem.entries.random(random).piece(SHEET), place())
 
         21 -> PaletteItem.entries.random(random).piece(SHEET).named(name()).let {
-            Edit.Change(ElementRef(it.kind, random.nextInt(4)), it)
+            WorldEdit.Change(ElementRef(it.kind, random.nextInt(4)), it)
         }
 
-        22 -> Edit.MoveCorner(thing(), random.nextInt(-1, 6), place())
-        23 -> Edit.AddCorner(thing(), random.nextInt(-1, 6))
-        24 -> Edit.RemoveCorner(thing(), random.nextInt(-1, 6))
-        25 -> Edit.MakeCorners(thing())
-        26 -> Edit.AddGoal(goal(), random.nextInt(5).takeIf { random.nextBoolean() })
-        27 -> Edit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
-        28 -> Edit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
-        29 -> Edit.UnwrapGoal(random.nextInt(-1, 6))
+        22 -> WorldEdit.MoveCorner(thing(), random.nextInt(-1, 6), place())
+        23 -> WorldEdit.AddCorner(thing(), random.nextInt(-1, 6))
+        24 -> WorldEdit.RemoveCorner(thing(), random.nextInt(-1, 6))
+        25 -> WorldEdit.MakeCorners(thing())
+        26 -> WorldEdit.AddGoal(goal(), random.nextInt(5).takeIf { random.nextBoolean() })
+        27 -> WorldEdit.MoveGoal(random.nextInt(-1, 6), GoalMove.entries.random(random))
+        28 -> WorldEdit.WrapGoal(random.nextInt(-1, 6), GoalGroup.entries.random(random))
+        29 -> WorldEdit.UnwrapGoal(random.nextInt(-1, 6))
 
-        30 -> Edit.ChangeSheet(
+        30 -> WorldEdit.ChangeSheet(
             SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
         )
 
-        31 -> Edit.SelectTool(Tool.entries.random(random))
-        32 -> Edit.SelectSeveral(random.nextBoolean())
+        31 -> WorldEdit.SelectTool(Tool.entries.random(random))
+        32 -> WorldEdit.SetMultiSelect(random.nextBoolean())
 
-        33 -> Edit.Snap(
+        33 -> WorldEdit.Snap(
             Snapping(listOf(0.0, 0.5, 1.0).random(random), listOf(0.0, 15.0).random(random), random.nextBoolean()),
         )
 
-        34 -> Edit.FinishChange
-        35 -> Edit.Batch(List(random.nextInt(3)) { edit() })
-        36 -> Edit.Undo
-        37 -> Edit.Redo
-        else -> if (random.nextInt(10) == 0) Edit.NewWorld("New") else Edit.FinishChange
+        34 -> WorldEdit.FinishChange
+        35 -> WorldEdit.Batch(List(random.nextInt(3)) { edit() })
+        36 -> WorldEdit.Undo
+        37 -> WorldEdit.Redo
+        else -> if (random.nextInt(10) == 0) WorldEdit.NewWorld("New") else WorldEdit.FinishChange
     }
 
     private fun thing() = ElementRef(ElementKind.entries.random(random), random.nextInt(-1, 5))

@@ -17,7 +17,7 @@ import robotran.world.file.writeWorld
 class EditingProperties :
     StringSpec({
         val builtIn = BuiltInWorlds.texts.values.map {
-            (readWorld(it, Language.ENGLISH) as WorldFileResult.Loaded).world
+            (readWorld(it, Language.ENGLISH) as WorldFileResult.Success).world
         }
         val worlds: Arb<World> = Arb.element(builtIn + newWorld("New"))
         val edits = Arb.list(arbitrary { ArbitraryEdits(it.random).edit() }, 0..60)
@@ -25,12 +25,12 @@ class EditingProperties :
         "undoing everything gives the world as it was, and redoing everything the world as it became" {
             checkAll(300, worlds, edits) { world, list ->
                 val first = WorldEditing.of(world)
-                val last = list.fold(first) { now, edit -> now.after(edit) }.after(Edit.Drop)
+                val last = list.fold(first) { now, edit -> now.after(edit) }.after(WorldEdit.Drop)
                 val steps = last.history.past.size
-                val undone = (1..steps).fold(last) { now, _ -> now.after(Edit.Undo) }
+                val undone = (1..steps).fold(last) { now, _ -> now.after(WorldEdit.Undo) }
                 undone.world shouldBe world
                 (1..undone.history.future.size).fold(undone) { now, _ ->
-                    now.after(Edit.Redo)
+                    now.after(WorldEdit.Redo)
                 }.history.future.isEmpty() shouldBe
                     true
             }
@@ -38,10 +38,10 @@ class EditingProperties :
 
         "a world without troubles is read as it was written, and one with troubles is refused" {
             checkAll(300, worlds, edits) { world, list ->
-                val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(Edit.Drop)
+                val editing = list.fold(WorldEditing.of(world)) { now, edit -> now.after(edit) }.after(WorldEdit.Drop)
                 val result = readWorld(writeWorld(editing.world), Language.ENGLISH)
-                if (editing.errors.isEmpty()) result shouldBe WorldFileResult.Loaded(editing.world)
-                (result is WorldFileResult.Rejected) shouldBe editing.errors.isNotEmpty()
+                if (editing.errors.isEmpty()) result shouldBe WorldFileResult.Success(editing.world)
+                (result is WorldFileResult.Failure) shouldBe editing.errors.isNotEmpty()
                 editing.errors.filterIsInstance<ValidationError.Rejected>() shouldBe emptyList()
             }
         }

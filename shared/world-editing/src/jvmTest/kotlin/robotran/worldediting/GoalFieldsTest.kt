@@ -47,7 +47,7 @@ class GoalFieldsTest {
                     "$condition",
                 )
                 val beyond = listOf(lowest - 1, highest + 1).map { errorOf(Goal(field.with(it))) }
-                assertEquals(listOf<EditError?>(EditError.OutOfRange, EditError.OutOfRange), beyond, "$condition")
+                assertEquals(listOf<WorldEditError?>(WorldEditError.OutOfRange, WorldEditError.OutOfRange), beyond, "$condition")
             }
         }
     }
@@ -66,7 +66,7 @@ class GoalFieldsTest {
     @Test
     fun `bounds must be in order, and a length needs one`() {
         val wrong = listOf(InkLength(9.0, 8.0), InkLength(null, null), PlaySound(lowest = 500, highest = 400))
-        for (condition in wrong) assertEquals(EditError.OutOfRange, errorOf(Goal(condition)), "$condition")
+        for (condition in wrong) assertEquals(WorldEditError.OutOfRange, errorOf(Goal(condition)), "$condition")
     }
 
     @Test

@@ -9,7 +9,7 @@ import robotran.world.geometry.Pose
  * @property start its pose at the start of a session.
  * @property description how it is built.
  * @property lightFacing the direction of its light sensors that have none of their own ([Facing.Free]); null if the
- * pupil may choose it, see `RobotLoad`, with down as the default.
+ * pupil may choose it, see `RobotProgramSet`, with down as the default.
  * @property beacon the brightness of a lamp on top of it, like a [Lamp] that shines all round; 0 for none.
  * @property program its default program in Robolang; null if it has none.
  * @property draft a robot on which somebody still works and that is impossible so far, see

@@ -99,7 +99,7 @@ private fun workIn(message: String): String? {
         file.optional("work")?.longText(ProjectLimits.MAXIMUM_LINK_CHARACTERS)
             ?.takeIf { file.optional("kind")?.textOrNull() == "resume" }
     }
-    return (reading as? JsonReading.Read)?.value
+    return (reading as? JsonReading.Success)?.value
 }
 
 /** The version of the messages. */

@@ -13,7 +13,7 @@ import robotran.assignments.grading.workers.writeHandIn
 import robotran.assignments.messages.GradingMessages
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
@@ -24,7 +24,7 @@ import robotran.workshop.platform.GradingWorkers
 internal object WebGradingWorkers : GradingWorkers {
     override suspend fun start(assignment: Project, plan: GradingPlan, language: Language): GradingCrew? {
         val order = GradingOrder.of(assignment, plan, language)?.write() ?: return null
-        val session = Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine(), language)
+        val session = Session(plan.worlds.first().world, emptyList<RobotProgramSet>(), loadPhysicsEngine(), language)
         val start = session.state
         session.close()
         val crew = WorkerCrew(processors().coerceIn(1, MAX_WORKERS), order, plan, language, start)

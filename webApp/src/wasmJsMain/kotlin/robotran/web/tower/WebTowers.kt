@@ -41,7 +41,7 @@ internal class WebTowers : TowerPorts {
     }
 
     override suspend fun open(device: TowerDevice): OpenedTower {
-        val found = device.id.toIntOrNull()?.let { seen.getOrNull(it) } ?: return OpenedTower.Failed(OpenFailure.GONE)
+        val found = device.id.toIntOrNull()?.let { seen.getOrNull(it) } ?: return OpenedTower.Failure(OpenFailure.GONE)
         return when (device.kind) {
             TowerKind.SERIAL -> openSerial(found.unsafeCast())
             TowerKind.USB -> openUsb(found.unsafeCast())
@@ -50,13 +50,13 @@ internal class WebTowers : TowerPorts {
 
     private suspend fun openSerial(port: SerialPort): OpenedTower {
         val failure = port.open(towerLine()).outcome().error?.let(::serialFailure)
-        return if (failure == null) OpenedTower.Open(WebSerialPort(port)) else OpenedTower.Failed(failure)
+        return if (failure == null) OpenedTower.Success(WebSerialPort(port)) else OpenedTower.Failure(failure)
     }
 
     private suspend fun openUsb(device: UsbDevice): OpenedTower {
-        val failure = prepare(device) ?: return OpenedTower.Open(WebUsbPort(device))
+        val failure = prepare(device) ?: return OpenedTower.Success(WebUsbPort(device))
         if (device.opened) device.close().outcome()
-        return OpenedTower.Failed(failure)
+        return OpenedTower.Failure(failure)
     }
 
     /** Null if the tower is ready. */

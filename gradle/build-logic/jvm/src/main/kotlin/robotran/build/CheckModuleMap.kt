@@ -17,7 +17,7 @@ import robotran.build.messages.readCatalogue
 import java.io.File
 
 /**
- * Fails if a module has an import that the module map in `docs/architecture.md` does not allow, is missing on the map,
+ * Fails if a module has an import that the module map in `docs/modules.md` does not allow, is missing on the map,
  * has cyclic package dependencies, or names a constant that only registries may name.
  */
 @CacheableTask
@@ -58,7 +58,7 @@ abstract class CheckModuleMap : DefaultTask() {
         )
         if (violations.isNotEmpty()) {
             throw GradleException(
-                violations.joinToString("\n", prefix = "Against the module map of docs/architecture.md:\n"),
+                violations.joinToString("\n", prefix = "Against the module map of docs/modules.md:\n"),
             )
         }
     }

@@ -34,7 +34,7 @@ data class RegisteredType(val type: String, val registries: List<String>) {
     }
 }
 
-/** The module map in `docs/architecture.md`, and the table of registries below it. The document is its only source. */
+/** The module map in `docs/modules.md`, and the table of registries below it. The document is its only source. */
 class ModuleMap(val modules: List<MappedModule>, private val registered: List<RegisteredType> = emptyList()) {
     private val byFolder = modules.associateBy { it.folder }
 

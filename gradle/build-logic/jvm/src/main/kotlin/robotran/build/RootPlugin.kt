@@ -57,8 +57,8 @@ class RootPlugin : Plugin<Project> {
     private fun registerModuleMapCheck(project: Project) =
         project.tasks.register("checkModuleMap", CheckModuleMap::class.java) { task ->
             task.group = "verification"
-            task.description = "Checks that no module imports what the module map in docs/architecture.md forbids."
-            task.map.set(project.file("docs/architecture.md"))
+            task.description = "Checks that no module imports what the module map in docs/modules.md forbids."
+            task.map.set(project.file("docs/modules.md"))
             val kinds = listOf("**/src/**/*.kt", "**/src/**/*.java", CATALOGUES)
             task.sources.from(kinds.map { sources(project, it) })
             task.root.set(project.layout.projectDirectory)

@@ -44,8 +44,8 @@ internal class GroupReader(
     fun isNoHandIn(file: FoundFile): Boolean {
         val bytes = (file.content as? FoundContent.Bytes)?.bytes
         if (file.kind != FoundKind.TEXT || bytes == null || bytes.size > JsonLimits.MAXIMUM_BYTES) return false
-        val text = (readText(file.name, bytes) as? TextReading.Read)?.text?.takeIf(::isProject) ?: return false
-        val project = (readProject(text, language) as? ProjectFileResult.Loaded)?.project ?: return false
+        val text = (readText(file.name, bytes) as? TextReading.Success)?.text?.takeIf(::isProject) ?: return false
+        val project = (readProject(text, language) as? ProjectFileResult.Success)?.project ?: return false
         return project.feedback != null || given.isAssignment(project)
     }
 
@@ -80,7 +80,7 @@ internal class GroupReader(
             if (bytes.size > JsonLimits.MAXIMUM_BYTES) {
                 return problems.plusAssign(messages.tooLarge(file.name, JsonLimits.MAXIMUM_BYTES))
             }
-            val reading = readText(file.name, bytes) as? TextReading.Read
+            val reading = readText(file.name, bytes) as? TextReading.Success
             val text = reading?.text
             when {
                 text == null -> problems += messages.notText(file.name)
@@ -129,8 +129,8 @@ internal class GroupReader(
         private suspend fun addText(file: FoundFile, text: String) {
             if (isProject(text)) {
                 when (val result = readProject(text, language)) {
-                    is ProjectFileResult.Loaded -> addProject(result.project, group.name, file.name)
-                    is ProjectFileResult.Rejected -> problems += "${file.name}: ${result.message}"
+                    is ProjectFileResult.Success -> addProject(result.project, group.name, file.name)
+                    is ProjectFileResult.Failure -> problems += "${file.name}: ${result.message}"
                 }
                 return
             }

@@ -35,5 +35,5 @@ val Project.assignmentId: String get() = assignment?.id.orEmpty()
 fun courseFile(course: Course): ByteArray? {
     val text = writeCourse(course)
     if (text.length > JsonLimits.MAXIMUM_CHARACTERS) return null
-    return text.takeIf { readCourse(it, Language.ENGLISH) is CourseFileResult.Loaded }?.encodeToByteArray()
+    return text.takeIf { readCourse(it, Language.ENGLISH) is CourseFileResult.Success }?.encodeToByteArray()
 }

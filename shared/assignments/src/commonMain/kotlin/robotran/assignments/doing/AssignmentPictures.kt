@@ -43,8 +43,8 @@ private fun ByteArray.startsWith(start: List<Int>): Boolean =
     size >= start.size && start.indices.all { number(it, 1) == start[it] }
 
 /** The whole number in [count] bytes, the most significant first. */
-private fun ByteArray.number(place: Int, count: Int): Int =
-    (place..<place + count).fold(0) { sum, index -> (sum shl 8) or (this[index].toInt() and 0xFF) }
+private fun ByteArray.number(offset: Int, count: Int): Int =
+    (offset..<offset + count).fold(0) { sum, index -> (sum shl 8) or (this[index].toInt() and 0xFF) }
 
 /** A photograph of a good phone. */
 const val MAXIMUM_PIXELS = 16_000_000L

@@ -10,12 +10,12 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.loadsWith
 import robotran.projects.readRobotLoads
 import robotran.projects.target
 import robotran.projects.unfinishedRobot
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.grade.GoalRun
 import robotran.simulation.physics.PhysicsEngine
@@ -43,7 +43,7 @@ class HandInGrader(
 
     /** Compiles the programs of [submission], and those of what may count in its place, for each world of the plan. */
     suspend fun prepare(submission: Submission.Usable): Preparation = try {
-        val compiled = mutableMapOf<Any, RobotLoads>()
+        val compiled = mutableMapOf<Any, RobotProgramSets>()
         val attempts = submission.attempts.map { prepareOne(it, compiled) }
         if (attempts.any { it is PreparedAttempt.Ready }) {
             Preparation.Ready(submission, attempts, this)
@@ -59,7 +59,7 @@ class HandInGrader(
     /** @param compiled what is known so far: variations mostly have the same robots, and compiling Java takes long. */
     private suspend fun prepareOne(
         submission: Submission.Usable,
-        compiled: MutableMap<Any, RobotLoads>,
+        compiled: MutableMap<Any, RobotProgramSets>,
     ): PreparedAttempt {
         // That is no mistake of the pupil's.
         plan.worlds.firstNotNullOfOrNull { unfinishedRobot(it.world, language) }?.let { unfinished ->
@@ -67,8 +67,8 @@ class HandInGrader(
         }
         val loads = plan.worlds.map { graded ->
             when (val result = loadsFor(graded, submission.robot, compiled)) {
-                is RobotLoads.Ready -> result.loads
-                is RobotLoads.HasErrors -> return PreparedAttempt.HasMistakes(result.diagnostics.map(::lineOf))
+                is RobotProgramSets.Success -> result.loads
+                is RobotProgramSets.Failure -> return PreparedAttempt.HasMistakes(result.diagnostics.map(::lineOf))
             }
         }
         return PreparedAttempt.Ready(plan.worlds.zip(loads))
@@ -78,19 +78,19 @@ class HandInGrader(
     private suspend fun loadsFor(
         graded: GradedWorld,
         robot: ProjectRobot,
-        compiled: MutableMap<Any, RobotLoads>,
-    ): RobotLoads {
+        compiled: MutableMap<Any, RobotProgramSets>,
+    ): RobotProgramSets {
         val all = compiledFor(graded, robot, compiled)
         val first = robot.programs.getOrNull(robot.firstProgram)
-        if (all is RobotLoads.Ready || first == null || robot.programs.size == 1) return all
+        if (all is RobotProgramSets.Success || first == null || robot.programs.size == 1) return all
         return compiledFor(graded, robot.copy(programs = listOf(first), firstProgram = 0), compiled)
     }
 
     private suspend fun compiledFor(
         graded: GradedWorld,
         robot: ProjectRobot,
-        compiled: MutableMap<Any, RobotLoads>,
-    ): RobotLoads {
+        compiled: MutableMap<Any, RobotProgramSets>,
+    ): RobotProgramSets {
         val known = graded.world.robots.map { it.name }
         val own = graded.world.robots.first().name
         val first = assignment.world.robots.first().name
@@ -102,14 +102,14 @@ class HandInGrader(
         val result = compiled.getOrPut(robot.programs to robotsOfWorld) {
             readRobotLoads(graded.world, compiler, sources.filterKeys { it in known })
         }
-        return if (result is RobotLoads.Ready) {
+        return if (result is RobotProgramSets.Success) {
             result.copy(loads = loadsWith(robots, graded.world, result.loads))
         } else {
             result
         }
     }
 
-    internal fun run(world: GradedWorld, loads: List<RobotLoad>, seed: Int, keepsState: Boolean) = PreparedRun(
+    internal fun run(world: GradedWorld, loads: List<RobotProgramSet>, seed: Int, keepsState: Boolean) = PreparedRun(
         world,
         seed,
         keepsState,

@@ -1,7 +1,7 @@
 package robotran.assignments.grading
 
 import robotran.assignments.collecting.Submission
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 
 /** The result of compiling a hand-in. */
 sealed interface Preparation {
@@ -57,7 +57,7 @@ sealed interface Preparation {
 
 /** One of several things that may count of a hand-in, compiled. */
 internal sealed interface PreparedAttempt {
-    class Ready(val worlds: List<Pair<GradedWorld, List<RobotLoad>>>) : PreparedAttempt
+    class Ready(val worlds: List<Pair<GradedWorld, List<RobotProgramSet>>>) : PreparedAttempt
 
     class HasMistakes(val reasons: List<String>) : PreparedAttempt
 

@@ -26,7 +26,7 @@ class OpenCourseTest {
     private val assignment = writeProject(ASSIGNMENT).encodeToByteArray()
 
     private suspend fun opened(vararg files: IncomingFile) =
-        assertIs<OpenFilesResult.Opened>(openFiles(unpackedCourses(files.toList()), Language.ENGLISH))
+        assertIs<OpenFilesResult.Success>(openFiles(unpackedCourses(files.toList()), Language.ENGLISH))
 
     @Test
     fun `a course is opened as one file, also under a name that says nothing`() = runTest {
@@ -45,7 +45,7 @@ class OpenCourseTest {
     @Test
     fun `a course without its files says which one it needs`() = runTest {
         val result = openFiles(listOf(IncomingFile("course.json", list)), Language.ENGLISH)
-        val error = assertIs<OpenFilesError.InFile>(assertIs<OpenFilesResult.Rejected>(result).error)
+        val error = assertIs<OpenFilesError.InFile>(assertIs<OpenFilesResult.Failure>(result).error)
         assertEquals(true, "draw.robotran" in error.message)
     }
 
@@ -68,7 +68,7 @@ class OpenCourseTest {
         val zip = zipOf(listOf(ZipEntry("a.robo", ByteArray(3))))
         for (bytes in listOf(zip, ByteArray(10))) {
             val result = openFiles(unpackedCourses(listOf(IncomingFile("a.zip", bytes))), Language.ENGLISH)
-            assertIs<OpenFilesResult.Rejected>(result)
+            assertIs<OpenFilesResult.Failure>(result)
         }
     }
 
@@ -77,7 +77,7 @@ class OpenCourseTest {
         val link = assertIs<LinkCreation.Made>(linkOf(course, Language.ENGLISH)).fragment
         assertEquals(
             listOf(course),
-            assertIs<OpenFilesResult.Opened>(openLinkText("https://a.b/$link", Language.ENGLISH)).courses,
+            assertIs<OpenFilesResult.Success>(openLinkText("https://a.b/$link", Language.ENGLISH)).courses,
         )
     }
 }

@@ -27,7 +27,7 @@ class OwnCoursesTest {
         assertEquals(Lessons.strands.map { it.name } + "worlds", OwnCourses.names)
         for (course in courses) {
             val bytes = assertNotNull(courseFile(course), course.title)
-            assertEquals(course, assertIs<CourseFileResult.Loaded>(readCourse(bytes, Language.ENGLISH)).course)
+            assertEquals(course, assertIs<CourseFileResult.Success>(readCourse(bytes, Language.ENGLISH)).course)
         }
     }
 

@@ -95,7 +95,7 @@ class DoingTest {
     fun `a hand-in that is written and read again is intact, and one that was changed is not`() {
         val project = project(Assignment("x", text = "Long text."), program("forward 5\n"))
         val handIn = makeHandIn(project, "Ada", HandedInWork(project.firstPrograms))
-        val again = assertIs<ProjectFileResult.Loaded>(readProject(writeProject(handIn), Language.ENGLISH)).project
+        val again = assertIs<ProjectFileResult.Success>(readProject(writeProject(handIn), Language.ENGLISH)).project
         assertTrue(isIntact(again))
         assertEquals(Assignment("x"), again.assignment)
         assertFalse(isIntact(again.copy(handIn = again.handIn?.copy(name = "Bob"))))

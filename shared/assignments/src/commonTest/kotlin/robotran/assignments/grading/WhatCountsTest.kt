@@ -19,7 +19,7 @@ import robotran.assignments.robolang
 import robotran.documents.ZipEntry
 import robotran.documents.zipOf
 import robotran.language.Language
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import kotlin.test.Test
@@ -113,7 +113,7 @@ class WhatCountsTest {
         val text = GradingWorker(order, loadPhysicsEngine()).grade(writeHandIn(ida)) {}
         val start = Session(
             plan.worlds.first().world,
-            emptyList<RobotLoad>(),
+            emptyList<RobotProgramSet>(),
             loadPhysicsEngine(),
             Language.ENGLISH,
         ).state

@@ -225,7 +225,7 @@ class ReportsTest {
             listOf("Anna, the -first-", "=1+2", "+1+2", "cem", "dora").map { "$it - feedback - Draw.robotran" },
             files.map { it.name },
         )
-        val anna = assertIs<ProjectFileResult.Loaded>(readProject(files.first().bytes, Language.ENGLISH)).project
+        val anna = assertIs<ProjectFileResult.Success>(readProject(files.first().bytes, Language.ENGLISH)).project
         assertEquals("Well <done>!\nGo on.", anna.feedback?.comment)
         assertEquals(listOf(FeedbackResult("", 2, 2), FeedbackResult("other", 2, 2)), anna.feedback?.results)
         assertEquals("Anna, the \"first\"", anna.handIn?.name)
@@ -245,7 +245,7 @@ class ReportsTest {
     fun `who has handed in nothing that runs gets feedback, too, and learns why`() = runTest {
         val report = report()
         assertTrue("There is no command" in feedbackProject(report, 3, Language.ENGLISH).feedback?.comment.orEmpty())
-        val dora = assertIs<ProjectFileResult.Loaded>(
+        val dora = assertIs<ProjectFileResult.Success>(
             readProject(feedbackFiles(report, Language.ENGLISH).last().bytes, Language.ENGLISH),
         ).project
         assertEquals(

@@ -25,9 +25,9 @@ class HandInHashTest {
     @Test
     fun `a file that was read back is intact, and a changed one is not`() {
         val text = writeProject(anna)
-        assertTrue(isIntact(assertIs<ProjectFileResult.Loaded>(readProject(text, Language.ENGLISH)).project))
+        assertTrue(isIntact(assertIs<ProjectFileResult.Success>(readProject(text, Language.ENGLISH)).project))
         val changed = text.replace("forward 12", "forward 13")
-        assertFalse(isIntact(assertIs<ProjectFileResult.Loaded>(readProject(changed, Language.ENGLISH)).project))
+        assertFalse(isIntact(assertIs<ProjectFileResult.Success>(readProject(changed, Language.ENGLISH)).project))
         assertFalse(isIntact(anna.copy(handIn = anna.handIn?.copy(tries = 2))))
         assertFalse(isIntact(ASSIGNMENT))
     }

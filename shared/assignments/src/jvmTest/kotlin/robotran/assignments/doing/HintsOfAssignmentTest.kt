@@ -9,7 +9,7 @@ import robotran.programs.ProgramCompiler
 import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
@@ -28,7 +28,7 @@ class HintsOfAssignmentTest {
     private fun hintsAfter(program: String, tries: Int, vararg hints: AssignmentHint): List<String> = runBlocking {
         val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
         val sources = mapOf(world.robots.first().name to listOf(Program("a.robo", ProgramLanguage.ROBOLANG, program)))
-        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, compiler, sources)).loads
+        val loads = assertIs<RobotProgramSets.Success>(readRobotLoads(world, compiler, sources)).loads
         val session = Session(world, loads, loadPhysicsEngine(), Language.ENGLISH)
         session.runForGoals()
         val state = session.state

@@ -26,7 +26,7 @@ class RecordedGradesTest {
 
     private fun check(resource: String, assignmentFile: String) = runTest {
         val folder = File(assertNotNull(javaClass.getResource(resource)).toURI())
-        val assignment = assertIs<ProjectFileResult.Loaded>(
+        val assignment = assertIs<ProjectFileResult.Success>(
             readProject(folder.resolve(assignmentFile).readText(), Language.ENGLISH),
         ).project
         val files = folder.resolve("class").listFiles().orEmpty().sorted().map {

@@ -13,7 +13,7 @@ import robotran.blockediting.messages.BlockMessages
  * @param before the blocks before the edit.
  * @param done what the edit has made of them.
  */
-fun describe(before: BlockProgram, edit: BlockEdit, done: BlockEditResult.Done, messages: BlockMessages): String {
+fun describe(before: BlockProgram, edit: BlockEdit, done: BlockEditResult.Success, messages: BlockMessages): String {
     val deed = edit.deed
     if (deed == BlockDeed.DELETED) {
         val blocks = (edit as? BlockEdit.Delete)?.blocks.orEmpty().mapNotNull { before[it] }

@@ -1,7 +1,9 @@
 package robotran.blockediting.palette
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.RobolangWords
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.ValueForm
@@ -23,4 +25,4 @@ private fun callOf(name: String, parameters: Int): String {
 
 /** The values of the line that gives [value] to a variable; the first one is [value] itself. */
 internal fun valuesIn(value: String): List<PhrasePart.Value> =
-    outlineRobolang("var x = $value").lines.first().parts.filterIsInstance<PhrasePart.Value>()
+    outlineRobolang("var x = $value", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().parts.filterIsInstance<PhrasePart.Value>()

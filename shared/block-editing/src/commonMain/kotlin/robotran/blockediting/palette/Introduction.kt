@@ -1,5 +1,7 @@
 package robotran.blockediting.palette
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 
@@ -18,7 +20,7 @@ fun introductions(steps: List<List<String>>): Map<String, Int> {
 }
 
 private fun blocksIn(program: String): Set<String> {
-    val outline = outlineRobolang(program)
+    val outline = outlineRobolang(program, messages = RobolangMessages.of(Language.ENGLISH))
     val lines = outline.lines.mapNotNull { it.form }.map(::idOf)
     val values = partsOf(outline).filterIsInstance<PhrasePart.Value>().map { idOf(it, program) }
     return (lines + values).toSet()

@@ -3,7 +3,9 @@ package robotran.blockediting.palette
 import robotran.blockediting.BlockPlace
 import robotran.blockediting.BlockProgram
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.robolang.RobolangWords
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
@@ -40,7 +42,7 @@ object Palette {
 
     private fun line(form: LineForm, template: String): PaletteBlock {
         val source = if (form.isSetting) "robot\n$template\nend" else template
-        val lines = outlineRobolang(source).lines.let { if (form.isSetting) it.drop(1).dropLast(1) else it }
+        val lines = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)).lines.let { if (form.isSetting) it.drop(1).dropLast(1) else it }
         return PaletteBlock(
             idOf(form),
             form.group,
@@ -52,7 +54,7 @@ object Palette {
 
     private fun value(form: ValueForm, template: String): PaletteBlock {
         val group = if (form == ValueForm.BUILT_IN && isAboutLists(template)) BlockGroup.LISTS else form.group
-        val outline = outlineRobolang(VALUE_LINE + template)
+        val outline = outlineRobolang(VALUE_LINE + template, messages = RobolangMessages.of(Language.ENGLISH))
         val part = outline.lines.first().parts.last() as PhrasePart.Value
         return PaletteBlock(
             idOf(part, outline.source),

@@ -6,6 +6,8 @@ import robotran.blockediting.BlockProgram
 import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.freeName
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.BlockGroup
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueForm
@@ -35,13 +37,13 @@ class PaletteBlock internal constructor(
     /** The [template] for [program]: the names that it declares differ from all that are there. */
     fun textFor(program: BlockProgram): String {
         if (isValue) return template
-        var lines = blocksOf(template)
+        var lines = blocksOf(template, messages = RobolangMessages.of(Language.ENGLISH))
         for (index in lines.outline.names.indices) {
             val name = lines.outline.names[index]
             val free = program.freeName(name.text)
             if (free == name.text) continue
             val renamed = apply(lines, BlockEdit.Rename(name.declaredAt, free))
-            if (renamed is BlockEditResult.Done) lines = renamed.program
+            if (renamed is BlockEditResult.Success) lines = renamed.program
         }
         return lines.text
     }

@@ -3,6 +3,8 @@ package robotran.blockediting.palette
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.blocksOf
 import robotran.blockediting.kindOf
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueKind
@@ -12,7 +14,7 @@ import robotran.robolang.words.ValueUse
 val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.form
 
 /** The type of this value; [ValueKind.UNKNOWN] for a name of the pupil's, whose program is not known here. */
-val PaletteBlock.valueKind: ValueKind get() = blocksOf(VALUE_LINE + template).kindOf(valuesIn(template).first().value)
+val PaletteBlock.valueKind: ValueKind get() = blocksOf(VALUE_LINE + template, messages = RobolangMessages.of(Language.ENGLISH)).kindOf(valuesIn(template).first().value)
 
 /** The text that puts this value at [part] of [program]. A sum, `and` and `not` keep what is there now. */
 fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String = textsAt(part, program).first()

@@ -34,7 +34,7 @@ interface BrickState {
     val sounding: Boolean
     val batteryMillivolts: Int
     val explanation: String?
-    val isImmediate: Boolean
+    val isSnippet: Boolean
     val screen: Screen
     val motors: List<MotorState>
     val inputs: List<InputReading>

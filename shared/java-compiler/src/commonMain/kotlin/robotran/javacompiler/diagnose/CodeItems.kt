@@ -87,11 +87,11 @@ internal class CodeItems(tokens: List<CodeToken>) {
         }
     }
 
-    /** The word of the header at [place], if it begins a class; in a file also with capital letters. */
-    private fun typeWord(place: Int): String {
-        val written = header[place].text
+    /** The word of the header at [offset], if it begins a class; in a file also with capital letters. */
+    private fun typeWord(offset: Int): String {
+        val written = header[offset].text
         val word = if (contexts.last() == CodeContext.FILE) written.lowercase() else written
-        return if (word in TYPE_WORDS && header.getOrNull(place - 1)?.text != ".") word else ""
+        return if (word in TYPE_WORDS && header.getOrNull(offset - 1)?.text != ".") word else ""
     }
 
     /** Whether the header ends with `new Name(...)`, so that its body is one of a class without a name. */

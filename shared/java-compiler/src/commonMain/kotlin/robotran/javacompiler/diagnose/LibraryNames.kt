@@ -28,8 +28,8 @@ internal class LibraryNames(library: Map<String, ByteArray>) {
 
 /** Whether programs can use the class of [classFile]; its flags follow the constants. */
 private fun isPublic(classFile: ByteArray): Boolean {
-    fun number(place: Int) =
-        (classFile[place].toInt() and BYTE shl Byte.SIZE_BITS) or (classFile[place + 1].toInt() and BYTE)
+    fun number(offset: Int) =
+        (classFile[offset].toInt() and BYTE shl Byte.SIZE_BITS) or (classFile[offset + 1].toInt() and BYTE)
 
     var place = FIRST_CONSTANT
     var left = number(FIRST_CONSTANT - 2) - 1

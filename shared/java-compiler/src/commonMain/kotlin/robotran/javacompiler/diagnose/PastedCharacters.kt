@@ -94,11 +94,11 @@ internal class PastedCharacters(private val source: JavaSource, linesWithErrors:
         return minOf(end + 1, source.text.length)
     }
 
-    private fun isClosedLater(place: Int, mark: Char) = source.text.substring(place, endOfLine(place)).contains(mark)
+    private fun isClosedLater(offset: Int, mark: Char) = source.text.substring(offset, endOfLine(offset)).contains(mark)
 
-    private fun endOfComment(place: Int): Int =
-        source.text.indexOf("*/", place + 2).let { if (it < 0) source.text.length else it + 2 }
+    private fun endOfComment(offset: Int): Int =
+        source.text.indexOf("*/", offset + 2).let { if (it < 0) source.text.length else it + 2 }
 
-    private fun endOfLine(place: Int): Int =
-        source.text.indexOfAny(charArrayOf('\n', '\r'), place).let { if (it < 0) source.text.length else it }
+    private fun endOfLine(offset: Int): Int =
+        source.text.indexOfAny(charArrayOf('\n', '\r'), offset).let { if (it < 0) source.text.length else it }
 }

@@ -38,7 +38,7 @@ private fun withoutBlockComments(text: String): String {
     }.joinToString("")
 }
 
-private fun isAfterDot(text: String, place: Int): Boolean = place > 0 && text[place - 1] == '.'
+private fun isAfterDot(text: String, offset: Int): Boolean = offset > 0 && text[offset - 1] == '.'
 
 /** A line's comment, a text or character, a name, a number, or any other sign. */
 private val JAVA_TOKEN = Regex(

@@ -51,12 +51,12 @@ internal class Assembler(language: Language, private val target: FirmwareTarget)
         }
     }
 
-    private fun rejected() = AssemblyResult.Rejected(sink.inSourceOrder(Severity.ERROR))
+    private fun rejected() = AssemblyResult.Failure(sink.inSourceOrder(Severity.ERROR))
 
     private fun assembled(chunks: List<Chunk>, placed: List<AssembledChunk>): AssemblyResult {
         val ordered = chunks.sortedWith(compareBy({ it.id.kind == ChunkKind.TASK }, { it.id.number }))
         val image = RcxImage(target, ordered, names.symbols(ordered.map { it.id }))
         val lines = placed.associate { chunk -> chunk.id to chunk.commands.map { CodeLine(it.address, it.word.line) } }
-        return AssemblyResult.Assembled(image, LineTable(lines), sink.inSourceOrder(Severity.WARNING))
+        return AssemblyResult.Success(image, LineTable(lines), sink.inSourceOrder(Severity.WARNING))
     }
 }

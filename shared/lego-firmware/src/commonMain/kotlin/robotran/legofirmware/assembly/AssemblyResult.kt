@@ -12,8 +12,8 @@ sealed interface AssemblyResult {
      * @property lines the line of each command.
      * @property warnings in source order.
      */
-    class Assembled(val image: RcxImage, val lines: LineTable, val warnings: List<Diagnostic>) : AssemblyResult
+    class Success(val image: RcxImage, val lines: LineTable, val warnings: List<Diagnostic>) : AssemblyResult
 
     /** The text has mistakes; [diagnostics] are the errors in source order, never empty. */
-    data class Rejected(val diagnostics: List<Diagnostic>) : AssemblyResult
+    data class Failure(val diagnostics: List<Diagnostic>) : AssemblyResult
 }

@@ -12,16 +12,16 @@ internal class AssemblySink {
 
     val hasErrors: Boolean get() = diagnostics.any { it.severity == Severity.ERROR }
 
-    fun error(code: AssemblyProblem, place: Token, message: String, replacement: String? = null) =
-        add(code, Severity.ERROR, place, message, replacement)
+    fun error(code: AssemblyProblem, token: Token, message: String, replacement: String? = null) =
+        add(code, Severity.ERROR, token, message, replacement)
 
-    fun warn(code: AssemblyProblem, place: Token, message: String) = add(code, Severity.WARNING, place, message, null)
+    fun warn(code: AssemblyProblem, token: Token, message: String) = add(code, Severity.WARNING, token, message, null)
 
-    private fun add(code: AssemblyProblem, severity: Severity, place: Token, message: String, replacement: String?) {
-        if (diagnostics.size >= AssemblyLimits.DIAGNOSTICS || !lines.add(place.line to severity)) return
-        val range = SourceRange(place.line, place.column, place.column + place.text.length)
+    private fun add(code: AssemblyProblem, severity: Severity, token: Token, message: String, replacement: String?) {
+        if (diagnostics.size >= AssemblyLimits.DIAGNOSTICS || !lines.add(token.line to severity)) return
+        val range = SourceRange(token.line, token.column, token.column + token.text.length)
         val fix = replacement?.let { SourceFix(range, it) }
-        diagnostics += Diagnostic(severity, "", range, message, fix, place.text, code)
+        diagnostics += Diagnostic(severity, "", range, message, fix, token.text, code)
     }
 
     fun inSourceOrder(severity: Severity): List<Diagnostic> = diagnostics.filter { it.severity == severity }

@@ -16,12 +16,12 @@ internal class FirmwareCheck(
     private val messages: AssemblyMessages,
     private val target: FirmwareTarget,
 ) {
-    /** Reports what the firmware lacks at [place], and returns false if that is an error. */
-    fun accepts(instruction: Instruction, place: Token): Boolean {
+    /** Reports what the firmware lacks at [token], and returns false if that is an error. */
+    fun accepts(instruction: Instruction, token: Token): Boolean {
         val opcode = instruction.opcode
-        if (opcode.firmware > target) return refuse(place, messages.newerCommand(opcode.mnemonic))
+        if (opcode.firmware > target) return refuse(token, messages.newerCommand(opcode.mnemonic))
         if (opcode.use == OpcodeUse.REQUEST) {
-            sink.warn(AssemblyProblem.REQUEST_ONLY, place, messages.requestOnly(opcode.mnemonic))
+            sink.warn(AssemblyProblem.REQUEST_ONLY, token, messages.requestOnly(opcode.mnemonic))
         }
         val values = instruction.operands.flatMap {
             when (it) {
@@ -32,30 +32,30 @@ internal class FirmwareCheck(
         }
         val unknown = values.find { ValueSource.of(it.source) == null }
         if (unknown != null) {
-            sink.warn(AssemblyProblem.UNKNOWN_SOURCE, place, messages.unknownSource(unknown.source))
+            sink.warn(AssemblyProblem.UNKNOWN_SOURCE, token, messages.unknownSource(unknown.source))
         }
-        return target != FirmwareTarget.RCX || firstFirmwareAccepts(instruction, values, place)
+        return target != FirmwareTarget.RCX || firstFirmwareAccepts(instruction, values, token)
     }
 
-    private fun firstFirmwareAccepts(instruction: Instruction, values: List<Operand.Value>, place: Token): Boolean {
+    private fun firstFirmwareAccepts(instruction: Instruction, values: List<Operand.Value>, token: Token): Boolean {
         val newer = values.find { ValueSource.of(it.source)?.firmware == FirmwareTarget.RCX2 }
-        if (newer != null) return refuse(place, messages.newerSource(newer.source))
+        if (newer != null) return refuse(token, messages.newerSource(newer.source))
         val variables = values.filter { it.source == ValueSource.VARIABLE.code }.map { it.argument } +
             instruction.operands.zip(instruction.opcode.operands)
                 .mapNotNull { (operand, kind) -> (operand as? Operand.Number)?.takeIf { kind == OperandKind.VARIABLE } }
                 .map { it.value }
         val local = variables.find { it >= FirmwareLimits.GLOBAL_VARIABLES }
-        if (local != null) return refuse(place, messages.newerVariable(local))
+        if (local != null) return refuse(token, messages.newerVariable(local))
         val refused = FirstFirmware.refusedSource(instruction)
         if (refused != null) {
             val message = messages.restrictedSource(instruction.opcode.mnemonic, refused)
-            sink.warn(AssemblyProblem.RESTRICTED_SOURCE, place, message)
+            sink.warn(AssemblyProblem.RESTRICTED_SOURCE, token, message)
         }
         return true
     }
 
-    private fun refuse(place: Token, message: String): Boolean {
-        sink.error(AssemblyProblem.NEWER_FIRMWARE, place, message)
+    private fun refuse(token: Token, message: String): Boolean {
+        sink.error(AssemblyProblem.NEWER_FIRMWARE, token, message)
         return false
     }
 }

@@ -38,10 +38,10 @@ internal class Infrared(private val calls: RomCalls) {
     }
 
     /** A place of the serial buffer: bytes 0..15, 16 the format of packets, 17 the carrier. */
-    fun serial(place: Int): Int = buffer.getOrElse(place) { 0 }
+    fun serial(index: Int): Int = buffer.getOrElse(index) { 0 }
 
-    fun setSerial(place: Int, value: Int) {
-        if (place in buffer.indices) buffer[place] = value and BYTE
+    fun setSerial(index: Int, value: Int) {
+        if (index in buffer.indices) buffer[index] = value and BYTE
     }
 
     /** Sends [count] bytes of the buffer from [first] on, in its format; only if [isFree]. */

@@ -7,8 +7,8 @@ sealed interface RcxImageResult {
      *
      * @property warnings what is odd about the file, in its order; usually empty.
      */
-    data class Read(val image: RcxImage, val warnings: List<ImageFault>) : RcxImageResult
+    data class Success(val image: RcxImage, val warnings: List<ImageFault>) : RcxImageResult
 
     /** The file holds no program for an RCX. */
-    data class Refused(val fault: ImageFault) : RcxImageResult
+    data class Failure(val fault: ImageFault) : RcxImageResult
 }

@@ -4,7 +4,7 @@ package robotran.legofirmware.image
 fun readRcxImage(bytes: ByteArray): RcxImageResult = try {
     RcxImageReader(bytes).read()
 } catch (refusal: ImageRefusal) {
-    RcxImageResult.Refused(refusal.fault)
+    RcxImageResult.Failure(refusal.fault)
 }
 
 /** Aborts reading; caught in [readRcxImage]. */
@@ -32,7 +32,7 @@ private class RcxImageReader(private val bytes: ByteArray) {
         if (ChunkId.MAIN !in chunks) warnings += ImageFault.NoMainTask
         val image = RcxImage(target, chunks.values.toList(), symbols)
         if (image.codeSize > FirmwareLimits.PROGRAM_MEMORY) warnings += ImageFault.LargeProgram(image.codeSize)
-        return RcxImageResult.Read(image, warnings)
+        return RcxImageResult.Success(image, warnings)
     }
 
     /** Numbers above the limits and second chunks are refused, so the loop is short whatever [count] is. */

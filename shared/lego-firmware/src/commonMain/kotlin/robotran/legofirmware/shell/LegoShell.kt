@@ -45,7 +45,7 @@ internal class LegoShell(
 
     override val poweredOn: Boolean get() = power.isOn
 
-    override var isImmediate = false
+    override var isSnippet = false
         private set
 
     override val selectedSlot: Int get() = devices.slot
@@ -99,12 +99,12 @@ internal class LegoShell(
         if (run != null) endRun(stopped = true)
     }
 
-    override fun runNow(program: RcxProgram) {
+    override fun runSnippet(program: RcxProgram) {
         val code = codeOf(program) ?: return
         hardware.wake()
         if (run != null) stopProgram()
         if (!poweredOn) power.switchOn()
-        start(code, isImmediate = true)
+        start(code, isSnippet = true)
     }
 
     override fun tick() {
@@ -145,15 +145,15 @@ internal class LegoShell(
     private fun startSelected() {
         val code = slots.getOrNull(devices.slot)
         if (code != null) {
-            start(code, isImmediate = false)
+            start(code, isSnippet = false)
         } else {
             emptySlot = devices.slot
             power.play(BUZZ)
         }
     }
 
-    private fun start(code: ProgramCode, isImmediate: Boolean) {
-        this.isImmediate = isImmediate
+    private fun start(code: ProgramCode, isSnippet: Boolean) {
+        this.isSnippet = isSnippet
         emptySlot = null
         pausedSteps = 0
         hardware.startExpectations { (run?.sourceLine ?: 0) to run?.sourceFile }

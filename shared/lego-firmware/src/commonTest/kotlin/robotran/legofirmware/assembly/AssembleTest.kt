@@ -21,7 +21,7 @@ class AssembleTest {
         var compared = 0
         for (name in Vectors.names) {
             val text = Vectors.text("$name.lasm") ?: continue
-            val result = assertIs<AssemblyResult.Assembled>(assemble(text, Language.ENGLISH), name)
+            val result = assertIs<AssemblyResult.Success>(assemble(text, Language.ENGLISH), name)
             assertContentEquals(Vectors.bytes(name), result.image.toBytes(), name)
             compared++
         }
@@ -33,7 +33,7 @@ class AssembleTest {
         for (name in Vectors.names) {
             val image = Vectors.image(name)
             val listing = image.assemblyListing()
-            val result = assertIs<AssemblyResult.Assembled>(
+            val result = assertIs<AssemblyResult.Success>(
                 assemble(listing.text, target = image.target, language = Language.ENGLISH),
                 name,
             )
@@ -59,7 +59,7 @@ class AssembleTest {
             |end:
             |endt
         """.trimMargin()
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
+        val result = assertIs<AssemblyResult.Success>(assemble(source, Language.ENGLISH))
         assertEquals(
             CodeBytes.of(
                 0x24,
@@ -135,24 +135,24 @@ class AssembleTest {
 
     @Test
     fun `warnings and limits`() {
-        val empty = assertIs<AssemblyResult.Assembled>(assemble("; nothing\n", Language.ENGLISH))
+        val empty = assertIs<AssemblyResult.Success>(assemble("; nothing\n", Language.ENGLISH))
         assertEquals(listOf(AssemblyProblem.NO_MAIN_TASK), empty.warnings.map { it.code })
         val full =
-            assertIs<AssemblyResult.Assembled>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt", Language.ENGLISH))
+            assertIs<AssemblyResult.Success>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt", Language.ENGLISH))
         assertEquals(listOf(AssemblyProblem.LARGE_PROGRAM), full.warnings.map { it.code })
-        val long = assertIs<AssemblyResult.Rejected>(assemble(" ".repeat(1_000_001), Language.ENGLISH))
+        val long = assertIs<AssemblyResult.Failure>(assemble(" ".repeat(1_000_001), Language.ENGLISH))
         assertEquals(AssemblyProblem.SOURCE_TOO_LONG, long.diagnostics.single().code)
-        val many = assertIs<AssemblyResult.Rejected>(assemble("x\n".repeat(5000), Language.ENGLISH))
+        val many = assertIs<AssemblyResult.Failure>(assemble("x\n".repeat(5000), Language.ENGLISH))
         assertEquals(AssemblyLimits.DIAGNOSTICS, many.diagnostics.size)
         val code = "byte 0, 1, 2, 3\n".repeat(16_384)
-        val large = assertIs<AssemblyResult.Rejected>(assemble("task 0\n${code}endt", Language.ENGLISH))
+        val large = assertIs<AssemblyResult.Failure>(assemble("task 0\n${code}endt", Language.ENGLISH))
         assertEquals(AssemblyProblem.CODE_TOO_LONG, large.diagnostics.first().code)
     }
 
     @Test
     fun `diagnostics are in the language of the pupil`() {
         val sentences = Language.entries.map { language ->
-            val result = assertIs<AssemblyResult.Rejected>(assemble("task 0\n plas 1\nendt", language))
+            val result = assertIs<AssemblyResult.Failure>(assemble("task 0\n plas 1\nendt", language))
             result.diagnostics.single().message
         }
         assertEquals(
@@ -176,7 +176,7 @@ class AssembleTest {
     ) {
         val first = if (at == 1) "task 1" else "task 0"
         val source = "$first\nend: ping\n $line\n${followed}task 2\nother: ping\nendt"
-        val result = assertIs<AssemblyResult.Rejected>(assemble(source, Language.ENGLISH), line)
+        val result = assertIs<AssemblyResult.Failure>(assemble(source, Language.ENGLISH), line)
         val found = result.diagnostics.first()
         assertEquals(code, found.code, line)
         val range = assertNotNull(found.range)
@@ -187,8 +187,8 @@ class AssembleTest {
 
     private fun assertNewer(line: String, sentence: String) {
         val source = "task 0\n$line\nendt"
-        assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
-        val found = assertIs<AssemblyResult.Rejected>(
+        assertIs<AssemblyResult.Success>(assemble(source, Language.ENGLISH))
+        val found = assertIs<AssemblyResult.Failure>(
             assemble(source, target = FirmwareTarget.RCX, language = Language.ENGLISH),
         ).diagnostics.single()
         assertEquals(AssemblyProblem.NEWER_FIRMWARE, found.code)
@@ -197,6 +197,6 @@ class AssembleTest {
 
     private fun warnings(line: String, target: FirmwareTarget): List<ProblemCode?> {
         val result = assemble("task 0\n$line\nendt", Language.ENGLISH, target)
-        return assertIs<AssemblyResult.Assembled>(result).warnings.map { it.code }
+        return assertIs<AssemblyResult.Success>(result).warnings.map { it.code }
     }
 }

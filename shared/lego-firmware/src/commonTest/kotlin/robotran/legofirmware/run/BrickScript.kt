@@ -1,5 +1,7 @@
 package robotran.legofirmware.run
 
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.sound.SoundEvent
@@ -12,8 +14,7 @@ import robotran.legofirmware.image.FirmwareTarget
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.infrared.InfraredAir
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
+import robotran.rcxrom.messages.BrickMessages
 
 /**
  * A program with what happens around it, and what must come of it, in comments such as `; at 10: var 1 = 5`. Run is
@@ -25,7 +26,7 @@ internal class BrickScript(private val name: String, private val source: String)
     private val tower = air.placeTower()
     private val target = if ("; target rcx\n" in source) FirmwareTarget.RCX else FirmwareTarget.RCX2
     private val program = assembled()
-    private val brick = RcxBrick(listOf(program), air)
+    private val brick = RcxBrick(listOf(program), air, messages = BrickMessages.of(Language.ENGLISH))
     private var milliseconds = 0
     private var tones = emptyList<SoundEvent.Tone>()
 
@@ -50,7 +51,7 @@ internal class BrickScript(private val name: String, private val source: String)
 
     private fun assembled(): FirmwareProgram {
         val result = assemble(source, target = target, language = Language.ENGLISH)
-        assertTrue(result is AssemblyResult.Assembled, "$name: ${(result as? AssemblyResult.Rejected)?.diagnostics}")
+        assertTrue(result is AssemblyResult.Success, "$name: ${(result as? AssemblyResult.Failure)?.diagnostics}")
         return FirmwareProgram(name, result.image, result.lines, language = Language.ENGLISH)
     }
 

@@ -1,5 +1,10 @@
 package robotran.legofirmware.run
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
 import robotran.brick.program.DebuggableRun
@@ -19,11 +24,7 @@ import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.VariableTable
 import robotran.legofirmware.listing.assemblyListing
 import robotran.rcxrom.RcxBrick
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertTrue
+import robotran.rcxrom.messages.BrickMessages
 
 class DebuggingTest {
     @Test
@@ -182,12 +183,12 @@ class DebuggingTest {
     }
 
     private fun programOf(source: String): FirmwareProgram {
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
+        val result = assertIs<AssemblyResult.Success>(assemble(source, Language.ENGLISH))
         return FirmwareProgram("test", result.image, result.lines, language = Language.ENGLISH)
     }
 
     private fun started(program: FirmwareProgram): RcxBrick {
-        val brick = RcxBrick(listOf(program))
+        val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)
         return brick

@@ -1,5 +1,8 @@
 package robotran.legofirmware.run
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -12,16 +15,14 @@ import robotran.legofirmware.assembly.AssemblyResult
 import robotran.legofirmware.assembly.assemble
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 
 class LoadingTest {
     @Test
     fun `the brick gets the firmware that the program of the selected slot needs`() {
-        val brick = RcxBrick(listOf(LEJOS, programOf("task 0\n setv 0, 2, 1\n out 1, 2\nendt")))
+        val brick = RcxBrick(listOf(LEJOS, programOf("task 0\n setv 0, 2, 1\n out 1, 2\nendt")), messages = BrickMessages.of(Language.ENGLISH))
         assertEquals("9.0 0", brick.state.screen.text)
         assertEquals(null, brick.firmwareState)
         click(brick, BrickButton.PRGM)
@@ -41,19 +42,19 @@ class LoadingTest {
 
     @Test
     fun `a program that is sent runs at once, whatever runs before`() {
-        val brick = RcxBrick(listOf(LEJOS))
+        val brick = RcxBrick(listOf(LEJOS), messages = BrickMessages.of(Language.ENGLISH))
         click(brick, BrickButton.RUN)
         brick.tick(20)
-        brick.runNow(programOf("task 0\n out 2, 2\n wait 2, 100\nendt"))
+        brick.runSnippet(programOf("task 0\n out 2, 2\n wait 2, 100\nendt"))
         brick.tick(20)
-        assertEquals(true, brick.state.isImmediate)
+        assertEquals(true, brick.state.isSnippet)
         assertEquals(MotorMode.FORWARD, brick.motor(MotorPort.B).mode)
         brick.stopProgram()
         assertEquals(MotorMode.BRAKE, brick.motor(MotorPort.B).mode)
         assertEquals(RunState.Ended(stopped = true), brick.state.run)
         click(brick, BrickButton.ON_OFF)
         brick.tick(100)
-        brick.runNow(programOf("task 0\n out 1, 2\nendt"))
+        brick.runSnippet(programOf("task 0\n out 1, 2\nendt"))
         brick.tick(20)
         assertEquals(MotorMode.FORWARD, brick.motor(MotorPort.A).mode)
         assertEquals(null, brick.debuggableRun)
@@ -62,7 +63,7 @@ class LoadingTest {
     @Test
     fun `why the motors stay on, and why an empty slot starts nothing`() {
         val explanations = Language.entries.map { language ->
-            val brick = RcxBrick(listOf(programOf("task 0\n out 1, 2\nendt", language)))
+            val brick = RcxBrick(listOf(programOf("task 0\n out 1, 2\nendt", language)), messages = BrickMessages.of(Language.ENGLISH))
             click(brick, BrickButton.RUN)
             brick.tick(20)
             val motors = brick.state.explanation
@@ -82,9 +83,9 @@ class LoadingTest {
     @Test
     fun `two bricks exchange messages`() {
         val air = InfraredAir()
-        val sender = RcxBrick(listOf(programOf("task 0\n wait 2, 10\n msg 2, 42\nendt")), air)
+        val sender = RcxBrick(listOf(programOf("task 0\n wait 2, 10\n msg 2, 42\nendt")), air, messages = BrickMessages.of(Language.ENGLISH))
         val receiver =
-            RcxBrick(listOf(programOf("task 0\nagain: chkl 2, 0, 3, 15, 0, again\n setv 0, 15, 0\nendt")), air)
+            RcxBrick(listOf(programOf("task 0\nagain: chkl 2, 0, 3, 15, 0, again\n setv 0, 15, 0\nendt")), air, messages = BrickMessages.of(Language.ENGLISH))
         listOf(sender, receiver).forEach { click(it, BrickButton.RUN) }
         repeat(300) { listOf(sender, receiver).forEach { it.tick() } }
         assertEquals(42, (receiver.firmwareState as FirmwareState).variables[0])
@@ -99,7 +100,7 @@ class LoadingTest {
 
             override fun start(rom: Rom): ProgramRun = program.start(rom)
         }
-        val brick = RcxBrick(listOf(alone))
+        val brick = RcxBrick(listOf(alone), messages = BrickMessages.of(Language.ENGLISH))
         click(brick, BrickButton.RUN)
         brick.tick(150)
         assertEquals(MotorMode.FORWARD, brick.motor(MotorPort.A).mode)
@@ -116,7 +117,7 @@ class LoadingTest {
     }
 
     private fun programOf(source: String, language: Language = Language.ENGLISH): FirmwareProgram {
-        val result = assertIs<AssemblyResult.Assembled>(assemble(source, Language.ENGLISH))
+        val result = assertIs<AssemblyResult.Success>(assemble(source, Language.ENGLISH))
         return FirmwareProgram("test", result.image, result.lines, language)
     }
 

@@ -15,7 +15,7 @@ class RcxImageTest {
         assertEquals(34, Vectors.names.size)
         for (name in Vectors.names) {
             val bytes = Vectors.bytes(name)
-            val read = assertIs<RcxImageResult.Read>(readRcxImage(bytes), name)
+            val read = assertIs<RcxImageResult.Success>(readRcxImage(bytes), name)
             assertEquals(emptyList(), read.warnings, name)
             assertContentEquals(bytes, read.image.toBytes(), name)
         }
@@ -23,7 +23,7 @@ class RcxImageTest {
 
     @Test
     fun `a sub and a variable`() {
-        val read = assertIs<RcxImageResult.Read>(readRcxImage(hexBytes(EXAMPLE)))
+        val read = assertIs<RcxImageResult.Success>(readRcxImage(hexBytes(EXAMPLE)))
         val expected = RcxImage(
             FirmwareTarget.RCX2,
             listOf(
@@ -73,7 +73,7 @@ class RcxImageTest {
         val large = RcxImage(FirmwareTarget.RCX2, listOf(Chunk(ChunkId.MAIN, CodeBytes(ByteArray(6145)))))
         assertEquals(
             ImageFault.LargeProgram(6145),
-            assertIs<RcxImageResult.Read>(readRcxImage(large.toBytes())).warnings.single(),
+            assertIs<RcxImageResult.Success>(readRcxImage(large.toBytes())).warnings.single(),
         )
         assertEquals(listOf(ImageFault.NoMainTask), warnings(header(1, 0) + "00 01 02 00 51 01 00 00"))
     }
@@ -112,10 +112,10 @@ class RcxImageTest {
 
     private fun refused(hex: String): ImageFault = refused(hexBytes(hex))
 
-    private fun refused(bytes: ByteArray): ImageFault = assertIs<RcxImageResult.Refused>(readRcxImage(bytes)).fault
+    private fun refused(bytes: ByteArray): ImageFault = assertIs<RcxImageResult.Failure>(readRcxImage(bytes)).fault
 
     private fun warnings(hex: String): List<ImageFault> =
-        assertIs<RcxImageResult.Read>(readRcxImage(hexBytes(hex))).warnings
+        assertIs<RcxImageResult.Success>(readRcxImage(hexBytes(hex))).warnings
 
     private fun header(chunks: Int, symbols: Int, target: String = "03"): String {
         val counts = CodeBytes.of(chunks, chunks shr 8, symbols, symbols shr 8)

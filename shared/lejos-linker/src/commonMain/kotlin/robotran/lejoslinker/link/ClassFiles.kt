@@ -45,9 +45,9 @@ internal class ClassFiles(
 
     private fun read(bytes: ByteArray, name: String): ClassFile? =
         when (val result = readClassFile(bytes, name.replace('/', '.'), messages.tinyVm)) {
-            is ClassFileResult.Read -> result.classFile
+            is ClassFileResult.Success -> result.classFile
 
-            is ClassFileResult.Rejected -> {
+            is ClassFileResult.Failure -> {
                 errors.add(CodePlace(name), result.refusal.message)
                 null
             }

@@ -1,6 +1,5 @@
 package robotran.lejoslinker.listing
 
-import robotran.language.Language
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.image.ClassRecord
 import robotran.lejoslinker.image.ConstantValue
@@ -13,7 +12,7 @@ import robotran.lejoslinker.messages.ListingMessages
  * [image] in words, line by line: its parts, classes with their methods, constants, static fields and signatures, all
  * with the numbers that a brick uses, such as those that it shows for an exception.
  */
-fun listingOf(image: LejosImage, messages: ListingMessages = ListingMessages.of(Language.ENGLISH)): String =
+fun listingOf(image: LejosImage, messages: ListingMessages): String =
     ImageListing(image.contents, messages).text()
 
 private class ImageListing(private val contents: ImageContents, private val messages: ListingMessages) {

@@ -7,12 +7,12 @@ import robotran.nqc.tree.Expression.Element
 import robotran.nqc.tree.Expression.PointedAt
 import robotran.nqc.tree.Expression.Step
 
-/** Whether [expression] uses the variable [place], so that it must be computed before the variable changes. */
-internal fun contains(expression: Expression, place: Int): Boolean = when (expression) {
-    is Cell -> expression.place == place
-    is PointedAt -> expression.place == place
-    is AddressOf -> expression.place == place
-    is Step -> contains(expression.target, place)
-    is Element -> expression.index.constant?.let { expression.place + it == place } ?: contains(expression.index, place)
-    else -> expression.parts.any { contains(it, place) }
+/** Whether [expression] uses the variable [index], so that it must be computed before the variable changes. */
+internal fun contains(expression: Expression, index: Int): Boolean = when (expression) {
+    is Cell -> expression.place == index
+    is PointedAt -> expression.place == index
+    is AddressOf -> expression.place == index
+    is Step -> contains(expression.target, index)
+    is Element -> expression.index.constant?.let { expression.place + it == index } ?: contains(expression.index, index)
+    else -> expression.parts.any { contains(it, index) }
 }

@@ -81,15 +81,15 @@ internal class PlaceAllocator(target: FirmwareTarget) {
         return local ?: if (mayUseGlobals) (0..globalPlaces.last - size + 1).find { isFree(it, size) } else null
     }
 
-    private fun isFree(place: Int, size: Int) = (place until place + size).all { states[it].isFree }
+    private fun isFree(index: Int, size: Int) = (index until index + size).all { states[it].isFree }
 
-    fun release(place: Int) {
-        if (states.getOrNull(place) == State.USED || isTemporary(place)) states[place] = State.USED_BEFORE
+    fun release(index: Int) {
+        if (states.getOrNull(index) == State.USED || isTemporary(index)) states[index] = State.USED_BEFORE
     }
 
-    fun isTemporary(place: Int): Boolean = states.getOrNull(place) == State.TEMPORARY
+    fun isTemporary(index: Int): Boolean = states.getOrNull(index) == State.TEMPORARY
 
-    fun isLocal(place: Int): Boolean = place >= localPlaces.first
+    fun isLocal(index: Int): Boolean = index >= localPlaces.first
 
     /** Whether none of these [places] is in use. */
     fun areFree(places: Set<Int>): Boolean = places.all { states[it].isFree }

@@ -111,7 +111,7 @@ internal class StatementEmitter(
     }
 
     /** Gives the variable or parameter [variable] its name in the image. */
-    fun name(variable: Variable, place: Int) = names.add(variable, place)
+    fun name(variable: Variable, index: Int) = names.add(variable, index)
 
     private fun assignment(statement: Statement.Assignment, frame: Frame) =
         assign(value(statement.target, frame), value(statement.value, frame))

@@ -24,8 +24,8 @@ internal class VariableNames {
             )
         }
 
-    fun add(variable: Variable, place: Int) {
-        all += Named(variable, place, owner)
+    fun add(variable: Variable, index: Int) {
+        all += Named(variable, index, owner)
     }
 
     private fun namesOf(variables: List<Named>) = variables.groupBy({ it.place }, { it.variable.name })

@@ -1,10 +1,12 @@
 package robotran.nqc.edit
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import robotran.language.Language
 import robotran.nqc.NqcResult
 import robotran.nqc.Vectors
 import robotran.nqc.compileNqc
-import kotlin.test.Test
-import kotlin.test.assertEquals
+import robotran.nqc.messages.NqcMessages
 
 class FormatNqcTest {
     @Test
@@ -55,5 +57,5 @@ class FormatNqcTest {
         }
     }
 
-    private fun codeOf(source: String) = (compileNqc("f.nqc", source) as? NqcResult.Ready)?.program?.image?.chunks
+    private fun codeOf(source: String) = (compileNqc("f.nqc", source, messages = NqcMessages.of(Language.ENGLISH)) as? NqcResult.Success)?.program?.image?.chunks
 }

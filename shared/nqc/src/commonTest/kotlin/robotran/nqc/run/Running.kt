@@ -1,5 +1,6 @@
 package robotran.nqc.run
 
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -10,12 +11,12 @@ import robotran.nqc.NqcOptions
 import robotran.nqc.programOf
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
-import kotlin.test.assertIs
+import robotran.rcxrom.messages.BrickMessages
 
 /** Runs [source] on a brick until it ends and returns its global variables by name. */
 internal fun variablesAfter(source: String, target: FirmwareTarget): Map<String, Int> {
     val program = programOf(source, NqcOptions(target))
-    val brick = RcxBrick(listOf(program.forBrick(language = Language.ENGLISH)), InfraredAir())
+    val brick = RcxBrick(listOf(program.forBrick(language = Language.ENGLISH)), InfraredAir(), messages = BrickMessages.of(Language.ENGLISH))
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     var milliseconds = 0

@@ -50,8 +50,8 @@ internal class NxtShell(
     private var splashUntil = 0L
     private var sleepTime = 0L
 
-    /** Whether the current or last run is of a program that [runNow] got. */
-    var isImmediate = false
+    /** Whether the current or last run is of a program that [runSnippet] got. */
+    var isSnippet = false
         private set
 
     /** What the last program had drawn when it ended or was stopped; null after a failure or while one runs. */
@@ -109,11 +109,11 @@ internal class NxtShell(
         }
     }
 
-    fun runNow(program: NxtProgram) {
+    fun runSnippet(program: NxtProgram) {
         if (!poweredOn) powerUp()
         splashUntil = 0
         stopProgram()
-        start(program, isImmediate = true)
+        start(program, isSnippet = true)
     }
 
     /** Advances the shell by one millisecond. */
@@ -149,7 +149,7 @@ internal class NxtShell(
         hardware.speaker.play(CLICK_HERTZ, CLICK_MILLISECONDS, settings.keyClick * CLICK_VOLUME, isFirmware = true)
         when (val action = menu.press(button)) {
             MenuAction.None -> showMenu()
-            is MenuAction.Start -> (programs[action.slot] as? NxtProgram)?.let { start(it, isImmediate = false) }
+            is MenuAction.Start -> (programs[action.slot] as? NxtProgram)?.let { start(it, isSnippet = false) }
             MenuAction.SwitchOff -> powerDown()
         }
     }
@@ -170,8 +170,8 @@ internal class NxtShell(
         endInOrder()
     }
 
-    private fun start(program: NxtProgram, isImmediate: Boolean) {
-        this.isImmediate = isImmediate
+    private fun start(program: NxtProgram, isSnippet: Boolean) {
+        this.isSnippet = isSnippet
         ending.forget()
         leftByProgram = null
         resetHardware()
@@ -262,7 +262,7 @@ internal class NxtShell(
         showMenu()
         val program = programs.getOrNull(settings.defaultSlot) as? NxtProgram
         val isHeldBack = BrickButton.LEFT in hardware.buttons.pressed
-        if (settings.autoRun && program != null && !isHeldBack) start(program, isImmediate = false)
+        if (settings.autoRun && program != null && !isHeldBack) start(program, isSnippet = false)
     }
 
     private fun powerDown() {

@@ -43,7 +43,7 @@ data class NxtState(
     override val motorDegrees: List<Int>,
     override val batteryMillivolts: Int,
     override val explanation: String?,
-    override val isImmediate: Boolean = false,
+    override val isSnippet: Boolean = false,
     override val isSending: Boolean = false,
     val contrast: Int = HIGHEST_CONTRAST,
     val volume: Int,

@@ -1,9 +1,11 @@
 package robotran.programs.image
 
+import robotran.language.Language
 import robotran.lejoslinker.ImageResult
 import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.linkLejosImage
+import robotran.lejoslinker.messages.ImageMessages
 import robotran.programs.CallRecorder
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.program.RcxProgram
@@ -12,6 +14,7 @@ import robotran.tinyvm.config.BrickLayout
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
+import robotran.tinyvm.messages.TinyVmMessages
 
 /** Runs class files, and what an image holds that was made of them. */
 internal class ImageComparison(private val library: Map<String, ByteArray>) {
@@ -31,13 +34,13 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         original: ByteArray? = null,
         happen: (RcxBrick, Long) -> Unit,
     ): String? {
-        val result = linkLejosImage(program, library, listOf(mainClass), ImageOptions(isTrimmed = original == null))
-        val image = (result as? ImageResult.Linked)?.image ?: return null
+        val result = linkLejosImage(program, library, listOf(mainClass), ImageOptions(isTrimmed = original == null), messages = ImageMessages.of(Language.ENGLISH))
+        val image = (result as? ImageResult.Success)?.image ?: return null
         val ofClassFiles =
-            (link(program, library, mainClass, image.layout) as? TinyVmResult.Ready)?.program ?: return null
+            (link(program, library, mainClass, image.layout) as? TinyVmResult.Success)?.program ?: return null
         val ofImage = when (val rebuilt = rebuilt(image, original ?: image.bytes, program)) {
-            is TinyVmResult.Ready -> rebuilt.program
-            is TinyVmResult.Rejected -> return "the image is refused: ${rebuilt.refusal}"
+            is TinyVmResult.Success -> rebuilt.program
+            is TinyVmResult.Failure -> return "the image is refused: ${rebuilt.refusal}"
         }
         compared++
         return differenceOf(ofClassFiles, ofImage, happen)
@@ -70,6 +73,7 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         TinyVmMode.BRICK,
         speed = TinyVmSpeed.BRICK,
         layout = layout,
+        messages = TinyVmMessages.of(Language.ENGLISH),
     )
 
     private fun differenceOf(classFiles: RcxProgram, image: RcxProgram, happen: (RcxBrick, Long) -> Unit): String? {

@@ -61,7 +61,7 @@ internal class ImageNames(private val contents: ImageContents, classFiles: Map<S
     fun descriptor(original: String): String = CLASS.replace(original) { "L" + renamed(it.groupValues[1]) + ";" }
 
     private fun read(name: String, bytes: ByteArray): ClassFile =
-        (readClassFile(bytes, name, TinyVmMessages.of(Language.ENGLISH)) as ClassFileResult.Read).classFile
+        (readClassFile(bytes, name, TinyVmMessages.of(Language.ENGLISH)) as ClassFileResult.Success).classFile
 
     private companion object {
         const val ROOT = "java/lang/Object"

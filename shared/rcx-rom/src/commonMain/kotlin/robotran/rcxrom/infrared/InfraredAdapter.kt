@@ -31,8 +31,8 @@ class InfraredAdapter internal constructor(private val port: InfraredPort) {
         if (bytes.isNotEmpty() && waiting.size < MOST_WAITING) waiting.addLast(bytes)
     }
 
-    /** The byte heard [place] bytes after the oldest; null if there is none. */
-    fun peek(place: Int): Int? = heard.getOrNull(place)
+    /** The byte heard [index] bytes after the oldest; null if there is none. */
+    fun peek(index: Int): Int? = heard.getOrNull(index)
 
     /** Forgets the oldest [count] bytes. */
     fun drop(count: Int) = repeat(minOf(count, heard.size)) { heard.removeFirst() }

@@ -155,9 +155,9 @@ internal class Serial(private val memory: RcxMemory, private val port: InfraredP
         return header + if (usesComplements) body else body.filterIndexed { place, _ -> place % 2 == 0 }
     }
 
-    private fun longByte(place: Int, address: Int, length: Int): Int {
-        val isComplement = place % sumBytes == 1
-        val number = place / sumBytes
+    private fun longByte(index: Int, address: Int, length: Int): Int {
+        val isComplement = index % sumBytes == 1
+        val number = index / sumBytes
         val value = if (number < length) memory.readByte(address + number) else memory.readByte(SerialMemory.SEND_SUM)
         if (number < length && !isComplement) {
             memory.writeByte(SerialMemory.SEND_SUM, memory.readByte(SerialMemory.SEND_SUM) + value)

@@ -24,8 +24,8 @@ interface RcxShell {
     /** See [robotran.brick.state.BrickState.explanation]. */
     val explanation: String?
 
-    /** Whether the current or last run is of a program that [runNow] got. */
-    val isImmediate: Boolean
+    /** Whether the current or last run is of a program that [runSnippet] got. */
+    val isSnippet: Boolean
 
     /** The current run if it can be debugged, otherwise null. */
     val debuggableRun: DebuggableRun?
@@ -46,8 +46,8 @@ interface RcxShell {
     /** See [robotran.brick.Brick.stopProgram]. */
     fun stopProgram()
 
-    /** See [robotran.brick.Brick.runNow]. */
-    fun runNow(program: RcxProgram)
+    /** See [robotran.brick.Brick.runSnippet]. */
+    fun runSnippet(program: RcxProgram)
 
     /** Advances by one millisecond, before the program gets its share of it. */
     fun tick()

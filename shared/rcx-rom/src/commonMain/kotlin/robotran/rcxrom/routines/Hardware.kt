@@ -2,7 +2,6 @@ package robotran.rcxrom.routines
 
 import robotran.brick.controls.BrickButton
 import robotran.brick.log.CallLog
-import robotran.language.Language
 import robotran.rcxrom.controls.Buttons
 import robotran.rcxrom.controls.Motors
 import robotran.rcxrom.display.Lcd
@@ -22,7 +21,7 @@ import robotran.rcxrom.sound.Speaker
 /** The parts of a brick and the ROM that controls them, without an active firmware. */
 internal class Hardware(
     air: InfraredAir = InfraredAir(),
-    messages: BrickMessages = BrickMessages.of(Language.ENGLISH),
+    messages: BrickMessages,
 ) : ShellHardware {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L

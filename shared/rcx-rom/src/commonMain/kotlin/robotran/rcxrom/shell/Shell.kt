@@ -38,7 +38,7 @@ internal class Shell(
     private var powerOffTime = 0L
     private var isSwitchingOff = false
 
-    override var isImmediate = false
+    override var isSnippet = false
         private set
 
     override var poweredOn = false
@@ -95,8 +95,8 @@ internal class Shell(
         }
     }
 
-    /** See [robotran.rcxrom.RcxBrick.runNow]. */
-    override fun runNow(program: RcxProgram) {
+    /** See [robotran.rcxrom.RcxBrick.runSnippet]. */
+    override fun runSnippet(program: RcxProgram) {
         hardware.wake()
         when {
             run != null -> endProgram()
@@ -104,7 +104,7 @@ internal class Shell(
             ending.shownFailure != null -> leaveFailure()
         }
         pressedInShell.clear()
-        start(program, isImmediate = true)
+        start(program, isSnippet = true)
     }
 
     override val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
@@ -164,11 +164,11 @@ internal class Shell(
     }
 
     private fun startProgram() {
-        selectedProgram?.let { start(it, isImmediate = false) }
+        selectedProgram?.let { start(it, isSnippet = false) }
     }
 
-    private fun start(program: RcxProgram, isImmediate: Boolean) {
-        this.isImmediate = isImmediate
+    private fun start(program: RcxProgram, isSnippet: Boolean) {
+        this.isSnippet = isSnippet
         ending.forget()
         firmware.showRunning()
         waitUntil = rom.milliseconds

@@ -32,7 +32,7 @@ data class RcxState(
     override val batteryMillivolts: Int,
     val infrared: InfraredState,
     override val explanation: String?,
-    override val isImmediate: Boolean = false,
+    override val isSnippet: Boolean = false,
 ) : BrickState {
     override val kind: BrickKind get() = BrickKind.RCX
     override val screen: Screen get() = glass

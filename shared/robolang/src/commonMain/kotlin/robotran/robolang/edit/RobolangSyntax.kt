@@ -1,6 +1,7 @@
 package robotran.robolang.edit
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.languagesupport.BlockEffect
 import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.CompletionList
@@ -9,6 +10,7 @@ import robotran.languagesupport.LineTokens
 import robotran.robolang.RobolangWords
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robolangTokens
 import robotran.robolang.words.Keyword
 
@@ -30,7 +32,7 @@ internal object RobolangSyntax : CodeSyntax {
 
     override fun complete(request: CompletionRequest): CompletionList? = completeRobolang(request)
 
-    override fun format(source: String): String? = (formatRobolang(source) as? FormatResult.Formatted)?.text
+    override fun format(source: String): String? = (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text
 }
 
 internal fun isInWord(character: Char): Boolean = character == '_' || character.isLetterOrDigit()

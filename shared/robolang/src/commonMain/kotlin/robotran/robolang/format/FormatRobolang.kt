@@ -1,7 +1,6 @@
 package robotran.robolang.format
 
 import robotran.brick.kind.BrickKind
-import robotran.language.Language
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
@@ -19,7 +18,7 @@ import robotran.robolang.syntax.scan
  *
  * @param messages the diagnostics in the pupil's language.
  */
-fun formatRobolang(source: String, messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH)): FormatResult {
+fun formatRobolang(source: String, messages: RobolangMessages): FormatResult {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
@@ -29,14 +28,14 @@ fun formatRobolang(source: String, messages: RobolangMessages = RobolangMessages
             "",
             messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
         )
-        return FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
+        return FormatResult.Failure(diagnostics.mistakesInSourceOrder())
     }
     val lines = scan(source, diagnostics)
     diagnostics.brick = brickIn(lines) ?: BrickKind.default
     val parsed = Parser(lines, diagnostics).program()
     return if (diagnostics.isEmpty) {
-        FormatResult.Formatted(layout(parsed))
+        FormatResult.Success(layout(parsed))
     } else {
-        FormatResult.HasErrors(diagnostics.mistakesInSourceOrder())
+        FormatResult.Failure(diagnostics.mistakesInSourceOrder())
     }
 }

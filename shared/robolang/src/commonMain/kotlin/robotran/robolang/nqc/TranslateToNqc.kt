@@ -1,6 +1,5 @@
 package robotran.robolang.nqc
 
-import robotran.language.Language
 import robotran.language.source.SourceRange
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangRcxProgram
@@ -14,7 +13,7 @@ import robotran.robolang.translate.JavaWriter
  */
 fun translateToNqc(
     program: RobolangProgram,
-    messages: NqcTranslationMessages = NqcTranslationMessages.of(Language.ENGLISH),
+    messages: NqcTranslationMessages,
 ): NqcTranslation {
     val remarks = Remarks(messages)
     val writer = if (program is RobolangRcxProgram) {

@@ -1,7 +1,6 @@
 package robotran.robolang.outline
 
 import robotran.brick.kind.BrickKind
-import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceRange
 import robotran.language.source.SourceSpan
@@ -23,7 +22,7 @@ import robotran.robolang.words.LineForm
  */
 fun outlineRobolang(
     source: String,
-    messages: RobolangMessages = RobolangMessages.of(Language.ENGLISH),
+    messages: RobolangMessages,
 ): ProgramOutline {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)

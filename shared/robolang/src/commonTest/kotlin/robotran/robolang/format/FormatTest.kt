@@ -1,12 +1,14 @@
 package robotran.robolang.format
 
-import robotran.robolang.documentedPrograms
-import robotran.robolang.examplePrograms
-import robotran.robolang.testPrograms
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.robolang.documentedPrograms
+import robotran.robolang.examplePrograms
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.testPrograms
 
 class FormatTest {
     @Test
@@ -48,7 +50,7 @@ class FormatTest {
 
     @Test
     fun `a program that cannot be read is left alone`() {
-        val result = assertIs<FormatResult.HasErrors>(formatRobolang("foward 20"))
+        val result = assertIs<FormatResult.Failure>(formatRobolang("foward 20", messages = RobolangMessages.of(Language.ENGLISH)))
         assertEquals("There is no command \"foward\". Did you mean \"forward\"?", result.diagnostics.single().message)
     }
 
@@ -63,5 +65,5 @@ class FormatTest {
     }
 
     private fun assertFormatted(source: String, expected: String) =
-        assertEquals(FormatResult.Formatted(expected), formatRobolang(source))
+        assertEquals(FormatResult.Success(expected), formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)))
 }

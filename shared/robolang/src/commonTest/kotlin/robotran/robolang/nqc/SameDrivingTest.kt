@@ -1,18 +1,21 @@
 package robotran.robolang.nqc
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
+import robotran.nqc.messages.NqcMessages
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
+import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.translate.translatablePrograms
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 
 /** Robots drive the same way in Robolang and in the NQC that it becomes. */
 class SameDrivingTest {
@@ -20,10 +23,10 @@ class SameDrivingTest {
     fun `the motors do the same for nearly the same time`() {
         val compared = PROGRAMS.map { name ->
             val program = translatablePrograms.getValue(name)
-            val translation = translateToNqc(program)
+            val translation = translateToNqc(program, messages = NqcTranslationMessages.of(Language.ENGLISH))
             assertTrue(translation.isComplete, "$name ${translation.remarks}")
-            val compiled = compileNqc(translation.fileName, translation.nqc)
-            assertTrue(compiled is NqcResult.Ready, (compiled as? NqcResult.HasErrors)?.diagnostics.toString())
+            val compiled = compileNqc(translation.fileName, translation.nqc, messages = NqcMessages.of(Language.ENGLISH))
+            assertTrue(compiled is NqcResult.Success, (compiled as? NqcResult.Failure)?.diagnostics.toString())
             val expected = phasesOf(program)
             val actual = phasesOf(compiled.program.forBrick(language = Language.ENGLISH))
             assertEquals(expected.map { it.first }, actual.map { it.first }, "$name\n${translation.nqc}")
@@ -39,7 +42,7 @@ class SameDrivingTest {
 
     /** What the motors do, one after the other, each with its time in milliseconds. */
     private fun phasesOf(program: RcxProgram): List<Pair<String, Int>> {
-        val brick = RcxBrick(listOf(program), InfraredAir())
+        val brick = RcxBrick(listOf(program), InfraredAir(), messages = BrickMessages.of(Language.ENGLISH))
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)
         val phases = mutableListOf<Pair<String, Int>>()

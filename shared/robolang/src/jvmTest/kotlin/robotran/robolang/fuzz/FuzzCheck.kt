@@ -1,6 +1,7 @@
 package robotran.robolang.fuzz
 
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceRange
 import robotran.rcxrom.call.RomCall
@@ -13,6 +14,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 
 /**
@@ -21,12 +23,12 @@ import robotran.robolang.robot.RobotTarget
  * @throws IllegalStateException if a check fails for [source].
  */
 fun checkHarmless(source: String) {
-    when (val result = compileRobolang("fuzz", source, CALIBRATION)) {
-        is RobolangResult.Ready -> runFor(result.program as RobolangRcxProgram, STEPS)
-        is RobolangResult.HasErrors -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
+    when (val result = compileRobolang("fuzz", source, CALIBRATION, messages = RobolangMessages.of(Language.ENGLISH))) {
+        is RobolangResult.Success -> runFor(result.program as RobolangRcxProgram, STEPS)
+        is RobolangResult.Failure -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
-    val formatted = (formatRobolang(source) as? FormatResult.Formatted)?.text ?: return
-    check(formatRobolang(formatted) == FormatResult.Formatted(formatted)) { "Formatted again, it changes: $source" }
+    val formatted = (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text ?: return
+    check(formatRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)) == FormatResult.Success(formatted)) { "Formatted again, it changes: $source" }
 }
 
 /**

@@ -38,13 +38,13 @@ class Projection(val view: ViewPoint, val focal: Double, val centre: ScreenPoint
         )
     }
 
-    /** The direction from the camera through the pixel [place]. */
-    fun rayThrough(place: ScreenPoint): Vector3 =
-        view.forward * focal + view.right * (place.x - centre.x) + view.up * (centre.y - place.y)
+    /** The direction from the camera through the pixel [position]. */
+    fun rayThrough(position: ScreenPoint): Vector3 =
+        view.forward * focal + view.right * (position.x - centre.x) + view.up * (centre.y - position.y)
 
-    /** What the pixel [place] shows of the horizontal plane [height] above the paper; null for nothing: the sky. */
-    fun onPlane(place: ScreenPoint, height: Double = 0.0): Point? {
-        val ray = rayThrough(place)
+    /** What the pixel [position] shows of the horizontal plane [height] above the paper; null for nothing: the sky. */
+    fun onPlane(position: ScreenPoint, height: Double = 0.0): Point? {
+        val ray = rayThrough(position)
         val way = height - view.eye.z
         if (way * ray.z <= 0) return null
         val share = way / ray.z

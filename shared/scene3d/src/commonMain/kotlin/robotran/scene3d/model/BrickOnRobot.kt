@@ -58,15 +58,15 @@ internal class BrickOnRobot(
         listOf(1, -1).map { side -> motor(back, side * (outer - MOTOR_WIDTH / 2)) }
     }
 
-    /** Where its body stands, whose upper end is to its left, on a robot that stands at [place]. */
-    fun placeOn(place: Placement): Placement {
-        val at = place.shifted(seat.middle.x, seat.middle.y)
+    /** Where its body stands, whose upper end is to its left, on a robot that stands at [placement]. */
+    fun placeOn(placement: Placement): Placement {
+        val at = placement.shifted(seat.middle.x, seat.middle.y)
         // Its upper end is to its left until it is turned.
         val (cosine, sine) = when (seat.upperEnd) {
-            QUARTER_TURN -> place.cosine to place.sine
-            0 -> place.sine to -place.cosine
-            HALF_TURN -> -place.sine to place.cosine
-            else -> -place.cosine to -place.sine
+            QUARTER_TURN -> placement.cosine to placement.sine
+            0 -> placement.sine to -placement.cosine
+            HALF_TURN -> -placement.sine to placement.cosine
+            else -> -placement.cosine to -placement.sine
         }
         return Placement(at.x, at.y, at.z, cosine, sine)
     }

@@ -51,41 +51,41 @@ internal class BuiltRobotModel(
         return wheels + body(place, face, state) + bumperNodes + sensorsOn(SensorLevel.OUTSIDE, place, state)
     }
 
-    private fun body(place: Placement, face: RobotFace, state: RobotState): SceneNode {
-        val footprint = hull.placed(place.x, place.y, place.cosine, place.sine)
+    private fun body(placement: Placement, face: RobotFace, state: RobotState): SceneNode {
+        val footprint = hull.placed(placement.x, placement.y, placement.cosine, placement.sine)
         val lift = (1 - state.penDepth / Penbot.PEN_CONTACT).coerceAtLeast(0.0) * RobotPlan3D.PEN_LIFT
-        val low = casters.map { solid(it, place) } + sensorsOn(SensorLevel.BELOW_CHASSIS, place, state) +
-            listOfNotNull(tip?.let { solid(it, place.raised(lift)) })
+        val low = casters.map { solid(it, placement) } + sensorsOn(SensorLevel.BELOW_CHASSIS, placement, state) +
+            listOfNotNull(tip?.let { solid(it, placement.raised(lift)) })
         val pen = holder?.let {
-            val stand = solid(it, place)
+            val stand = solid(it, placement)
             SceneNode.Stack(
                 stand.footprint,
-                listOf(stand, solid(moving.penBarrel(ink, lift), place)),
+                listOf(stand, solid(moving.penBarrel(ink, lift), placement)),
                 listOf(RobotPlan3D.HOLDER_TOP),
             )
         }
-        val high = brick.motors.map { solid(it, place) } + listOfNotNull(pen) + brickColumn(place, face, state) +
-            sensorsOn(SensorLevel.ON_CHASSIS, place, state)
+        val high = brick.motors.map { solid(it, placement) } + listOfNotNull(pen) + brickColumn(placement, face, state) +
+            sensorsOn(SensorLevel.ON_CHASSIS, placement, state)
         return SceneNode.Stack(
             footprint,
-            listOf(SceneNode.Group(footprint, low), solid(chassis, place), SceneNode.Group(footprint, high)),
+            listOf(SceneNode.Group(footprint, low), solid(chassis, placement), SceneNode.Group(footprint, high)),
             listOf(RobotPlan3D.CHASSIS_BOTTOM, RobotPlan3D.CHASSIS_TOP),
         )
     }
 
-    private fun brickColumn(place: Placement, face: RobotFace, state: RobotState): SceneNode {
-        val solid = solid(brick.body, brick.placeOn(place))
-        val onTop = brick.eyes.of(face).map { solid(it, place) } + sensorsOn(SensorLevel.ON_BRICK, place, state) +
-            listOfNotNull(brick.beacon?.let { solid(it, place) })
+    private fun brickColumn(placement: Placement, face: RobotFace, state: RobotState): SceneNode {
+        val solid = solid(brick.body, brick.placeOn(placement))
+        val onTop = brick.eyes.of(face).map { solid(it, placement) } + sensorsOn(SensorLevel.ON_BRICK, placement, state) +
+            listOfNotNull(brick.beacon?.let { solid(it, placement) })
         val levels = listOf(solid, SceneNode.Group(solid.footprint, onTop))
         return SceneNode.Stack(solid.footprint, levels, listOf(RobotPlan3D.BRICK_TOP))
     }
 
-    private fun sensorsOn(level: SensorLevel, place: Placement, state: RobotState): List<SceneNode> {
+    private fun sensorsOn(level: SensorLevel, placement: Placement, state: RobotState): List<SceneNode> {
         val turn = state.turret * RADIANS_PER_DEGREE
         val turret = Placement(cosine = round.cosine(turn), sine = round.sine(turn))
         return sensors.filter { it.level == level }.map {
-            solid(it.body, (if (it.isTurning) turret.on(it.place) else it.place).on(place))
+            solid(it.body, (if (it.isTurning) turret.on(it.place) else it.place).on(placement))
         }
     }
 
@@ -141,7 +141,7 @@ internal class BuiltRobotModel(
         return ConvexPolygon.around(corners) ?: ConvexPolygon.rectangle(-most, -most, most, most)
     }
 
-    private fun solid(body: Body, place: Placement) = SceneNode.Solid(body, place, element)
+    private fun solid(body: Body, placement: Placement) = SceneNode.Solid(body, placement, element)
 
     private companion object {
         const val GAP = 0.05

@@ -98,11 +98,11 @@ internal class EyeBodies(
         return Point(middle.x + radius * round.cosine(angle), middle.y + radius * round.sine(angle))
     }
 
-    /** [place] on the tile, x towards its lower edge, which is ahead, y to the robot's left. */
-    private fun onFront(aside: Double, place: Point) = Vector3(
-        placeAhead + place.x * down,
-        aside + place.y,
-        RobotPlan3D.BRICK_TOP + RADIUS * ahead + DEPTH * down - place.x * ahead,
+    /** [point] on the tile, x towards its lower edge, which is ahead, y to the robot's left. */
+    private fun onFront(aside: Double, point: Point) = Vector3(
+        placeAhead + point.x * down,
+        aside + point.y,
+        RobotPlan3D.BRICK_TOP + RADIUS * ahead + DEPTH * down - point.x * ahead,
     )
 
     private fun corners(points: List<Vector3>) = DoubleArray(points.size * 3) {

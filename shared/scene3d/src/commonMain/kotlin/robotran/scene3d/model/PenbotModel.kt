@@ -62,45 +62,45 @@ internal class PenbotModel(
     private fun lifted(state: RobotState): Double =
         (1 - state.penDepth / Penbot.PEN_CONTACT).coerceAtLeast(0.0) * RobotPlan3D.PEN_LIFT
 
-    private fun rearColumn(place: Placement, lift: Double): SceneNode {
-        val footprint = around(place, RobotPlan3D.REAR, RobotPlan3D.MIDDLE, RobotPlan3D.HALF_CHASSIS)
+    private fun rearColumn(placement: Placement, lift: Double): SceneNode {
+        val footprint = around(placement, RobotPlan3D.REAR, RobotPlan3D.MIDDLE, RobotPlan3D.HALF_CHASSIS)
         val pen = SceneNode.Stack(
-            solid(holder, place).footprint,
-            listOf(solid(holder, place), solid(moving.penBarrel(ink, lift), place)),
+            solid(holder, placement).footprint,
+            listOf(solid(holder, placement), solid(moving.penBarrel(ink, lift), placement)),
             listOf(RobotPlan3D.HOLDER_TOP),
         )
-        val upper = SceneNode.Group(footprint, motors.map { solid(it, place) } + pen)
+        val upper = SceneNode.Group(footprint, motors.map { solid(it, placement) } + pen)
         return SceneNode.Stack(
             footprint,
-            listOf(solid(tip, place.raised(lift)), solid(rear, place), upper),
+            listOf(solid(tip, placement.raised(lift)), solid(rear, placement), upper),
             listOf(RobotPlan3D.CHASSIS_BOTTOM, RobotPlan3D.CHASSIS_TOP),
         )
     }
 
-    private fun frontColumn(place: Placement, face: RobotFace): SceneNode {
-        val footprint = around(place, RobotPlan3D.MIDDLE, RobotPlan3D.FRONT, RobotPlan3D.HALF_BRICK)
-        val below = SceneNode.Group(footprint, listOfNotNull(caster, sensor).map { solid(it, place) })
-        val above = SceneNode.Group(footprint, (eyes.of(face) + listOfNotNull(beacon)).map { solid(it, place) })
-        val levels = listOf(below, solid(front, place), solid(brick, place), above)
+    private fun frontColumn(placement: Placement, face: RobotFace): SceneNode {
+        val footprint = around(placement, RobotPlan3D.MIDDLE, RobotPlan3D.FRONT, RobotPlan3D.HALF_BRICK)
+        val below = SceneNode.Group(footprint, listOfNotNull(caster, sensor).map { solid(it, placement) })
+        val above = SceneNode.Group(footprint, (eyes.of(face) + listOfNotNull(beacon)).map { solid(it, placement) })
+        val levels = listOf(below, solid(front, placement), solid(brick, placement), above)
         val heights = listOf(RobotPlan3D.CHASSIS_BOTTOM, RobotPlan3D.CHASSIS_TOP, RobotPlan3D.BRICK_TOP)
         return SceneNode.Stack(footprint, levels, heights)
     }
 
-    private fun bumperColumn(place: Placement, left: Boolean, bodies: Pair<Body, Body>, way: Double): SceneNode {
+    private fun bumperColumn(placement: Placement, left: Boolean, bodies: Pair<Body, Body>, way: Double): SceneNode {
         val from = if (left) RobotPlan3D.BUMPER_INNER else -RobotPlan3D.BUMPER_OUTER
         val footprint = ConvexPolygon.rectangle(
             RobotPlan3D.FRONT,
             from,
             RobotPlan3D.BUMPER_BACK + 0.8,
             from + RobotPlan3D.BUMPER_OUTER - RobotPlan3D.BUMPER_INNER,
-        ).placed(place.x, place.y, place.cosine, place.sine)
+        ).placed(placement.x, placement.y, placement.cosine, placement.sine)
         // A pressed bumper reaches over its arm, and hides it.
         val parts = if (way == 0.0) listOf(bodies.first, bodies.second) else listOf(bodies.first)
-        return SceneNode.Group(footprint, parts.map { solid(it, place.shifted(way)) })
+        return SceneNode.Group(footprint, parts.map { solid(it, placement.shifted(way)) })
     }
 
-    private fun around(place: Placement, from: Double, to: Double, half: Double) =
-        ConvexPolygon.rectangle(from, -half, to, half).placed(place.x, place.y, place.cosine, place.sine)
+    private fun around(placement: Placement, from: Double, to: Double, half: Double) =
+        ConvexPolygon.rectangle(from, -half, to, half).placed(placement.x, placement.y, placement.cosine, placement.sine)
 
-    private fun solid(body: Body, place: Placement) = SceneNode.Solid(body, place, element)
+    private fun solid(body: Body, placement: Placement) = SceneNode.Solid(body, placement, element)
 }

@@ -11,7 +11,7 @@ import kotlin.math.abs
 
 /** Explains why one robot has deviated so far; leaves negligible causes out. */
 internal class Explanation(
-    private val place: RobotPlacement,
+    private val placement: RobotPlacement,
     private val machine: SimulatedRobot,
     private val sensors: SensorErrors,
     private val messages: SimulationMessages,
@@ -37,11 +37,11 @@ internal class Explanation(
         colourNoise(),
     )
 
-    private fun startPlace() = length(machine.start.x - place.start.x, machine.start.y - place.start.y).let {
+    private fun startPlace() = length(machine.start.x - placement.start.x, machine.start.y - placement.start.y).let {
         cause(Cause.START_POSITION, it, MIN_LENGTH) { messages.startPlace(text(it)) }
     }
 
-    private fun startHeading() = (machine.start.heading - place.start.heading).let {
+    private fun startHeading() = (machine.start.heading - placement.start.heading).let {
         cause(Cause.START_HEADING, it, MIN_ANGLE) { messages.startHeading(text(it), left = it > 0) }
     }
 
@@ -99,7 +99,7 @@ internal class Explanation(
     }
 
     private fun cause(cause: Cause, amount: Double, min: Double, sentence: () -> String): DeviationCause? =
-        if (abs(amount) < min) null else DeviationCause(place.name, cause, amount, sentence())
+        if (abs(amount) < min) null else DeviationCause(placement.name, cause, amount, sentence())
 
     /** The absolute value of [number] with one decimal. */
     private fun text(number: Double): String {

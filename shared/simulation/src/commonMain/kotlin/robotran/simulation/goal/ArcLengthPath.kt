@@ -20,14 +20,14 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
     class Nearest(val at: Double, val distance: Double)
 
     /**
-     * The position from [from] to [to] nearest to [place]. At most one limit may be beyond the ends of an open line.
+     * The position from [from] to [to] nearest to [point]. At most one limit may be beyond the ends of an open line.
      */
-    fun nearest(place: Point, from: Double, to: Double): Nearest {
+    fun nearest(point: Point, from: Double, to: Double): Nearest {
         var offset = if (isClosed) kotlin.math.floor(from / length) * length else 0.0
         var number = pieceAt(from - offset)
         var nearest: Nearest? = null
         while (offset + places[number] <= to) {
-            val candidate = nearestOfPiece(number, place, from - offset, to - offset)
+            val candidate = nearestOfPiece(number, point, from - offset, to - offset)
             if (nearest == null || candidate.distance < nearest.distance) {
                 nearest = Nearest(offset + candidate.at, candidate.distance)
             }
@@ -41,20 +41,20 @@ internal class ArcLengthPath(line: MarkFigure.Line) {
         return nearest ?: Nearest(from, Double.MAX_VALUE)
     }
 
-    private fun nearestOfPiece(number: Int, place: Point, from: Double, to: Double): Nearest {
+    private fun nearestOfPiece(number: Int, point: Point, from: Double, to: Double): Nearest {
         val begin = corners[number]
         val end = corners[number + 1]
         val along = places[number + 1] - places[number]
         val directionX = (end.x - begin.x) / along
         val directionY = (end.y - begin.y) / along
-        val foot = (place.x - begin.x) * directionX + (place.y - begin.y) * directionY
+        val foot = (point.x - begin.x) * directionX + (point.y - begin.y) * directionY
         val at = foot.coerceIn(
             0.0,
             along,
         ).coerceAtMost(to - places[number]).coerceAtLeast(minOf(from - places[number], along))
         return Nearest(
             places[number] + at,
-            length(place.x - begin.x - at * directionX, place.y - begin.y - at * directionY),
+            length(point.x - begin.x - at * directionX, point.y - begin.y - at * directionY),
         )
     }
 

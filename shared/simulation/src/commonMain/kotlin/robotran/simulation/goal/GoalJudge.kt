@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.brick.state.RunState
-import robotran.language.Language
 import robotran.simulation.messages.GoalMessages
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
@@ -13,7 +12,7 @@ import robotran.world.geometry.Trigonometry
 internal class GoalJudge(
     world: World,
     trigonometry: Trigonometry,
-    messages: GoalMessages = SimulationMessages.of(Language.ENGLISH),
+    messages: GoalMessages,
 ) {
     private val places = ObjectLocations(world, trigonometry)
     private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {

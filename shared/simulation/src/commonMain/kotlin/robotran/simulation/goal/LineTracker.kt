@@ -17,7 +17,7 @@ internal class LineTracker<M>(private val way: ArcLengthPath, private val tolera
 
     /** The last position along the line, null before the robot has reached it. */
     private var at: Double? = null
-    private var place: Point? = null
+    private var point: Point? = null
 
     /** Distance covered beside the line since the robot left it. */
     private var distanceOffLine = 0.0
@@ -37,9 +37,9 @@ internal class LineTracker<M>(private val way: ArcLengthPath, private val tolera
 
     /** The robot is at [next], at [moment]. */
     fun moveTo(next: Point, moment: M) {
-        val moved = place?.let { length(next.x - it.x, next.y - it.y) } ?: 0.0
-        if (place != null && moved == 0.0) return
-        place = next
+        val moved = point?.let { length(next.x - it.x, next.y - it.y) } ?: 0.0
+        if (point != null && moved == 0.0) return
+        point = next
         val near = at?.let { way.nearest(next, it - reach, it + reach) }
         if (near != null && near.distance <= tolerance) {
             goOn(near.at)
@@ -59,10 +59,10 @@ internal class LineTracker<M>(private val way: ArcLengthPath, private val tolera
         laps.goOn(to)
     }
 
-    private fun search(place: Point, moment: M) {
+    private fun search(point: Point, moment: M) {
         if (distanceOffLine - searchedAt < SEARCH_DISTANCE) return
         searchedAt = distanceOffLine
-        val near = way.nearest(place, 0.0, way.length)
+        val near = way.nearest(point, 0.0, way.length)
         if (near.distance > tolerance) return approach(near, moment)
         left?.let { leftForElsewhere = it }
         laps.restartAt(near.at)

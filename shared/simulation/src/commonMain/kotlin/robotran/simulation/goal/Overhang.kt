@@ -36,24 +36,24 @@ private fun Outline.Round.overhang(region: Outline): Overhang {
     return Overhang(place, edge, centimetres)
 }
 
-/** The point of this area nearest to [place]. */
-internal fun Outline.nearestPoint(place: Point): Point =
-    if (contains(place.x, place.y)) place else nearestEdgePoint(place)
+/** The point of this area nearest to [point]. */
+internal fun Outline.nearestPoint(point: Point): Point =
+    if (contains(point.x, point.y)) point else nearestEdgePoint(point)
 
-/** The point of the edge nearest to [place]. */
-internal fun Outline.nearestEdgePoint(place: Point): Point = when (this) {
+/** The point of the edge nearest to [point]. */
+internal fun Outline.nearestEdgePoint(point: Point): Point = when (this) {
     is Outline.Round -> {
-        val away = length(place.x - centre.x, place.y - centre.y)
+        val away = length(point.x - centre.x, point.y - centre.y)
         if (away == 0.0) {
             Point(centre.x + radius, centre.y)
         } else {
-            Point(centre.x + (place.x - centre.x) * radius / away, centre.y + (place.y - centre.y) * radius / away)
+            Point(centre.x + (point.x - centre.x) * radius / away, centre.y + (point.y - centre.y) * radius / away)
         }
     }
 
     is Outline.Angular -> {
-        corners.indices.map { nearestOf(place, corners[it], corners[(it + 1) % corners.size]) }
-            .minBy { length(place.x - it.x, place.y - it.y) }
+        corners.indices.map { nearestOf(point, corners[it], corners[(it + 1) % corners.size]) }
+            .minBy { length(point.x - it.x, point.y - it.y) }
     }
 }
 
@@ -108,12 +108,12 @@ private fun crossingOf(from: Point, to: Point, otherFrom: Point, otherTo: Point)
     return Point(from.x + share * alongX, from.y + share * alongY)
 }
 
-/** The point between [from] and [to] nearest to [place]. */
-private fun nearestOf(place: Point, from: Point, to: Point): Point {
+/** The point between [from] and [to] nearest to [point]. */
+private fun nearestOf(point: Point, from: Point, to: Point): Point {
     val alongX = to.x - from.x
     val alongY = to.y - from.y
     val squared = alongX * alongX + alongY * alongY
     if (squared == 0.0) return from
-    val share = (((place.x - from.x) * alongX + (place.y - from.y) * alongY) / squared).coerceIn(0.0, 1.0)
+    val share = (((point.x - from.x) * alongX + (point.y - from.y) * alongY) / squared).coerceIn(0.0, 1.0)
     return Point(from.x + share * alongX, from.y + share * alongY)
 }

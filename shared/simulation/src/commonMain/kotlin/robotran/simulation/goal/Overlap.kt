@@ -6,8 +6,8 @@ import robotran.world.geometry.cross
 import robotran.world.geometry.length
 
 /** The distance of a point from the outline's area, 0 inside. */
-internal fun Outline.distanceTo(place: Point): Double =
-    if (contains(place.x, place.y)) 0.0 else distanceToEdge(place.x, place.y)
+internal fun Outline.distanceTo(point: Point): Double =
+    if (contains(point.x, point.y)) 0.0 else distanceToEdge(point.x, point.y)
 
 /** Whether all of this is in [region], including the edges. */
 internal fun Outline.isInside(region: Outline): Boolean = when (this) {

@@ -52,7 +52,7 @@ internal class PointGrid(private val places: List<Point>, reach: Double) {
         }
     }
 
-    private fun cellOf(place: Point) = rowOf(place.y) * columns + columnOf(place.x)
+    private fun cellOf(point: Point) = rowOf(point.y) * columns + columnOf(point.x)
 
     private fun columnOf(x: Double) = floor((x - left) / cell).toInt()
 

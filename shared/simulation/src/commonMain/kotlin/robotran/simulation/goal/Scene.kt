@@ -69,14 +69,14 @@ internal class Scene(
      * This moment, with the line that the program of the robot is at, or was at last: a robot rolls on a little when
      * its program has ended. For a block, it is the program of the first robot.
      *
-     * @param place the spot that mattered.
+     * @param point the spot that mattered.
      */
-    fun moment(actor: Actor, place: Point?): RunMoment {
+    fun moment(actor: Actor, point: Point?): RunMoment {
         val robot = (actor as? Actor.OfRobots)?.number ?: 0
         val line = lines.getOrNull(robot)
         return RunMoment(
             state.milliseconds,
-            place,
+            point,
             line?.sourceLine ?: 0,
             line?.sourceFile,
             places.nameAmongRobots(robot),

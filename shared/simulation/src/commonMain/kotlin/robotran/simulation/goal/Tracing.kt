@@ -103,8 +103,8 @@ internal class EvenSampling(private val spacing: Double) {
      */
     private var behind = 0.0
 
-    fun begin(place: Point) {
-        corner = place
+    fun begin(point: Point) {
+        corner = point
         behind = 0.0
     }
 
@@ -184,7 +184,7 @@ private class PenFollower(
             if (corners < points.size) goTo(points[corners], isCorner = false)
         }
 
-        private fun goTo(place: Point, isCorner: Boolean) = walk.to(place, isCorner) { x, y ->
+        private fun goTo(point: Point, isCorner: Boolean) = walk.to(point, isCorner) { x, y ->
             inkAt(robot, x, y, false)
         }
     }

@@ -44,18 +44,18 @@ internal class InkWriter(private val paper: Paper, robots: Int) {
 
         fun stroke(): InkStroke? = current?.stroke(robot)
 
-        fun move(place: Point): Pair<Point, Point>? {
+        fun move(point: Point): Pair<Point, Point>? {
             val before = last
-            if (before == place) return null
-            last = place
+            if (before == point) return null
+            last = point
             snapshot = null
             if (before == null) {
-                if (hasRoom()) current = StrokeWriter(place)
-                return place to place
+                if (hasRoom()) current = StrokeWriter(point)
+                return point to point
             }
-            lengthCentimetres += length(place.x - before.x, place.y - before.y)
-            if (hasRoom()) current?.moveTo(place)
-            return before to place
+            lengthCentimetres += length(point.x - before.x, point.y - before.y)
+            if (hasRoom()) current?.moveTo(point)
+            return before to point
         }
 
         fun lift() {

@@ -25,11 +25,11 @@ internal class StrokeWriter(start: Point) {
     /** Number of points of the stroke. */
     val size: Int get() = if (end == null) corners.size else corners.size + 1
 
-    fun moveTo(place: Point) {
-        if (!extend(place)) {
+    fun moveTo(point: Point) {
+        if (!extend(point)) {
             end?.let(corners::add)
             end = null
-            extend(place)
+            extend(point)
         }
     }
 
@@ -39,20 +39,20 @@ internal class StrokeWriter(start: Point) {
     /** Its corners so far. */
     fun points(): List<Point> = corners.view(listOfNotNull(end))
 
-    /** Extends the segment from the last corner to [place] if possible; returns whether it did. */
-    private fun extend(place: Point): Boolean {
+    /** Extends the segment from the last corner to [point] if possible; returns whether it did. */
+    private fun extend(point: Point): Boolean {
         val corner = corners.last()
-        val way = Point(place.x - corner.x, place.y - corner.y)
+        val way = Point(point.x - corner.x, point.y - corner.y)
         val distance = length(way.x, way.y)
         val before = end
         if (before == null) {
-            if (distance > TOLERANCE) begin(place, way, distance)
+            if (distance > TOLERANCE) begin(point, way, distance)
             return true
         }
         val reached = length(before.x - corner.x, before.y - corner.y)
         if (distance < reached - TOLERANCE || cross(leftmost, way) > 0 || cross(rightmost, way) < 0) return false
         if (distance > reached) {
-            end = place
+            end = point
             val (left, right) = sector(way, distance)
             if (cross(leftmost, left) < 0) leftmost = left
             if (cross(rightmost, right) > 0) rightmost = right
@@ -60,8 +60,8 @@ internal class StrokeWriter(start: Point) {
         return true
     }
 
-    private fun begin(place: Point, way: Point, distance: Double) {
-        end = place
+    private fun begin(point: Point, way: Point, distance: Double) {
+        end = point
         val (left, right) = sector(way, distance)
         leftmost = left
         rightmost = right

@@ -37,39 +37,39 @@ internal class LightField(
     }
 
     /**
-     * The light that reaches a sensor at [place] facing in the direction [cosine], [sine].
+     * The light that reaches a sensor at [point] facing in the direction [cosine], [sine].
      *
      * @param body the sensor's own robot, which casts no shadow on it.
      * @param beacons the lamps on other robots: positions and brightness.
      */
-    fun ahead(place: Point, cosine: Double, sine: Double, body: Int, beacons: List<Pair<Point, Double>>): Double {
+    fun ahead(point: Point, cosine: Double, sine: Double, body: Int, beacons: List<Pair<Point, Double>>): Double {
         var amount = ambient
         for (number in lamps.indices) {
             if (!lamps[number].on || cones[number].isInfrared) continue
             val lamp = lamps[number].place
-            amount += arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
+            amount += arriving(point, cosine, sine, lamp, cones[number].brightnessTowards(lamp, point), body)
         }
         for ((lamp, brightness) in beacons) {
             amount +=
-                arriving(place, cosine, sine, lamp, brightness, NO_OBSTRUCTING_ROBOT)
+                arriving(point, cosine, sine, lamp, brightness, NO_OBSTRUCTING_ROBOT)
         }
         return amount
     }
 
     /**
-     * The infrared light that reaches an eye at [place] facing in the direction [cosine], [sine]: of lamps that send
+     * The infrared light that reaches an eye at [point] facing in the direction [cosine], [sine]: of lamps that send
      * some, and, unless only what is [sent] counts, of bulbs.
      */
-    fun infrared(place: Point, cosine: Double, sine: Double, body: Int, sent: Boolean): Double =
+    fun infrared(point: Point, cosine: Double, sine: Double, body: Int, sent: Boolean): Double =
         lamps.indices.filter { lamps[it].on && (cones[it].isInfrared || !sent) }.sumOf { number ->
             val lamp = lamps[number].place
-            arriving(place, cosine, sine, lamp, cones[number].brightnessTowards(lamp, place), body)
+            arriving(point, cosine, sine, lamp, cones[number].brightnessTowards(lamp, point), body)
         }
 
     /** The part of the sensor's own light that the nearest object ahead reflects. */
-    fun echo(place: Point, cosine: Double, sine: Double, body: Int): Double {
+    fun echo(point: Point, cosine: Double, sine: Double, body: Int): Double {
         val far = Light.MAX_ECHO_DISTANCE
-        val free = physics.freeDistance(body, place, Point(place.x + far * cosine, place.y + far * sine))
+        val free = physics.freeDistance(body, point, Point(point.x + far * cosine, point.y + far * sine))
         if (free >= far) return 0.0
         val part = Light.ECHO_DISTANCE / (Light.ECHO_DISTANCE + free)
         return Light.OWN_LAMP * Light.OBJECT_REFLECTANCE * part * part
@@ -80,15 +80,15 @@ internal class LightField(
      * above all robots.
      */
     private fun arriving(
-        place: Point,
+        point: Point,
         cosine: Double,
         sine: Double,
         lamp: Point,
         brightness: Double,
         body: Int,
     ): Double {
-        val wayX = lamp.x - place.x
-        val wayY = lamp.y - place.y
+        val wayX = lamp.x - point.x
+        val wayY = lamp.y - point.y
         val distance = maxOf(length(wayX, wayY), Light.NEAREST)
         // The lens faces ahead: light from the side counts less, from behind not at all.
         val facing = (wayX * cosine + wayY * sine) / distance
@@ -96,7 +96,7 @@ internal class LightField(
         val ratio = Light.LAMP_DISTANCE / distance
         val amount = Light.LAMP * brightness * ratio * ratio * facing * facing
         if (amount < IMPERCEPTIBLE) return 0.0
-        if (body != NO_OBSTRUCTING_ROBOT && physics.freeDistance(body, place, lamp) < length(wayX, wayY) - TOUCHING) {
+        if (body != NO_OBSTRUCTING_ROBOT && physics.freeDistance(body, point, lamp) < length(wayX, wayY) - TOUCHING) {
             return 0.0
         }
         return amount
@@ -108,10 +108,10 @@ internal class LightField(
         private val edge = trigonometry.cosine(lamp.cone / 2 * RADIANS_PER_DEGREE)
         val isInfrared: Boolean get() = lamp.infrared
 
-        fun brightnessTowards(from: Point, place: Point): Double {
+        fun brightnessTowards(from: Point, point: Point): Double {
             if (lamp.cone >= Lamp.ALL_ROUND) return lamp.brightness
-            val wayX = place.x - from.x
-            val wayY = place.y - from.y
+            val wayX = point.x - from.x
+            val wayY = point.y - from.y
             return if (wayX * cosine + wayY * sine >= edge * length(wayX, wayY)) lamp.brightness else 0.0
         }
     }

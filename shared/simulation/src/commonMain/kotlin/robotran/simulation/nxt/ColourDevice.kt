@@ -7,7 +7,7 @@ import robotran.nxt.hardware.NxtColour
  * The colour sensor of HiTechnic: a number of eighteen colours, and how red, green and blue it is. It measures a hundred
  * times a second.
  */
-internal class ColourDevice(private val eye: ColourEye, private val clock: Clock) :
+internal class ColourDevice(private val eye: ColourSensorModel, private val clock: Clock) :
     RegisterDevice("V1.2", "HiTechnc", "Color") {
     private var seen = NxtColour(0, 0, 0, 0)
 

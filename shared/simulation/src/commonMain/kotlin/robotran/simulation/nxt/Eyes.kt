@@ -10,7 +10,7 @@ import robotran.world.geometry.Point
 import kotlin.math.floor
 
 /** What is below a sensor; looked up anew only when the sensor has moved or more has been drawn. */
-private class SurfaceEye(private val scene: NxtScene, private val place: SensorPlace) {
+private class SurfaceSensorModel(private val scene: NxtScene, private val place: SensorPlace) {
     private var seenX = Double.NaN
     private var seenY = Double.NaN
     private var seenInk = -1
@@ -34,7 +34,7 @@ private class SurfaceEye(private val scene: NxtScene, private val place: SensorP
  *
  * @param name names its streams, such as `light sensor`.
  */
-internal class NxtLightEye(
+internal class NxtLightSensorModel(
     private val scene: NxtScene,
     private val robot: Int,
     private val place: SensorPlace,
@@ -42,7 +42,7 @@ internal class NxtLightEye(
     name: String,
     private val realism: Double,
 ) {
-    private val eye = SurfaceEye(scene, place)
+    private val eye = SurfaceSensorModel(scene, place)
     private val noise = streams.named("$name: noise")
 
     /** The constant error of this sensor, in raw units. */
@@ -82,14 +82,14 @@ internal class NxtLightEye(
 }
 
 /** The colour sensor of the NXT. Plain things that it looks at from the side are grey. */
-internal class ColourEye(
+internal class ColourSensorModel(
     private val scene: NxtScene,
     private val place: SensorPlace,
     streams: NoiseStreams,
     name: String,
     private val realism: Double,
 ) {
-    private val eye = SurfaceEye(scene, place)
+    private val eye = SurfaceSensorModel(scene, place)
     private val noise = streams.named("$name: noise")
 
     fun colour(): NxtColour {

@@ -29,7 +29,7 @@ internal class I2cSensors(
         SensorKind.MINDSENSORS_COMPASS -> MindsensorsCompass(machine, streams, nameOf("mindsensors compass"), realism)
 
         SensorKind.HITECHNIC_COLOUR -> {
-            ColourDevice(ColourEye(scene, place, streams, nameOf("HiTechnic colour sensor"), realism), clock)
+            ColourDevice(ColourSensorModel(scene, place, streams, nameOf("HiTechnic colour sensor"), realism), clock)
         }
 
         SensorKind.HITECHNIC_ACCELERATION -> {

@@ -52,7 +52,7 @@ internal class NxtPorts(
     private val machine: SimulatedRobot = scene.machines[number]
     private val pressed = BooleanArray(robot.brick.inputPorts)
     private var millivolts = 0
-    private var lights = emptyList<NxtLightEye>()
+    private var lights = emptyList<NxtLightSensorModel>()
     private var sonars = emptyList<SonarBeam>()
     private var seesColour = false
     private val warmth = WarmthEye(thermometer, streams, realism)
@@ -128,13 +128,13 @@ internal class NxtPorts(
 
     private fun plugIn(part: SensorPart, port: Int, place: SensorPlace): NxtSensor? = when (part.sensor) {
         SensorKind.LIGHT -> {
-            val eye = NxtLightEye(scene, number, place, streams, nameOf(part, "light sensor"), realism)
+            val eye = NxtLightSensorModel(scene, number, place, streams, nameOf(part, "light sensor"), realism)
             lights = lights + eye
             NxtSensor { brick.setAnalog(port, eye.raw(brick.sensorPort(port).pin0)) }
         }
 
         SensorKind.COLOUR -> {
-            val eye = ColourEye(scene, place, streams, nameOf(part, "colour sensor"), realism)
+            val eye = ColourSensorModel(scene, place, streams, nameOf(part, "colour sensor"), realism)
             seesColour = true
             var last = eye.colour()
             NxtSensor {

@@ -2,11 +2,14 @@ package robotran.simulation.goal
 
 import robotran.brick.sound.SoundEvent
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.state.RcxState
+import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
@@ -35,8 +38,8 @@ internal fun rectangle(left: Double, bottom: Double, right: Double, top: Double)
 
 /** A fake run with only the data that goals use; each call is the next moment. */
 internal class Run(world: World, trigonometry: Trigonometry) {
-    val judge = GoalJudge(world, trigonometry)
-    private val brick = RcxBrick(emptyList()).state
+    val judge = GoalJudge(world, trigonometry, messages = SimulationMessages.of(Language.ENGLISH))
+    private val brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state
     private var milliseconds = 0L
     private var robots = world.robots.map {
         RobotSnapshot(brick, RobotState(it.start, 0.0, 0.0, false, false, false), 0, emptyList(), 0)

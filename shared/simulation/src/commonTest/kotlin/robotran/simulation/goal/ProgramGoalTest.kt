@@ -1,11 +1,15 @@
 package robotran.simulation.goal
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.runToEnd
 import robotran.simulation.state.GoalStatus
@@ -17,8 +21,6 @@ import robotran.world.GoalCondition.PlaySound
 import robotran.world.GoalCondition.ShowOnDisplay
 import robotran.world.TouchKind
 import robotran.world.file.BuiltInWorlds
-import kotlin.test.Test
-import kotlin.test.assertEquals
 
 class ProgramGoalTest {
     private val running = RunState.Running(1)
@@ -133,7 +135,7 @@ class ProgramGoalTest {
                 } else {
                     RobotTarget.Rcx(50.0, 5.0)
                 }
-                val program = (compileRobolang("goals", source, target) as RobolangResult.Ready).program
+                val program = (compileRobolang("goals", source, target, messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success).program
                 val goals = listOf(Goal(InOrder(order.toList())))
                 return runToEnd(program, world.copy(goals = goals)).also { it.finish() }.state.goals.map { it.status }
             }

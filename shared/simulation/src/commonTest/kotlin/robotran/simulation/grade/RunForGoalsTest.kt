@@ -4,7 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.GoalReportStatus
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.RunStatus
 import robotran.simulation.ScriptedProgram
 import robotran.simulation.Session
@@ -46,7 +46,7 @@ class RunForGoalsTest {
 
     private suspend fun grade(world: World, vararg programs: RcxProgram?): Grade {
         val session =
-            Session(world, programs.map { RobotLoad(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
+            Session(world, programs.map { RobotProgramSet(listOfNotNull(it)) }, loadPhysicsEngine(), Language.ENGLISH)
         return session.runForGoals().also { session.close() }
     }
 

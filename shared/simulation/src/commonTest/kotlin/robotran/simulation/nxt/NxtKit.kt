@@ -1,5 +1,7 @@
 package robotran.simulation.nxt
 
+import kotlin.io.encoding.Base64
+import kotlin.test.assertIs
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramRun
@@ -16,14 +18,16 @@ import robotran.nxt.program.SensorSetup
 import robotran.nxt.regulator.MotorRegulator
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.nxjPrograms
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.pressRun
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.linkNxj
+import robotran.tinyvm.messages.TinyVmMessages
 import robotran.world.Paper
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -31,8 +35,6 @@ import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
-import kotlin.io.encoding.Base64
-import kotlin.test.assertIs
 
 /** A program for an NXT given as its calls and the pauses between them. */
 class ScriptedNxt(build: ScriptedNxt.() -> Unit) : NxtProgram {
@@ -108,15 +110,15 @@ internal fun openWorld(robot: RobotDescription = ReadyRobots.NXT_PENBOT) = World
 
 /** A session whose robots have been started with [programs], one each. */
 internal suspend fun nxtSession(world: World, vararg programs: BrickProgram): Session =
-    Session(world, programs.map { RobotLoad(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH).apply { pressRun() }
+    Session(world, programs.map { RobotProgramSet(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH).apply { pressRun() }
 
 internal fun robolangNxt(source: String): BrickProgram =
-    assertIs<RobolangResult.Ready>(compileRobolang("test", source, RobotTarget.Nxt(5.6, 11.4))).program
+    assertIs<RobolangResult.Success>(compileRobolang("test", source, RobotTarget.Nxt(5.6, 11.4), messages = RobolangMessages.of(Language.ENGLISH))).program
 
 /** The compiled program of the class [name] in the resources of the tests. */
 internal suspend fun nxj(name: String): BrickProgram {
     val prefix = "$name.java/"
     val classes = nxjPrograms.filterKeys { it.startsWith(prefix) }
         .entries.associate { it.key.removePrefix(prefix).removeSuffix(".class") to Base64.decode(it.value) }
-    return assertIs<NxjResult.Ready>(linkNxj(name, classes, NxjLibrary.load().classFiles, name)).program
+    return assertIs<NxjResult.Success>(linkNxj(name, classes, NxjLibrary.load().classFiles, name, messages = TinyVmMessages.of(Language.ENGLISH))).program
 }

@@ -155,7 +155,7 @@ class NxtRunTest {
 
     @Test
     fun `an NXT follows a line all the way round`() = runTest(timeout = 5.minutes) {
-        val loop = assertIs<WorldFileResult.Loaded>(
+        val loop = assertIs<WorldFileResult.Success>(
             readWorld(BuiltInWorlds.texts.getValue("line-loop.world.json"), Language.ENGLISH),
         ).world
         val robots = loop.robots.map { it.copy(description = ReadyRobots.NXT_PENBOT) }

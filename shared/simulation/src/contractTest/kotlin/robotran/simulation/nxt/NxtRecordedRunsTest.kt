@@ -1,12 +1,17 @@
 package robotran.simulation.nxt
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.exampleTexts
 import robotran.simulation.grade.runForGoals
@@ -21,10 +26,6 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.time.Duration.Companion.minutes
 
 /**
  * Runs the examples and some Java programs on an NXT, and compares the reports with those in `resources/nxt-runs`. Their
@@ -41,7 +42,7 @@ class NxtRecordedRunsTest {
         val session =
             Session(
                 world,
-                listOf(RobotLoad(listOf(program), lightFacing = facing)),
+                listOf(RobotProgramSet(listOf(program), lightFacing = facing)),
                 loadPhysicsEngine(),
                 Language.ENGLISH,
             )
@@ -59,7 +60,7 @@ class NxtRecordedRunsTest {
     private fun World.with(robot: RobotDescription) = copy(robots = robots.map { it.copy(description = robot) })
 
     private fun world(name: String, realism: Double): World {
-        val world = assertIs<WorldFileResult.Loaded>(
+        val world = assertIs<WorldFileResult.Success>(
             readWorld(BuiltInWorlds.texts.getValue("$name.world.json"), Language.ENGLISH),
         ).world
         return world.with(ReadyRobots.NXT_PENBOT).copy(realism = realism)
@@ -70,7 +71,7 @@ class NxtRecordedRunsTest {
         val differences = exampleTexts.mapNotNull { (file, text) ->
             val target = RobotTarget.Nxt(5.6, 11.4)
             // Not all examples are for an NXT.
-            val ready = compileRobolang(file, text, target) as? RobolangResult.Ready ?: return@mapNotNull null
+            val ready = compileRobolang(file, text, target, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success ?: return@mapNotNull null
             val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
             difference(file.removeSuffix(".robo"), nxtPlain, ready.program, facing)
         }

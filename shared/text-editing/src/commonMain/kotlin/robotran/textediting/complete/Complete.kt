@@ -6,7 +6,7 @@ import robotran.languagesupport.Completion
 import robotran.languagesupport.CompletionHelp
 import robotran.languagesupport.CompletionList
 import robotran.languagesupport.CompletionRequest
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 
 /**
@@ -14,7 +14,7 @@ import robotran.textediting.text.TextSelection
  * library. Null if there are none, as in a comment. [CompletionRequest] explains the other parameters.
  */
 fun completionsAt(
-    draft: Draft,
+    draft: TextDocument,
     syntax: CodeSyntax,
     help: CompletionHelp,
     isExplicit: Boolean,
@@ -25,7 +25,7 @@ fun completionsAt(
 }
 
 /** This text with the completion [chosen] from [list] inserted. */
-fun Draft.completed(list: CompletionList, chosen: Completion): Draft {
+fun TextDocument.completed(list: CompletionList, chosen: Completion): TextDocument {
     val line = lines.lineOf(list.start)
     val indent = lines.line(line).takeWhile { it == ' ' }
     val inserted = chosen.inserted.replace("\n", "\n" + indent)

@@ -1,7 +1,7 @@
 package robotran.textediting.find
 
 import robotran.language.source.SourceSpan
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.isWordCharacter
 
@@ -42,7 +42,7 @@ data class Search(val text: String, val matchCase: Boolean = false, val wholeWor
  * The index in [matches] of the next match after the selection, or 0 if there is none after it; -1 if [matches] is
  * empty.
  */
-fun Draft.nextMatch(matches: List<SourceSpan>): Int {
+fun TextDocument.nextMatch(matches: List<SourceSpan>): Int {
     if (matches.isEmpty()) return -1
     val isAtMatch = matches.any { it.start == selection.start && it.end == selection.end }
     val from = if (isAtMatch) selection.end else selection.start
@@ -50,17 +50,17 @@ fun Draft.nextMatch(matches: List<SourceSpan>): Int {
 }
 
 /** The index in [matches] of the last match before the selection, or else the last index; -1 if it is empty. */
-fun Draft.previousMatch(matches: List<SourceSpan>): Int {
+fun TextDocument.previousMatch(matches: List<SourceSpan>): Int {
     if (matches.isEmpty()) return -1
     val before = matches.indexOfLast { it.end <= selection.start }
     return if (before >= 0) before else matches.lastIndex
 }
 
-fun Draft.withSelected(match: SourceSpan): Draft =
+fun TextDocument.withSelected(match: SourceSpan): TextDocument =
     copy(selection = TextSelection(match.start, match.end).within(text.length))
 
 /** This text with each of [matches], which are in order, replaced by [replacement]. */
-fun Draft.withAllReplaced(matches: List<SourceSpan>, replacement: String): Draft {
+fun TextDocument.withAllReplaced(matches: List<SourceSpan>, replacement: String): TextDocument {
     val result = StringBuilder()
     var done = 0
     for (match in matches) {
@@ -70,5 +70,5 @@ fun Draft.withAllReplaced(matches: List<SourceSpan>, replacement: String): Draft
     result.append(text, done, text.length)
     val before = matches.count { it.end <= selection.caret }
     val caret = selection.caret + before * replacement.length - matches.take(before).sumOf { it.length }
-    return Draft(result.toString()).withCaret(caret)
+    return TextDocument(result.toString()).withCaret(caret)
 }

@@ -15,7 +15,7 @@ fun wordAt(text: String, offset: Int): SourceSpan? {
 }
 
 /** This text with the word, spaces or character at [offset] selected, as by a double click or long press. */
-fun Draft.withWordSelected(offset: Int): Draft {
+fun TextDocument.withWordSelected(offset: Int): TextDocument {
     val word = wordAt(text, offset) ?: blanksAt(text, offset) ?: return withCaret(offset)
     return copy(selection = TextSelection(word.start, word.end))
 }

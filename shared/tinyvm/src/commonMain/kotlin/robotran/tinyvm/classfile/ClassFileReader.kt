@@ -6,9 +6,9 @@ import robotran.tinyvm.messages.ClassFileMessages
 
 /** The result of [readClassFile]. */
 sealed interface ClassFileResult {
-    class Read(val classFile: ClassFile) : ClassFileResult
+    class Success(val classFile: ClassFile) : ClassFileResult
 
-    class Rejected(val refusal: LinkError) : ClassFileResult
+    class Failure(val refusal: LinkError) : ClassFileResult
 }
 
 /**
@@ -16,7 +16,7 @@ sealed interface ClassFileResult {
  * and references between constants are not checked: see [DamagedClassFile].
  */
 fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMessages): ClassFileResult {
-    fun refused(message: String) = ClassFileResult.Rejected(LinkError(message, expectedName))
+    fun refused(message: String) = ClassFileResult.Failure(LinkError(message, expectedName))
     if (bytes.size > TinyVmLimits.CLASS_FILE_BYTES) {
         return refused(messages.classFileTooLong(TinyVmLimits.CLASS_FILE_BYTES))
     }
@@ -25,7 +25,7 @@ fun readClassFile(bytes: ByteArray, expectedName: String, messages: ClassFileMes
         if (bytes.size < HEADER_BYTES || reader.int() != MAGIC) return refused(messages.notAClassFile())
         reader.unsignedShort()
         if (reader.unsignedShort() !in TinyVmLimits.CLASS_FILE_VERSIONS) return refused(messages.classFileTooNew())
-        ClassFileResult.Read(ClassFileReader(reader, readConstantPool(reader)).read())
+        ClassFileResult.Success(ClassFileReader(reader, readConstantPool(reader)).read())
     } catch (_: DamagedClassFile) {
         refused(messages.classFileDamaged())
     }

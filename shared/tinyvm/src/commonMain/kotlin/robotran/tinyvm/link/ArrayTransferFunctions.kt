@@ -7,20 +7,20 @@ internal class ArrayTransferFunctions(
     private val code: ResolvedCode,
 ) {
     /** Applies an instruction that creates an array or reads its length. */
-    fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
+    fun apply(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         when (instruction.opcode) {
             Opcode.NEWARRAY -> {
                 frameState.popValue(VerificationType.INT)
-                push(instruction, resolver.numberArray(instruction.operand, place), frameState)
+                push(instruction, resolver.numberArray(instruction.operand, location), frameState)
             }
 
             Opcode.ANEWARRAY -> {
                 frameState.popValue(VerificationType.INT)
-                push(instruction, resolver.arrayOf(instruction.operand, place), frameState)
+                push(instruction, resolver.arrayOf(instruction.operand, location), frameState)
             }
 
             Opcode.MULTIANEWARRAY -> {
-                val type = resolver.type(instruction.operand, place)
+                val type = resolver.type(instruction.operand, location)
                 if (instruction.second !in 1..type.descriptor.takeWhile { it == '[' }.length) unsound()
                 repeat(instruction.second) { frameState.popValue(VerificationType.INT) }
                 push(instruction, type, frameState)

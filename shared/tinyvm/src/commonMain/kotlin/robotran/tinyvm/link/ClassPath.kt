@@ -40,7 +40,7 @@ internal class ClassPath(
 
     private fun read(bytes: ByteArray, name: String): ClassFile =
         when (val result = readClassFile(bytes, name.removeSuffix(".class").replace('/', '.'), messages)) {
-            is ClassFileResult.Read -> result.classFile
-            is ClassFileResult.Rejected -> throw LinkException(result.refusal)
+            is ClassFileResult.Success -> result.classFile
+            is ClassFileResult.Failure -> throw LinkException(result.refusal)
         }
 }

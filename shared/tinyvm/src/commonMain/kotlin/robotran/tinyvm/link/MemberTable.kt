@@ -90,7 +90,7 @@ internal class MemberTable(private val messages: LinkMessages, private val model
     private fun wide(value: Long, wordOnRcx: Int): InitialValue =
         if (model.isExact) InitialValue.Wide(value) else InitialValue.Word(wordOnRcx)
 
-    private fun placeMethods(linked: LinkedClass, place: CodeLocation) {
+    private fun placeMethods(linked: LinkedClass, location: CodeLocation) {
         val virtual = linked.superclass?.virtualMethods.orEmpty().toMutableList()
         linked.methods = linked.file.methods.map { entry ->
             val signature = signatureNumbers.getOrPut(entry.name + entry.descriptor) { signatureNumbers.size }
@@ -103,7 +103,7 @@ internal class MemberTable(private val messages: LinkMessages, private val model
                 ).reject(messages.tooMany(Counted.PARAMETERS, TinyVmLimits.PARAMETERS))
             }
             if (linked.isInterface && entry.code != null && entry.name != "<clinit>") {
-                place.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
+                location.reject(messages.unsupportedFeature(UnsupportedFeature.INTERFACE_CODE))
             }
             if (!method.isStatic && !method.isConstructor && !linked.isInterface) placeVirtual(method, virtual)
             method

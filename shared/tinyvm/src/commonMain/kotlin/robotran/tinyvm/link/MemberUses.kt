@@ -13,7 +13,7 @@ import robotran.tinyvm.messages.TinyVmMessages
 /** Finds what the class files of a program, which must link, name of the library. */
 internal class MemberUses(program: Map<String, ByteArray>, private val messages: TinyVmMessages) {
     private val own: Map<String, ClassFile> = program.mapNotNull { (name, bytes) ->
-        (readClassFile(bytes, name, messages) as? ClassFileResult.Read)?.classFile
+        (readClassFile(bytes, name, messages) as? ClassFileResult.Success)?.classFile
     }.associateBy { it.name }
 
     /** All uses, class by class, each in the order of the code. */

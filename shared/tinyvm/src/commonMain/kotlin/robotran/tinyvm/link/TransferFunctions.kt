@@ -22,7 +22,7 @@ internal class TransferFunctions(
     private val literals = ConstantTransferFunctions(constants, types, messages, code)
     private val arrays = ArrayTransferFunctions(relations, resolver, code)
 
-    fun apply(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
+    fun apply(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         val simple = simpleInstructions[instruction.opcode]
         when {
             simple != null -> {
@@ -36,22 +36,22 @@ internal class TransferFunctions(
             }
 
             instruction.opcode in Opcode.POP..Opcode.SWAP -> StackShuffles.apply(instruction.opcode, frameState)
-            instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction, frameState, place)
+            instruction.opcode in Opcode.GETSTATIC..Opcode.PUTFIELD -> members.field(instruction, frameState, location)
 
             instruction.opcode in Opcode.INVOKEVIRTUAL..Opcode.INVOKEINTERFACE -> {
-                members.call(instruction, frameState, place)
+                members.call(instruction, frameState, location)
             }
 
-            else -> other(instruction, frameState, place)
+            else -> other(instruction, frameState, location)
         }
     }
 
-    private fun other(instruction: Instruction, frameState: FrameState, place: CodeLocation) {
+    private fun other(instruction: Instruction, frameState: FrameState, location: CodeLocation) {
         val operand = instruction.operand
         when (instruction.opcode) {
             Opcode.ACONST_NULL -> frameState.push(VerificationType.NULL)
             Opcode.BIPUSH, Opcode.SIPUSH -> frameState.push(VerificationType.INT)
-            Opcode.LDC, Opcode.LDC2_W -> literals.apply(instruction, frameState, place)
+            Opcode.LDC, Opcode.LDC2_W -> literals.apply(instruction, frameState, location)
 
             in Opcode.ILOAD..Opcode.ALOAD, in Opcode.ISTORE..Opcode.ASTORE, Opcode.IINC -> {
                 LocalTransferFunctions.apply(instruction, frameState)
@@ -64,30 +64,30 @@ internal class TransferFunctions(
             Opcode.IFNULL, Opcode.IFNONNULL, Opcode.MONITORENTER, Opcode.MONITOREXIT -> frameState.popReference()
 
             Opcode.NEW -> {
-                val type = resolver.classType(operand, place)
+                val type = resolver.classType(operand, location)
                 if (type.isInterface || type.file.flags and AccessFlag.ABSTRACT != 0) unsound()
                 named(instruction, type)
                 frameState.push(VerificationType.reference(type))
             }
 
             Opcode.NEWARRAY, Opcode.ANEWARRAY, Opcode.MULTIANEWARRAY, Opcode.ARRAYLENGTH -> {
-                arrays.apply(instruction, frameState, place)
+                arrays.apply(instruction, frameState, location)
             }
 
             Opcode.ATHROW -> if (!relations.fits(frameState.pop(), types.throwable)) unsound()
 
             Opcode.CHECKCAST -> {
                 frameState.popReference()
-                frameState.push(VerificationType.reference(named(instruction, resolver.testedType(operand, place))))
+                frameState.push(VerificationType.reference(named(instruction, resolver.testedType(operand, location))))
             }
 
             Opcode.INSTANCEOF -> {
                 frameState.popReference()
-                named(instruction, resolver.testedType(operand, place))
+                named(instruction, resolver.testedType(operand, location))
                 frameState.push(VerificationType.INT)
             }
 
-            in Opcode.IRETURN..Opcode.RETURN -> members.result(instruction.opcode, frameState, place)
+            in Opcode.IRETURN..Opcode.RETURN -> members.result(instruction.opcode, frameState, location)
         }
     }
 

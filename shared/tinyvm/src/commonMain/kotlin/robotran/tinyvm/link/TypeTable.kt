@@ -30,35 +30,35 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     val text: LinkedClass get() = classNamed("java/lang/String", CodeLocation(ROOT))
 
     /** The heap type with this [descriptor]. */
-    fun typeOf(descriptor: String, place: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
-        'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), place)
-        else -> arrayType(descriptor, place)
+    fun typeOf(descriptor: String, location: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
+        'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), location)
+        else -> arrayType(descriptor, location)
     }
 
     /** The type of a class constant: a class by its name, an array by its descriptor. */
-    fun typeNamed(name: String, place: CodeLocation): HeapType = when {
-        !name.startsWith("[") -> classNamed(name, place)
-        endOfType(name, 0) == name.length -> typeOf(name, place)
-        else -> place.unsound(messages)
+    fun typeNamed(name: String, location: CodeLocation): HeapType = when {
+        !name.startsWith("[") -> classNamed(name, location)
+        endOfType(name, 0) == name.length -> typeOf(name, location)
+        else -> location.unsound(messages)
     }
 
     /** The class with the internal name [name]. */
-    fun classNamed(name: String, place: CodeLocation): LinkedClass =
-        byDescriptor["L$name;"] as LinkedClass? ?: link(name, place)
+    fun classNamed(name: String, location: CodeLocation): LinkedClass =
+        byDescriptor["L$name;"] as LinkedClass? ?: link(name, location)
 
-    private fun arrayType(descriptor: String, place: CodeLocation): ArrayType {
-        if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) place.unsound(messages)
+    private fun arrayType(descriptor: String, location: CodeLocation): ArrayType {
+        if (descriptor.takeWhile { it == '[' }.length > TinyVmLimits.ARRAY_DIMENSIONS) location.unsound(messages)
         val elementDescriptor = descriptor.drop(1)
-        val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, place) else null
+        val element = if (isReferenceDescriptor(elementDescriptor)) typeOf(elementDescriptor, location) else null
         if (++arrayTypes > TinyVmLimits.ARRAY_TYPES) {
-            place.reject(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
+            location.reject(messages.tooMany(Counted.ARRAY_TYPES, TinyVmLimits.ARRAY_TYPES))
         }
         val root = root
         return ArrayType(allTypes.size, descriptor, element, root, model.isExact).also { add(it) }
     }
 
-    private fun link(name: String, place: CodeLocation): LinkedClass {
-        val file = files.find(name) ?: place.reject(messages.classMissing(name.replace('/', '.')))
+    private fun link(name: String, location: CodeLocation): LinkedClass {
+        val file = files.find(name) ?: location.reject(messages.classMissing(name.replace('/', '.')))
         val own = CodeLocation(name)
         if (!beingLinked.add(name)) own.reject(messages.cyclicInheritance(name.replace('/', '.')))
         if (beingLinked.size > TinyVmLimits.ANCESTORS) {

@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.BuiltInException
 
 /** Locates array elements in the heap. */
-internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
+internal class ArrayAddressing(machine: VirtualMachine, private val arithmetic: RcxArithmetic) {
     private val words = machine.heap.words
 
     /** The heap index of an element, 0 if [array] is null, negative if [index] is out of bounds. */

@@ -12,7 +12,7 @@ internal class CodeInterpreter(
     private val calls: Calls,
     private val gate: StatementGate,
 ) {
-    private val rare = RareOperations(machine, calls)
+    private val rare = SlowPathOperations(machine, calls)
     private val words = machine.heap.words
     private val statics = machine.statics
     private val methods = machine.program.methods.toTypedArray()

@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.BuiltInException
 
 /** Divides integers by divisors outside 1..32767; the interpreter's loop handles the others itself. */
-internal class Division(private val arithmetic: QuirkyArithmetic, private val calls: Calls) {
+internal class Division(private val arithmetic: RcxArithmetic, private val calls: Calls) {
     /** Divides the two topmost operands of [frame], the innermost of [thread]. */
     fun execute(thread: VmThread, frame: Frame, isRemainder: Boolean) {
         val stack = thread.stack

@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.link.Operation
 
 /** Number and stack operations that are too rare for the interpreter's loop. None of them throws. */
-internal class NumberOperations(machine: VirtualMachine, private val arithmetic: QuirkyArithmetic) {
+internal class NumberOperations(machine: VirtualMachine, private val arithmetic: RcxArithmetic) {
     private val statics = machine.statics
 
     /** Executes [operation], whose operands start at `next` of [frame]; returns false if it is not one of these. */

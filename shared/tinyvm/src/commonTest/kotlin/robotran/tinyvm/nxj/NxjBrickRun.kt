@@ -7,8 +7,10 @@ import robotran.brick.log.LoggedCall
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.StatementWatch
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.nxt.NxtBrick
 import robotran.nxt.log.NxtLogEntry
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 import robotran.nxt.storage.NxtFile
@@ -20,7 +22,7 @@ internal class NxjBrickRun(
     private val isWatched: Boolean = false,
     files: List<NxtFile> = emptyList(),
 ) {
-    val brick = NxtBrick(listOf(program), files = files)
+    val brick = NxtBrick(listOf(program), files = files, messages = NxtMessages.of(Language.ENGLISH))
     private val degrees = DoubleArray(MotorPort.entries.size)
     private val speeds = DoubleArray(MotorPort.entries.size)
 

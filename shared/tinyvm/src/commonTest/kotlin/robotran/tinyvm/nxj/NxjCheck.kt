@@ -34,11 +34,11 @@ internal fun nxjDifferences(
             mode,
         )
     ) {
-        is NxjResult.Ready -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
+        is NxjResult.Success -> NxjBrickRun(result.program, expected.inputs, isWatched).apply {
             run(expected.runsOnAfter ?: LONGEST)
         }
 
-        is NxjResult.Rejected -> throw AssertionError("$path is refused: ${result.refusal}")
+        is NxjResult.Failure -> throw AssertionError("$path is refused: ${result.refusal}")
     }
     val slow = run(TinyVmSpeed.BRICK, isWatched = false) ?: return emptyList()
     val watched = run(TinyVmSpeed.BRICK, isWatched = true) ?: return emptyList()

@@ -1,10 +1,14 @@
 package robotran.tinyvm.nxj
 
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
 import robotran.nxt.NxtBrick
+import robotran.nxt.messages.NxtMessages
 import robotran.tinyvm.NxjProgram
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.checkHeap
@@ -13,9 +17,6 @@ import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.mutated
 import robotran.tinyvm.nxjPrograms
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertTrue
 
 class NxjMutantsTest {
     @Test
@@ -40,12 +41,12 @@ class NxjMutantsTest {
         val mutant = classes + (name to mutated(classes.getValue(name), random))
         val speed = if (random.nextBoolean()) TinyVmSpeed.UNLIMITED else TinyVmSpeed.BRICK
         val result = linkNxj("mutant", mutant, library, mainClass, TinyVmMessages.of(Language.ENGLISH), speed)
-        if (result is NxjResult.Ready) run(result.program)
-        return result is NxjResult.Ready
+        if (result is NxjResult.Success) run(result.program)
+        return result is NxjResult.Success
     }
 
     private fun run(program: NxjProgram) {
-        val brick = NxtBrick(listOf(program))
+        val brick = NxtBrick(listOf(program), messages = NxtMessages.of(Language.ENGLISH))
         brick.press(BrickButton.ENTER)
         brick.release(BrickButton.ENTER)
         val run = brick.debuggableRun ?: return

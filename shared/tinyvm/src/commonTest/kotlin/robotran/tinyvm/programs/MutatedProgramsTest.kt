@@ -13,7 +13,7 @@ class MutatedProgramsTest {
         val random = Random(6)
         val programs = testPrograms.filterValues {
             Expectations.ofRuns(it).none { run -> run.hasErrors }
-        }.keys.sorted().filter { link(it) is TinyVmResult.Ready }
+        }.keys.sorted().filter { link(it) is TinyVmResult.Success }
         val run = programs.sumOf { path ->
             val mainClass = path.substringAfterLast('/').removeSuffix(".java")
             (1..MUTANTS_OF_EACH).count { runMutant(classFilesOf(path), mainClass, random) }

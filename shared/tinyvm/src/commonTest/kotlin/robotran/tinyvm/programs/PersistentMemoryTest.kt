@@ -1,23 +1,25 @@
 package robotran.tinyvm.programs
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 
 /** A program that keeps bytes in the front of the memory for objects, run twice on the same brick. */
 class PersistentMemoryTest {
     /** The numbers that each of two runs shows. */
     private fun shown(mode: TinyVmMode, between: RcxBrick.() -> Unit): List<List<Int>> {
-        val linked = assertIs<TinyVmResult.Ready>(link("rcx/PersistentMemory.java", mode = mode))
-        val brick = RcxBrick(listOf(linked.program))
+        val linked = assertIs<TinyVmResult.Success>(link("rcx/PersistentMemory.java", mode = mode))
+        val brick = RcxBrick(listOf(linked.program), messages = BrickMessages.of(Language.ENGLISH))
         return List(2) { run ->
             if (run == 1) brick.between()
             val before = brick.log.entries.size

@@ -41,6 +41,7 @@ internal fun link(
     path.substringAfterLast('/').removeSuffix(".java"),
     mode,
     speed = speed,
+    messages = TinyVmMessages.of(Language.ENGLISH),
 )
 
 /** Fails if a test program in [folder] does anything else than its comments say. */
@@ -68,9 +69,9 @@ internal fun differences(
 
 private fun differences(expected: Expectations, result: TinyVmResult, speed: TinyVmSpeed): List<String> =
     when (result) {
-        is TinyVmResult.Ready -> differences(expected, RecordingBrick(result.program, expected.events), speed)
+        is TinyVmResult.Success -> differences(expected, RecordingBrick(result.program, expected.events), speed)
 
-        is TinyVmResult.Rejected -> if (isExpected(
+        is TinyVmResult.Failure -> if (isExpected(
                 expected,
                 result,
             )
@@ -81,7 +82,7 @@ private fun differences(expected: Expectations, result: TinyVmResult, speed: Tin
         }
     }
 
-private fun isExpected(expected: Expectations, result: TinyVmResult.Rejected): Boolean =
+private fun isExpected(expected: Expectations, result: TinyVmResult.Failure): Boolean =
     expected.refused.any { (line, instruction) ->
         (line == 0 || line == result.refusal.sourceLine) && result.refusal.methodName != null &&
             result.refusal.message in messagesFor(instruction)

@@ -8,7 +8,7 @@ import kotlin.test.assertTrue
 
 class ProgramSizeTest {
     private fun freeBytes(path: String): Int =
-        BrickRoom.V3_0.bytes - assertIs<TinyVmResult.Ready>(link(path), path).program.linked.bytes
+        BrickRoom.V3_0.bytes - assertIs<TinyVmResult.Success>(link(path), path).program.linked.bytes
 
     @Test
     fun `a small program leaves twelve thousand bytes for its objects`() {

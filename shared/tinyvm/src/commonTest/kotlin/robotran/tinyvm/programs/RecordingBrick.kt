@@ -4,11 +4,13 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramRun
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.display.LcdGlass
+import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 
@@ -17,7 +19,7 @@ internal class Shown(val line: Int, val glass: LcdGlass, val isNumber: Boolean)
 
 /** A brick that runs [program] and records its output. */
 internal class RecordingBrick(program: RcxProgram, private val events: List<Event>) {
-    private val brick = RcxBrick(listOf(Watched(program)))
+    private val brick = RcxBrick(listOf(Watched(program)), messages = BrickMessages.of(Language.ENGLISH))
     private var isNumber = false
 
     val shown = ArrayList<Shown>()

@@ -14,7 +14,7 @@ class SameCodeTest {
         var methods = 0
         for (path in testPrograms.keys.sorted()) {
             for (mode in TinyVmMode.entries) {
-                val ready = link(path, mode = mode) as? TinyVmResult.Ready ?: continue
+                val ready = link(path, mode = mode) as? TinyVmResult.Success ?: continue
                 for (body in ready.program.linked.methods.mapNotNull { it.body }) {
                     methods++
                     for (word in body.code.asList() + body.handlers.asList()) hash = hash * FACTOR + word

@@ -1,27 +1,29 @@
 package robotran.tinyvm.programs
 
-import robotran.brick.controls.BrickButton
-import robotran.brick.state.RunState
-import robotran.rcxrom.RcxBrick
-import robotran.tinyvm.TinyVmResult
-import robotran.tinyvm.config.TinyVmMode
-import robotran.tinyvm.config.TinyVmSpeed
 import kotlin.test.Test
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 import kotlin.time.Duration
 import kotlin.time.Duration.Companion.milliseconds
 import kotlin.time.measureTime
+import robotran.brick.controls.BrickButton
+import robotran.brick.state.RunState
+import robotran.language.Language
+import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
+import robotran.tinyvm.TinyVmResult
+import robotran.tinyvm.config.TinyVmMode
+import robotran.tinyvm.config.TinyVmSpeed
 
 /** Programs that use up a resource; the brick must still respond. */
 class StressTest {
     private fun assertAnswers(program: String) {
         for (mode in TinyVmMode.entries) {
             for (speed in TinyVmSpeed.entries) {
-                val linked = assertIs<TinyVmResult.Ready>(
+                val linked = assertIs<TinyVmResult.Success>(
                     link("limits/$program.java", mode = mode, speed = speed),
                 ).program
-                val brick = RcxBrick(listOf(linked))
+                val brick = RcxBrick(listOf(linked), messages = BrickMessages.of(Language.ENGLISH))
                 brick.press(BrickButton.RUN)
                 brick.release(BrickButton.RUN)
                 val took = measureTime { repeat(MILLISECONDS) { brick.tick() } } / MILLISECONDS

@@ -1,25 +1,27 @@
 package robotran.tinyvm.programs
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.log.romCalls
+import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 
 /** Two bricks, each with one of two test programs that belong together, in sight of each other. */
 class TwoBricksTest {
     private fun lastNumbers(programs: List<String>, mode: TinyVmMode): List<Int?> {
         val air = InfraredAir()
         val bricks = programs.map { path ->
-            val linked = assertIs<TinyVmResult.Ready>(link(path, mode = mode, speed = TinyVmSpeed.BRICK), path)
-            RcxBrick(listOf(linked.program), air)
+            val linked = assertIs<TinyVmResult.Success>(link(path, mode = mode, speed = TinyVmSpeed.BRICK), path)
+            RcxBrick(listOf(linked.program), air, messages = BrickMessages.of(Language.ENGLISH))
         }
         for (brick in bricks) {
             brick.press(BrickButton.RUN)

@@ -31,9 +31,9 @@ enum class FirmwareKind {
 
 /** The result of reading a firmware file. */
 sealed interface FirmwareFile {
-    data class Read(val firmware: FirmwareImage) : FirmwareFile
+    data class Success(val firmware: FirmwareImage) : FirmwareFile
 
-    data class Rejected(val reason: FirmwareFileError) : FirmwareFile
+    data class Failure(val reason: FirmwareFileError) : FirmwareFile
 }
 
 /** Why a file is not a firmware. */

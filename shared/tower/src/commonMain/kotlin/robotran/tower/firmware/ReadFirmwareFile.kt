@@ -10,16 +10,16 @@ import robotran.tower.RcxVersion
  * the others begins a second segment, which follows the first directly. The firmware itself moves it to its place.
  */
 fun readFirmwareFile(content: ByteArray): FirmwareFile {
-    if (content.size > MAX_FILE_BYTES) return FirmwareFile.Rejected(FirmwareFileError.NotSRecords)
+    if (content.size > MAX_FILE_BYTES) return FirmwareFile.Failure(FirmwareFileError.NotSRecords)
     val lines = content.decodeToString().split('\n').map { it.trimEnd('\r', ' ', CONTROL_Z) }
     val firstLine = lines.firstOrNull { it.isNotEmpty() }
-    if (firstLine == null || !looksLikeRecord(firstLine)) return FirmwareFile.Rejected(FirmwareFileError.NotSRecords)
+    if (firstLine == null || !looksLikeRecord(firstLine)) return FirmwareFile.Failure(FirmwareFileError.NotSRecords)
     val layout = FirmwareLayout()
     lines.forEachIndexed { index, line ->
         if (line.isNotEmpty()) {
             val record = readSRecord(line)
-                ?: return FirmwareFile.Rejected(FirmwareFileError.DamagedLine(index + 1))
-            layout.add(record, index + 1)?.let { return FirmwareFile.Rejected(it) }
+                ?: return FirmwareFile.Failure(FirmwareFileError.DamagedLine(index + 1))
+            layout.add(record, index + 1)?.let { return FirmwareFile.Failure(it) }
         }
     }
     return layout.result()
@@ -80,14 +80,14 @@ private class FirmwareLayout {
     }
 
     fun result(): FirmwareFile {
-        val startAddress = start ?: return FirmwareFile.Rejected(FirmwareFileError.CutOff)
+        val startAddress = start ?: return FirmwareFile.Failure(FirmwareFileError.CutOff)
         var end = size
         if (header.startsWith(OLD_LEGO_HEADER)) while (end > 0 && bytes[end - 1] == 0.toByte()) end--
         val content = bytes.copyOf(end)
-        if (!contains(content, ROM_TEXT)) return FirmwareFile.Rejected(FirmwareFileError.NoRomText)
+        if (!contains(content, ROM_TEXT)) return FirmwareFile.Failure(FirmwareFileError.NoRomText)
         val kind = kindOf(content, header)
         val version = if (kind == FirmwareKind.LEGO) legoVersionOf(header) else null
-        return FirmwareFile.Read(FirmwareImage(content, startAddress, kind, version))
+        return FirmwareFile.Success(FirmwareImage(content, startAddress, kind, version))
     }
 }
 

@@ -8,9 +8,9 @@ import robotran.tower.port.TowerPort
 /** The result of a request. */
 internal sealed interface Reply {
     /** @property payload the answer's bytes behind the complement of the opcode. */
-    class Answered(val payload: ByteArray) : Reply
+    class Success(val payload: ByteArray) : Reply
 
-    class Failed(val error: TowerError) : Reply
+    class Failure(val error: TowerError) : Reply
 }
 
 /** Sends messages to a brick until they are answered, each new one with the toggle that tells it from the last. */
@@ -69,13 +69,13 @@ internal class Requests(port: TowerPort) {
             if (attempt > tries && !(failures.isBrickHeard && tries == Tries.REQUEST)) break
             attempts = attempt
             when (val result = line.attempt(sent, answerBytes, timeout)) {
-                is Attempt.Answered -> return Reply.Answered(result.payload)
+                is Attempt.Answered -> return Reply.Success(result.payload)
                 is Attempt.Unanswered -> failures.add(result)
-                Attempt.Gone -> return Reply.Failed(TowerError.TowerGone)
+                Attempt.Gone -> return Reply.Failure(TowerError.TowerGone)
             }
             if (failures.isTowerSilent) break
         }
-        return Reply.Failed(failures.error)
+        return Reply.Failure(failures.error)
     }
 }
 

@@ -20,9 +20,9 @@ interface TowerPorts {
 
 /** The result of [TowerPorts.open]. */
 sealed interface OpenedTower {
-    data class Open(val port: TowerPort) : OpenedTower
+    data class Success(val port: TowerPort) : OpenedTower
 
-    data class Failed(val reason: OpenFailure) : OpenedTower
+    data class Failure(val reason: OpenFailure) : OpenedTower
 }
 
 /** Why a tower could not be opened. */
@@ -48,5 +48,5 @@ object NoTowerPorts : TowerPorts {
 
     override suspend fun choose(kind: TowerKind): TowerDevice? = null
 
-    override suspend fun open(device: TowerDevice): OpenedTower = OpenedTower.Failed(OpenFailure.GONE)
+    override suspend fun open(device: TowerDevice): OpenedTower = OpenedTower.Failure(OpenFailure.GONE)
 }

@@ -32,9 +32,9 @@ suspend fun findTower(ports: TowerPorts): FoundTower {
     val failures = mutableMapOf<TowerDevice, OpenFailure>()
     for (device in ports.available()) {
         when (val opened = ports.open(device)) {
-            is OpenedTower.Failed -> failures[device] = opened.reason
+            is OpenedTower.Failure -> failures[device] = opened.reason
 
-            is OpenedTower.Open -> {
+            is OpenedTower.Success -> {
                 if (device.kind == TowerKind.USB || hearsItself(TowerLine(opened.port))) {
                     return FoundTower.Found(device, opened.port)
                 }

@@ -32,7 +32,7 @@ internal suspend fun downloadFirmware(
     firmware: FirmwareImage,
     report: (TransferProgress) -> Unit,
 ): TransferResult {
-    requests.reach()?.let { return TransferResult.Failed(it) }
+    requests.reach()?.let { return TransferResult.Failure(it) }
     val progress = ProgressMeter(firmware.bytes.size, report)
     val sender = BlockSender(requests, ROM_RULES, progress)
     var refusals = 0
@@ -43,31 +43,31 @@ internal suspend fun downloadFirmware(
         if (blocks == BlocksResult.NoMemory) return REFUSED
         if (blocks == BlocksResult.Complete) {
             when (val unlocked = unlock(requests)) {
-                Unlocked.Running -> return TransferResult.Complete(firmware.bytes.size, progress.repeats)
+                Unlocked.Running -> return TransferResult.Success(firmware.bytes.size, progress.repeats)
                 Unlocked.Refused -> if (++refusals == MAX_REFUSALS) return REFUSED
-                is Unlocked.Failed -> return TransferResult.Failed(unlocked.error, Remains.UNKNOWN)
+                is Unlocked.Failed -> return TransferResult.Failure(unlocked.error, Remains.UNKNOWN)
             }
         }
     }
     return without(sender.lastError)
 }
 
-private fun without(error: TowerError) = TransferResult.Failed(error, Remains.NO_FIRMWARE)
+private fun without(error: TowerError) = TransferResult.Failure(error, Remains.NO_FIRMWARE)
 
 /** A brick that was not heard may have understood, and then has deleted its firmware. */
 private fun failedToBegin(error: TowerError, isFirst: Boolean) = when {
-    isFirst && error != TowerError.FirmwareRefused -> TransferResult.Failed(error, Remains.UNKNOWN)
+    isFirst && error != TowerError.FirmwareRefused -> TransferResult.Failure(error, Remains.UNKNOWN)
     else -> without(error)
 }
 
 private suspend fun beginFirmware(requests: Requests, firmware: FirmwareImage): TowerError? {
     val delete = byteArrayOf(Opcode.DELETE_FIRMWARE.toByte()) + Key.PRIMES
-    (requests.request(delete, 0) as? Reply.Failed)?.let { return it.error }
+    (requests.request(delete, 0) as? Reply.Failure)?.let { return it.error }
     val begin =
         byteArrayOf(Opcode.BEGIN_FIRMWARE.toByte()) + twoBytes(firmware.start) + twoBytes(firmware.checksum) + 0
     return when (val reply = requests.request(begin, 1)) {
-        is Reply.Failed -> reply.error
-        is Reply.Answered -> TowerError.FirmwareRefused.takeUnless { reply.payload.single().toInt() == Status.GOOD }
+        is Reply.Failure -> reply.error
+        is Reply.Success -> TowerError.FirmwareRefused.takeUnless { reply.payload.single().toInt() == Status.GOOD }
     }
 }
 
@@ -93,7 +93,7 @@ private suspend fun unlock(requests: Requests): Unlocked {
         // A firmware that runs does not answer the resend.
         when (val reply = requests.firmwareRuns()) {
             is TowerResult.Success -> if (reply.value) return Unlocked.Running
-            is TowerResult.Failed -> return Unlocked.Failed(reply.error)
+            is TowerResult.Failure -> return Unlocked.Failed(reply.error)
         }
     }
     return Unlocked.Refused

@@ -35,7 +35,7 @@ internal suspend fun downloadLegoProgram(
     program: RcxImage,
     report: (TransferProgress) -> Unit,
 ): TransferResult {
-    refusal(requests, program)?.let { return TransferResult.Failed(it) }
+    refusal(requests, program)?.let { return TransferResult.Failure(it) }
     val download = LegoDownload(requests, slot, program, report)
     val error = try {
         download.send()
@@ -49,7 +49,7 @@ internal suspend fun downloadLegoProgram(
 /** Why the brick cannot take [program]; it is asked, and nothing is changed. */
 private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? {
     val version = when (val versions = legoVersions(requests)) {
-        is TowerResult.Failed -> return versions.error
+        is TowerResult.Failure -> return versions.error
         is TowerResult.Success -> versions.value.firmware
     }
     if (program.target == FirmwareTarget.RCX2 &&
@@ -58,7 +58,7 @@ private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? 
         return TowerError.LegoFirmwareTooOld(version)
     }
     return when (val battery = readBattery(requests)) {
-        is TowerResult.Failed -> battery.error
+        is TowerResult.Failure -> battery.error
 
         is TowerResult.Success -> {
             battery.value.takeIf { it < LegoLimits.MIN_MILLIVOLTS }
@@ -69,13 +69,13 @@ private suspend fun refusal(requests: Requests, program: RcxImage): TowerError? 
 
 /** The versions of a brick with LEGO's firmware; an error if it has another one. */
 internal suspend fun legoVersions(requests: Requests): TowerResult<Versions> {
-    requests.reach()?.let { return TowerResult.Failed(it) }
+    requests.reach()?.let { return TowerResult.Failure(it) }
     return when (val versions = readVersions(requests)) {
         is TowerResult.Success -> versions.takeIf { it.value.hasFirmware } ?: NO_LEGO_FIRMWARE
 
         // A brick that is there, but does not tell its versions, has a firmware of its own.
-        is TowerResult.Failed -> if (versions.error == TowerError.BrickSilent) {
-            requests.reach()?.let { TowerResult.Failed(it) } ?: NO_LEGO_FIRMWARE
+        is TowerResult.Failure -> if (versions.error == TowerError.BrickSilent) {
+            requests.reach()?.let { TowerResult.Failure(it) } ?: NO_LEGO_FIRMWARE
         } else {
             versions
         }
@@ -104,7 +104,7 @@ private class LegoDownload(
         val messages = listOf(byteArrayOf(Opcode.STOP.toByte()), selectSlot(slot), DELETE_TASKS, DELETE_SUBROUTINES)
         for (message in messages) {
             val reply = requests.request(message, 0)
-            if (reply is Reply.Failed) return reply.error
+            if (reply is Reply.Failure) return reply.error
             if (message === DELETE_TASKS) isEmptied = true
         }
         return parts.firstNotNullOfOrNull { sendPart(it) }
@@ -118,8 +118,8 @@ private class LegoDownload(
         val begin = byteArrayOf(opcode.toByte(), 0, part.id.number.toByte(), 0) + twoBytes(code.size)
         repeat(Tries.DOWNLOAD) {
             when (val reply = requests.request(begin, 1)) {
-                is Reply.Failed -> return reply.error
-                is Reply.Answered -> if (reply.payload.single().toInt() == Status.NO_MEMORY) return noRoom()
+                is Reply.Failure -> return reply.error
+                is Reply.Success -> if (reply.payload.single().toInt() == Status.NO_MEMORY) return noRoom()
             }
             when (val result = sender.send(code)) {
                 BlocksResult.Complete -> return null.also { progress.partIsComplete() }
@@ -137,27 +137,27 @@ private class LegoDownload(
     /** All parts are there: the brick plays a sound, which nothing depends on. */
     suspend fun end(): TransferResult {
         requests.request(byteArrayOf(Opcode.PLAY_SOUND.toByte(), UP_SOUND), 0, Tries.CLEAN_UP)
-        return TransferResult.Complete(total, progress.repeats)
+        return TransferResult.Success(total, progress.repeats)
     }
 
     /** Deletes what is in the slot, and tells what is there then. */
-    suspend fun failed(error: TowerError): TransferResult.Failed {
+    suspend fun failed(error: TowerError): TransferResult.Failure {
         val isRemoved = error != TowerError.TowerGone && remove()
         val isEmpty = isRemoved || (isEmptied && !isMainBegun)
-        return TransferResult.Failed(error, if (isEmpty) Remains.NO_PROGRAM else Remains.UNKNOWN)
+        return TransferResult.Failure(error, if (isEmpty) Remains.NO_PROGRAM else Remains.UNKNOWN)
     }
 
     /** Deletes what is in the slot. False if the brick did not answer, or the slot may not be the selected one. */
     suspend fun remove(): Boolean {
         if (!isEmptied) return false
-        val isRemoved = requests.request(DELETE_TASKS, 0, Tries.CLEAN_UP) is Reply.Answered
+        val isRemoved = requests.request(DELETE_TASKS, 0, Tries.CLEAN_UP) is Reply.Success
         // Subroutines do nothing alone, but take room.
         if (isRemoved) requests.request(DELETE_SUBROUTINES, 0, Tries.CLEAN_UP)
         return isRemoved
     }
 }
 
-private val NO_LEGO_FIRMWARE = TowerResult.Failed(TowerError.NoLegoFirmware)
+private val NO_LEGO_FIRMWARE = TowerResult.Failure(TowerError.NoLegoFirmware)
 private val ORDER =
     compareBy<Chunk> { it.id.kind == ChunkKind.TASK }.thenBy { it.id == ChunkId.MAIN }.thenBy { it.id.number }
 private val LEGO_RULES = BlockRules(minBlocks = 1, lastIsZero = true)

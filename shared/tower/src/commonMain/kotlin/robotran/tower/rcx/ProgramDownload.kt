@@ -28,7 +28,7 @@ internal suspend fun downloadProgram(
     report: (TransferProgress) -> Unit,
 ): TransferResult {
     if (image.size > maxBytes) return tooLarge(image, maxBytes)
-    requests.reach()?.let { return TransferResult.Failed(it) }
+    requests.reach()?.let { return TransferResult.Failure(it) }
     val isClear = requests.attempts == 1
     val progress = ProgressMeter(image.size, report)
     // A firmware with less room than the image needs gives up without a word, even behind the last block but one.
@@ -38,8 +38,8 @@ internal suspend fun downloadProgram(
     repeat(Tries.DOWNLOAD) { tries ->
         beginProgram(requests, isClear && progress.repeats == 0)?.let { return failedToBegin(it, isFirst = tries == 0) }
         when (val result = sender.send(image)) {
-            BlocksResult.Complete -> return TransferResult.Complete(image.size, progress.repeats)
-            is BlocksResult.Failed -> return TransferResult.Failed(result.error, Remains.NO_PROGRAM)
+            BlocksResult.Complete -> return TransferResult.Success(image.size, progress.repeats)
+            is BlocksResult.Failed -> return TransferResult.Failure(result.error, Remains.NO_PROGRAM)
             is BlocksResult.BeginAgain -> if (result.confirmedBytes >= BrickMemory.MAX_LEJOS_IMAGE) overflows++
             BlocksResult.NoMemory -> Unit
         }
@@ -47,15 +47,15 @@ internal suspend fun downloadProgram(
             return tooLarge(image, BrickMemory.MAX_LEJOS_IMAGE).copy(remains = Remains.NO_PROGRAM)
         }
     }
-    return TransferResult.Failed(sender.lastError, Remains.NO_PROGRAM)
+    return TransferResult.Failure(sender.lastError, Remains.NO_PROGRAM)
 }
 
-private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failed(TowerError.TooLarge(image.size, maxBytes))
+private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failure(TowerError.TooLarge(image.size, maxBytes))
 
 /** leJOS that was not heard may have understood, and then has deleted its program. */
-private fun failedToBegin(error: TowerError, isFirst: Boolean): TransferResult.Failed {
+private fun failedToBegin(error: TowerError, isFirst: Boolean): TransferResult.Failure {
     val isOther = error is TowerError.NoLejos && isFirst
-    return TransferResult.Failed(error, if (isOther) Remains.AS_BEFORE else Remains.UNKNOWN)
+    return TransferResult.Failure(error, if (isOther) Remains.AS_BEFORE else Remains.UNKNOWN)
 }
 
 /** Begins a download; the error if the brick does not answer as leJOS. */
@@ -63,9 +63,9 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
     val tries = if (isClear) Tries.LEJOS_BEGIN_WHEN_CLEAR else Tries.LEJOS_BEGIN
     val reply = requests.request(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
     return when (reply) {
-        is Reply.Answered -> if (reply.payload.contentEquals(Key.LEJOS)) null else noLejos(requests)
+        is Reply.Success -> if (reply.payload.contentEquals(Key.LEJOS)) null else noLejos(requests)
 
-        is Reply.Failed -> when {
+        is Reply.Failure -> when {
             reply.error == TowerError.BrickSilent -> silenceAtBegin(requests)
 
             // The first alive was lucky: the line is not as clear as it seemed.
@@ -78,8 +78,8 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
 /** A brick that answers alive, but does not begin a download, has no leJOS. */
 private suspend fun silenceAtBegin(requests: Requests): TowerError =
     when (val alive = requests.request(byteArrayOf(Opcode.ALIVE.toByte()), 0)) {
-        is Reply.Answered -> noLejos(requests)
-        is Reply.Failed -> alive.error
+        is Reply.Success -> noLejos(requests)
+        is Reply.Failure -> alive.error
     }
 
 /** The brick has another firmware than leJOS, or none. */
@@ -91,7 +91,7 @@ private suspend fun noLejos(requests: Requests): TowerError {
 /** Wakes the tower and asks whether a brick is there; the error if not. */
 internal suspend fun Requests.reach(): TowerError? {
     wake()?.let { return it }
-    return (request(byteArrayOf(Opcode.ALIVE.toByte()), 0) as? Reply.Failed)?.error
+    return (request(byteArrayOf(Opcode.ALIVE.toByte()), 0) as? Reply.Failure)?.error
 }
 
 private val LEJOS_RULES =

@@ -46,7 +46,7 @@ class RcxTower(private val port: TowerPort) {
 
     /** The voltage of the batteries in mV, which only LEGO's firmware tells. */
     suspend fun battery(): TowerResult<Int> = exclusively {
-        requests.reach()?.let { return@exclusively TowerResult.Failed(it) }
+        requests.reach()?.let { return@exclusively TowerResult.Failure(it) }
         readBattery(requests)
     }
 
@@ -135,7 +135,7 @@ class RcxTower(private val port: TowerPort) {
     suspend fun sendMessage(number: Int): TowerResult<Unit> {
         require(number in 1..0xFF) { "$number is no message" }
         return exclusively {
-            requests.wake()?.let { return@exclusively TowerResult.Failed(it) }
+            requests.wake()?.let { return@exclusively TowerResult.Failure(it) }
             val message = requests.next(byteArrayOf(Opcode.MESSAGE.toByte(), number.toByte()))
             val isSent = requests.line.sendOnly(message)
             (if (isSent) null else TowerError.TowerGone).asResult()
@@ -170,12 +170,12 @@ class RcxTower(private val port: TowerPort) {
 
     private suspend fun legoCommand(vararg messages: ByteArray): TowerResult<Unit> = exclusively {
         when (val versions = legoVersions(requests)) {
-            is TowerResult.Failed -> return@exclusively versions
+            is TowerResult.Failure -> return@exclusively versions
             is TowerResult.Success -> Unit
         }
         for (message in messages) {
             val reply = requests.request(message, 0)
-            if (reply is Reply.Failed) return@exclusively TowerResult.Failed(reply.error)
+            if (reply is Reply.Failure) return@exclusively TowerResult.Failure(reply.error)
         }
         TowerResult.Success(Unit)
     }
@@ -190,4 +190,4 @@ class RcxTower(private val port: TowerPort) {
 }
 
 private fun TowerError?.asResult(): TowerResult<Unit> =
-    if (this == null) TowerResult.Success(Unit) else TowerResult.Failed(this)
+    if (this == null) TowerResult.Success(Unit) else TowerResult.Failure(this)

@@ -18,7 +18,7 @@ internal suspend fun readDatalog(
     report: (TransferProgress) -> Unit,
 ): TowerResult<List<DatalogEntry>> {
     when (val versions = legoVersions(requests)) {
-        is TowerResult.Failed -> return versions
+        is TowerResult.Failure -> return versions
         is TowerResult.Success -> Unit
     }
     return DatalogReader(requests, report).read()
@@ -32,7 +32,7 @@ private class DatalogReader(private val requests: Requests, private val report: 
     suspend fun read(): TowerResult<List<DatalogEntry>> {
         // The first entry counts all, itself included.
         val count = when (val first = readSome(0, 1)) {
-            is TowerResult.Failed -> return withoutFirst(first)
+            is TowerResult.Failure -> return withoutFirst(first)
             is TowerResult.Success -> first.value.single().let { if (it.type == COUNT) it.value and 0xFFFF else 0 }
         }
         if (count !in 1..LegoLimits.DATALOG_ENTRIES) return TowerResult.Success(emptyList())
@@ -40,7 +40,7 @@ private class DatalogReader(private val requests: Requests, private val report: 
             tell(count - 1)
             when (val some = readSome(entries.size + 1, minOf(size, count - 1 - entries.size))) {
                 is TowerResult.Success -> entries += some.value
-                is TowerResult.Failed -> if (!becomesSmaller(some.error)) return some
+                is TowerResult.Failure -> if (!becomesSmaller(some.error)) return some
             }
         }
         tell(count - 1)
@@ -48,7 +48,7 @@ private class DatalogReader(private val requests: Requests, private val report: 
     }
 
     /** Nobody knows whether a brick without datalog answers. One that is there otherwise has none. */
-    private suspend fun withoutFirst(failed: TowerResult.Failed): TowerResult<List<DatalogEntry>> =
+    private suspend fun withoutFirst(failed: TowerResult.Failure): TowerResult<List<DatalogEntry>> =
         if (failed.error == TowerError.BrickSilent && requests.reach() == null) {
             TowerResult.Success(emptyList())
         } else {
@@ -69,8 +69,8 @@ private class DatalogReader(private val requests: Requests, private val report: 
         val reply = requests.request(message, count * ENTRY_BYTES, tries)
         repeats += requests.attempts - 1
         return when (reply) {
-            is Reply.Failed -> TowerResult.Failed(reply.error)
-            is Reply.Answered -> TowerResult.Success(reply.payload.toList().chunked(ENTRY_BYTES).map(::entryOf))
+            is Reply.Failure -> TowerResult.Failure(reply.error)
+            is Reply.Success -> TowerResult.Success(reply.payload.toList().chunked(ENTRY_BYTES).map(::entryOf))
         }
     }
 

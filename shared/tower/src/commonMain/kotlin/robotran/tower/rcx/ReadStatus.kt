@@ -12,15 +12,15 @@ import robotran.tower.line.Requests
 
 /** Asks what the brick is, without changing anything on it. */
 internal suspend fun readStatus(requests: Requests): TowerResult<BrickStatus> {
-    requests.reach()?.let { return TowerResult.Failed(it) }
+    requests.reach()?.let { return TowerResult.Failure(it) }
     val versions = when (val result = readVersions(requests)) {
         is TowerResult.Success -> result.value
-        is TowerResult.Failed -> return if (result.error == TowerError.BrickSilent) UNKNOWN else result
+        is TowerResult.Failure -> return if (result.error == TowerError.BrickSilent) UNKNOWN else result
     }
     if (!versions.hasFirmware) return TowerResult.Success(BrickStatus.LejosOrNoFirmware(versions.rom))
     val battery = requests.request(byteArrayOf(Opcode.BATTERY.toByte()), BATTERY_BYTES)
-    if (battery is Reply.Failed && battery.error == TowerError.TowerGone) return TowerResult.Failed(battery.error)
-    val millivolts = (battery as? Reply.Answered)?.let { lowFirst(it.payload) }
+    if (battery is Reply.Failure && battery.error == TowerError.TowerGone) return TowerResult.Failure(battery.error)
+    val millivolts = (battery as? Reply.Success)?.let { lowFirst(it.payload) }
     return TowerResult.Success(BrickStatus.LegoFirmware(versions.rom, versions.firmware, millivolts))
 }
 
@@ -33,28 +33,28 @@ internal class Versions(val rom: RcxVersion, val firmware: RcxVersion) {
 internal suspend fun readVersions(requests: Requests, tries: Int = Tries.REQUEST): TowerResult<Versions> {
     val message = byteArrayOf(Opcode.VERSIONS.toByte()) + Key.PRIMES
     return when (val reply = requests.request(message, VERSIONS_BYTES, tries)) {
-        is Reply.Failed -> TowerResult.Failed(reply.error)
-        is Reply.Answered -> TowerResult.Success(Versions(versionAt(reply.payload, 0), versionAt(reply.payload, 4)))
+        is Reply.Failure -> TowerResult.Failure(reply.error)
+        is Reply.Success -> TowerResult.Success(Versions(versionAt(reply.payload, 0), versionAt(reply.payload, 4)))
     }
 }
 
 /** The voltage of the batteries, in mV. Only LEGO's firmware tells it. */
 internal suspend fun readBattery(requests: Requests): TowerResult<Int> =
     when (val reply = requests.request(byteArrayOf(Opcode.BATTERY.toByte()), BATTERY_BYTES)) {
-        is Reply.Failed -> TowerResult.Failed(reply.error)
-        is Reply.Answered -> TowerResult.Success(lowFirst(reply.payload))
+        is Reply.Failure -> TowerResult.Failure(reply.error)
+        is Reply.Success -> TowerResult.Success(lowFirst(reply.payload))
     }
 
 /** Whether a firmware runs after a firmware download, when there is no program yet that asking leJOS would delete. */
 internal suspend fun Requests.firmwareRuns(): TowerResult<Boolean> {
     when (val versions = readVersions(this)) {
         is TowerResult.Success -> if (versions.value.hasFirmware) return TowerResult.Success(true)
-        is TowerResult.Failed -> return if (versions.error == TowerError.BrickSilent) FALSE else versions
+        is TowerResult.Failure -> return if (versions.error == TowerError.BrickSilent) FALSE else versions
     }
     val begin = byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS
     return when (val reply = request(begin, Key.LEJOS.size, Tries.LEJOS_BEGIN_WHEN_CLEAR)) {
-        is Reply.Failed -> if (reply.error == TowerError.TowerGone) TowerResult.Failed(reply.error) else FALSE
-        is Reply.Answered -> TowerResult.Success(reply.payload.contentEquals(Key.LEJOS)).also { endBegun(it.value) }
+        is Reply.Failure -> if (reply.error == TowerError.TowerGone) TowerResult.Failure(reply.error) else FALSE
+        is Reply.Success -> TowerResult.Success(reply.payload.contentEquals(Key.LEJOS)).also { endBegun(it.value) }
     }
 }
 

@@ -12,9 +12,9 @@ class FirmwareFileTest {
     private fun read(vararg lines: String) =
         readFirmwareFile(lines.joinToString("\r\n", postfix = "\r\n").encodeToByteArray())
 
-    private fun firmware(vararg lines: String) = assertIs<FirmwareFile.Read>(read(*lines)).firmware
+    private fun firmware(vararg lines: String) = assertIs<FirmwareFile.Success>(read(*lines)).firmware
 
-    private fun error(vararg lines: String) = assertIs<FirmwareFile.Rejected>(read(*lines)).reason
+    private fun error(vararg lines: String) = assertIs<FirmwareFile.Failure>(read(*lines)).reason
 
     /** A line of S-records. */
     private fun record(type: Int, address: Int, data: ByteArray = ByteArray(0)): String {
@@ -27,7 +27,7 @@ class FirmwareFileTest {
 
     @Test
     fun `the recorded file has two segments one behind the other`() {
-        val file = assertIs<FirmwareFile.Read>(
+        val file = assertIs<FirmwareFile.Success>(
             readFirmwareFile(recordedStreams.getValue("madeup.srec").encodeToByteArray()),
         )
         assertEquals(250, file.firmware.bytes.size)
@@ -111,7 +111,7 @@ class FirmwareFileTest {
         assertEquals(FirmwareFileError.NotSRecords, error("Some text that begins with S"))
         assertEquals(
             FirmwareFileError.NotSRecords,
-            assertIs<FirmwareFile.Rejected>(readFirmwareFile(ByteArray(500_000) { 'S'.code.toByte() })).reason,
+            assertIs<FirmwareFile.Failure>(readFirmwareFile(ByteArray(500_000) { 'S'.code.toByte() })).reason,
         )
     }
 

@@ -43,7 +43,7 @@ class DatalogTest {
         val none: TowerResult<List<DatalogEntry>> = TowerResult.Success(emptyList())
         assertEquals(none, line.tower.readLegoDatalog())
         line.brick.isOn = false
-        assertEquals(TowerResult.Failed(TowerError.BrickSilent), line.tower.readLegoDatalog())
+        assertEquals(TowerResult.Failure(TowerError.BrickSilent), line.tower.readLegoDatalog())
     }
 
     @Test

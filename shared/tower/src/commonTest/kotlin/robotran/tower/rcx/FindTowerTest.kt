@@ -31,10 +31,10 @@ class FindTowerTest {
         override suspend fun choose(kind: TowerKind) = null
 
         override suspend fun open(device: TowerDevice): OpenedTower {
-            if (device == taken) return OpenedTower.Failed(OpenFailure.BUSY)
+            if (device == taken) return OpenedTower.Failure(OpenFailure.BUSY)
             val line = TestLine(scope, SimulatedLejos(), device.kind, hasEcho = device == tower)
             opened += line
-            return OpenedTower.Open(line.port)
+            return OpenedTower.Success(line.port)
         }
     }
 

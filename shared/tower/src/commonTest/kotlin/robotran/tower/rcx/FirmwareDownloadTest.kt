@@ -34,11 +34,11 @@ class FirmwareDownloadTest {
         for (kind in TowerKind.entries) {
             val rom = SimulatedRom()
             val line = TestLine(this, rom, kind)
-            assertEquals(TransferResult.Complete(bytes.size, repeats = 0), line.tower.sendFirmware(firmware))
+            assertEquals(TransferResult.Success(bytes.size, repeats = 0), line.tower.sendFirmware(firmware))
             assertContentEquals(bytes, rom.received)
             assertEquals(0x8000, rom.start)
             val lejos = assertIs<SimulatedLejos>(line.brick.firmware)
-            assertIs<TransferResult.Complete>(line.tower.sendProgram(smallImage))
+            assertIs<TransferResult.Success>(line.tower.sendProgram(smallImage))
             assertContentEquals(smallImage, lejos.program)
         }
     }
@@ -47,7 +47,7 @@ class FirmwareDownloadTest {
     fun `a firmware replaces leJOS and LEGO's`() = runTest {
         for (old in listOf(SimulatedLejos(), SimulatedLegoFirmware())) {
             val line = TestLine(this, old)
-            assertIs<TransferResult.Complete>(line.tower.sendFirmware(firmware))
+            assertIs<TransferResult.Success>(line.tower.sendFirmware(firmware))
             assertTrue(line.brick.firmware !== old)
             assertIs<SimulatedLejos>(line.brick.firmware)
         }
@@ -58,7 +58,7 @@ class FirmwareDownloadTest {
         for (seed in 1..4) {
             val rom = SimulatedRom(if (seed % 2 == 0) ({ SimulatedLejos() }) else ({ SimulatedLegoFirmware() }))
             val line = TestLine(this, rom, faults = LineFaults(seed, loss = 0.02))
-            assertIs<TransferResult.Complete>(line.tower.sendFirmware(firmware), "seed $seed")
+            assertIs<TransferResult.Success>(line.tower.sendFirmware(firmware), "seed $seed")
             assertContentEquals(bytes, rom.received)
             assertTrue(line.brick.firmware !is SimulatedRom)
         }
@@ -68,7 +68,7 @@ class FirmwareDownloadTest {
     fun `a firmware that the ROM does not start is refused`() = runTest {
         val line = TestLine(this, SimulatedRom())
         val useless = FirmwareImage(ByteArray(300), 0x8000, FirmwareKind.UNKNOWN)
-        val refused = TransferResult.Failed(TowerError.FirmwareRefused, Remains.NO_FIRMWARE)
+        val refused = TransferResult.Failure(TowerError.FirmwareRefused, Remains.NO_FIRMWARE)
         assertEquals(refused, line.tower.sendFirmware(useless))
         assertIs<SimulatedRom>(line.brick.firmware)
     }
@@ -77,7 +77,7 @@ class FirmwareDownloadTest {
     fun `a brick that is off is silent`() = runTest {
         val line = TestLine(this, SimulatedRom())
         line.brick.isOn = false
-        assertEquals(TransferResult.Failed(TowerError.BrickSilent), line.tower.sendFirmware(firmware))
+        assertEquals(TransferResult.Failure(TowerError.BrickSilent), line.tower.sendFirmware(firmware))
     }
 
     @Test
@@ -89,7 +89,7 @@ class FirmwareDownloadTest {
             job.cancelAndJoin()
             delay(5.seconds)
             assertIs<SimulatedRom>(line.brick.firmware)
-            assertIs<TransferResult.Complete>(line.tower.sendFirmware(firmware), "after $milliseconds ms")
+            assertIs<TransferResult.Success>(line.tower.sendFirmware(firmware), "after $milliseconds ms")
             assertEquals(
                 TowerResult.Success(BrickStatus.LejosOrNoFirmware(RcxVersion(3, 1))),
                 line.tower.status(),

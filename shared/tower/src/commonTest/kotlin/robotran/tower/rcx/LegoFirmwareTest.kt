@@ -48,7 +48,7 @@ class LegoFirmwareTest {
         lego.parts["4 task 9"] = byteArrayOf(1)
         lego.parts["1 task 9"] = byteArrayOf(1)
         val result = TestLine(this, lego).tower.sendLegoProgram(4, program)
-        assertEquals(TransferResult.Complete(482, repeats = 0), result)
+        assertEquals(TransferResult.Success(482, repeats = 0), result)
         assertEquals(setOf("4 task 0", "4 task 3", "4 sub 7", "1 task 9"), lego.parts.keys)
         assertContentEquals(main, lego.parts["4 task 0"])
         assertContentEquals(sub, lego.parts["4 sub 7"])
@@ -70,7 +70,7 @@ class LegoFirmwareTest {
         for (seed in 1..10) {
             val lego = SimulatedLegoFirmware()
             val line = TestLine(this, lego, faults = LineFaults(seed, loss = 0.02))
-            assertIs<TransferResult.Complete>(line.tower.sendLegoProgram(1, program), "seed $seed")
+            assertIs<TransferResult.Success>(line.tower.sendLegoProgram(1, program), "seed $seed")
             assertContentEquals(main, lego.parts["1 task 0"])
         }
     }
@@ -79,7 +79,7 @@ class LegoFirmwareTest {
     fun `a program without room is refused and leaves nothing to run`() = runTest {
         val small = SimulatedLegoFirmware(room = 300)
         val result = TestLine(this, small).tower.sendLegoProgram(1, program)
-        assertEquals(TransferResult.Failed(TowerError.TooLarge(482, null), Remains.NO_PROGRAM), result)
+        assertEquals(TransferResult.Failure(TowerError.TooLarge(482, null), Remains.NO_PROGRAM), result)
         assertEquals(emptySet(), small.parts.keys)
     }
 
@@ -88,7 +88,7 @@ class LegoFirmwareTest {
         val weak = SimulatedLegoFirmware(millivolts = 6100)
         weak.parts["1 task 0"] = byteArrayOf(1)
         val result = TestLine(this, weak).tower.sendLegoProgram(1, program)
-        assertEquals(TransferResult.Failed(TowerError.BatteryLow(6100)), result)
+        assertEquals(TransferResult.Failure(TowerError.BatteryLow(6100)), result)
         assertEquals(setOf("1 task 0"), weak.parts.keys)
     }
 
@@ -96,9 +96,9 @@ class LegoFirmwareTest {
     fun `a brick with another firmware, or none, keeps what it has`() = runTest {
         for (other in listOf(SimulatedLejos(), SimulatedRom(), AliveOnly())) {
             val tower = TestLine(this, other).tower
-            assertEquals(TransferResult.Failed(TowerError.NoLegoFirmware), tower.sendLegoProgram(1, program))
-            assertEquals(TowerResult.Failed(TowerError.NoLegoFirmware), tower.setLegoClock(hours = 1, minutes = 2))
-            assertEquals(TowerResult.Failed(TowerError.NoLegoFirmware), tower.readLegoDatalog())
+            assertEquals(TransferResult.Failure(TowerError.NoLegoFirmware), tower.sendLegoProgram(1, program))
+            assertEquals(TowerResult.Failure(TowerError.NoLegoFirmware), tower.setLegoClock(hours = 1, minutes = 2))
+            assertEquals(TowerResult.Failure(TowerError.NoLegoFirmware), tower.readLegoDatalog())
         }
     }
 
@@ -107,12 +107,12 @@ class LegoFirmwareTest {
         val old = SimulatedLegoFirmware(version = 9)
         old.parts["1 task 0"] = byteArrayOf(1)
         val tower = TestLine(this, old).tower
-        val tooOld = TransferResult.Failed(TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)))
+        val tooOld = TransferResult.Failure(TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)))
         assertEquals(tooOld, tower.sendLegoProgram(1, program.copy(target = FirmwareTarget.RCX2)))
         assertContentEquals(byteArrayOf(1), old.parts["1 task 0"])
-        assertIs<TransferResult.Complete>(tower.sendLegoProgram(1, program))
+        assertIs<TransferResult.Success>(tower.sendLegoProgram(1, program))
         val second = TestLine(this, SimulatedLegoFirmware(version = 28))
-        assertIs<TransferResult.Complete>(second.tower.sendLegoProgram(1, program.copy(target = FirmwareTarget.RCX2)))
+        assertIs<TransferResult.Success>(second.tower.sendLegoProgram(1, program.copy(target = FirmwareTarget.RCX2)))
     }
 
     @Test
@@ -120,7 +120,7 @@ class LegoFirmwareTest {
         val line = TestLine(this, lego)
         val empty = Chunk(ChunkId(ChunkKind.SUB, 0), CodeBytes.of())
         val result = line.tower.sendLegoProgram(1, program.copy(chunks = program.chunks + empty))
-        assertEquals(TransferResult.Complete(482, 0), result)
+        assertEquals(TransferResult.Success(482, 0), result)
         assertEquals(listOf(5), lego.sounds)
         assertEquals(setOf("1 task 0", "1 task 3", "1 sub 7"), lego.parts.keys)
     }
@@ -131,15 +131,15 @@ class LegoFirmwareTest {
         val unchanged = async { early.tower.sendLegoProgram(1, program) }
         delay(100)
         early.brick.isOn = false
-        assertEquals(TransferResult.Failed(TowerError.BrickSilent, Remains.AS_BEFORE), unchanged.await())
+        assertEquals(TransferResult.Failure(TowerError.BrickSilent, Remains.AS_BEFORE), unchanged.await())
         val half = TestLine(this, SimulatedLegoFirmware())
         val empty = half.tower.sendLegoProgram(1, program) { if (it.confirmedBlocks == 1) half.brick.isOn = false }
-        assertEquals(TransferResult.Failed(TowerError.BrickSilent, Remains.NO_PROGRAM), empty)
+        assertEquals(TransferResult.Failure(TowerError.BrickSilent, Remains.NO_PROGRAM), empty)
         val line = TestLine(this, SimulatedLegoFirmware())
         val result = async { line.tower.sendLegoProgram(1, program) }
         delay(5.seconds)
         line.port.unplug()
-        assertEquals(TransferResult.Failed(TowerError.TowerGone, Remains.UNKNOWN), result.await())
+        assertEquals(TransferResult.Failure(TowerError.TowerGone, Remains.UNKNOWN), result.await())
     }
 
     @Test

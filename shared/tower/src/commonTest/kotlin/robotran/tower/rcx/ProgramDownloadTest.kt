@@ -34,9 +34,9 @@ import kotlin.time.Duration.Companion.seconds
 class ProgramDownloadTest {
     private val lejos = SimulatedLejos()
 
-    private fun failed(error: TowerError) = TransferResult.Failed(error)
+    private fun failed(error: TowerError) = TransferResult.Failure(error)
 
-    private fun lost(error: TowerError) = TransferResult.Failed(error, Remains.NO_PROGRAM)
+    private fun lost(error: TowerError) = TransferResult.Failure(error, Remains.NO_PROGRAM)
 
     @Test
     fun `the largest example takes at most a third more than the line allows`() = runTest {
@@ -44,7 +44,7 @@ class ProgramDownloadTest {
             val lejos = SimulatedLejos()
             val start = currentTime
             val result = TestLine(this, lejos, kind).tower.sendProgram(largestImage)
-            assertEquals(TransferResult.Complete(6565, repeats = 0), result)
+            assertEquals(TransferResult.Success(6565, repeats = 0), result)
             assertContentEquals(largestImage, lejos.program)
             // Without any message or answer, 6565 bytes with their complements.
             val least = 2 * 6565 * 11 * 1000 / 2400
@@ -56,7 +56,7 @@ class ProgramDownloadTest {
     @Test
     fun `an image arrives through the USB tower though 5 percent of all bytes are lost`() = runTest {
         val line = TestLine(this, lejos, TowerKind.USB, LineFaults(seed = 22, loss = 0.05))
-        assertIs<TransferResult.Complete>(line.tower.sendProgram(smallImage))
+        assertIs<TransferResult.Success>(line.tower.sendProgram(smallImage))
         assertContentEquals(smallImage, lejos.program)
     }
 
@@ -64,7 +64,7 @@ class ProgramDownloadTest {
     fun `an image of the least size has two blocks`() = runTest {
         val image = smallImage.copyOf(16)
         val line = TestLine(this, lejos)
-        assertEquals(TransferResult.Complete(16, repeats = 0), line.tower.sendProgram(image))
+        assertEquals(TransferResult.Success(16, repeats = 0), line.tower.sendProgram(image))
         assertContentEquals(image, lejos.program)
         assertEquals(listOf(1, 0), line.brick.messages.takeLast(2).map { it[1].toInt() })
     }
@@ -72,7 +72,7 @@ class ProgramDownloadTest {
     @Test
     fun `the largest image fits and a larger one is refused before anything is sent`() = runTest {
         val most = smallImage.copyOf(BrickMemory.MAX_LEJOS_IMAGE)
-        assertIs<TransferResult.Complete>(TestLine(this, lejos).tower.sendProgram(most))
+        assertIs<TransferResult.Success>(TestLine(this, lejos).tower.sendProgram(most))
         assertContentEquals(most, lejos.program)
         val line = TestLine(this, SimulatedLejos())
         val result = line.tower.sendProgram(smallImage.copyOf(BrickMemory.MAX_LEJOS_IMAGE + 1))
@@ -85,7 +85,7 @@ class ProgramDownloadTest {
         val image = smallImage.copyOf(14_000)
         val old = SimulatedLejos(room = 14_680)
         val max = BrickMemory.MAX_LEJOS_2_1_IMAGE
-        assertIs<TransferResult.Complete>(TestLine(this, old).tower.sendProgram(image, max))
+        assertIs<TransferResult.Success>(TestLine(this, old).tower.sendProgram(image, max))
         assertContentEquals(image, old.program)
         assertEquals(lost(TowerError.TooLarge(14_000, 13_788)), TestLine(this, lejos).tower.sendProgram(image, max))
         assertNull(lejos.program)
@@ -105,21 +105,21 @@ class ProgramDownloadTest {
     @Test
     fun `doubled and wrong bytes do no harm`() = runTest {
         val faults = LineFaults(seed = 7, doubled = 0.003, corrupted = 0.003)
-        assertIs<TransferResult.Complete>(TestLine(this, lejos, faults = faults).tower.sendProgram(largestImage))
+        assertIs<TransferResult.Success>(TestLine(this, lejos, faults = faults).tower.sendProgram(largestImage))
         assertContentEquals(largestImage, lejos.program)
     }
 
     @Test
     fun `a line that is a second late does no harm`() = runTest {
         val faults = LineFaults(seed = 3, delayed = 0.002, delayMilliseconds = 1000)
-        assertIs<TransferResult.Complete>(TestLine(this, lejos, faults = faults).tower.sendProgram(smallImage))
+        assertIs<TransferResult.Success>(TestLine(this, lejos, faults = faults).tower.sendProgram(smallImage))
         assertContentEquals(smallImage, lejos.program)
     }
 
     @Test
     fun `a brick that waits for the rest of another download begins anew`() = runTest {
         lejos.handle(byteArrayOf(0x12, 0xCA.toByte(), 0xF6.toByte()))
-        assertIs<TransferResult.Complete>(TestLine(this, lejos).tower.sendProgram(smallImage))
+        assertIs<TransferResult.Success>(TestLine(this, lejos).tower.sendProgram(smallImage))
         assertContentEquals(smallImage, lejos.program)
     }
 
@@ -129,7 +129,7 @@ class ProgramDownloadTest {
         val result = async { line.tower.sendProgram(largestImage) }
         delay(20.seconds)
         lejos.switchOffAndOn()
-        assertIs<TransferResult.Complete>(result.await())
+        assertIs<TransferResult.Success>(result.await())
         assertContentEquals(largestImage, lejos.program)
     }
 
@@ -200,7 +200,7 @@ class ProgramDownloadTest {
     @Test
     fun `a brick that stays deaf to blocks is a bad connection or silent`() = runTest {
         val line = TestLine(this, lejos, faults = LineFaults(seed = 1, loss = 0.3))
-        val result = assertIs<TransferResult.Failed>(line.tower.sendProgram(largestImage))
+        val result = assertIs<TransferResult.Failure>(line.tower.sendProgram(largestImage))
         assertTrue(result.error in setOf(TowerError.BadConnection, TowerError.BrickSilent), "${result.error}")
         assertNull(lejos.program)
     }
@@ -224,7 +224,7 @@ class ProgramDownloadTest {
             left == null || left.contentEquals(image) || left.contentEquals(smallImage),
             "after $milliseconds ms there are ${left?.size} bytes",
         )
-        assertIs<TransferResult.Complete>(line.tower.sendProgram(smallImage), "after $milliseconds ms")
+        assertIs<TransferResult.Success>(line.tower.sendProgram(smallImage), "after $milliseconds ms")
         assertContentEquals(smallImage, lejos.program)
     }
 }

@@ -19,14 +19,14 @@ import kotlin.test.assertIs
 
 /** What arrived in a brick runs on the virtual one. */
 class ReceivedProgramsTest {
-    private val image = assertIs<AssemblyResult.Assembled>(assemble(PROGRAM, language = Language.ENGLISH)).image
+    private val image = assertIs<AssemblyResult.Success>(assemble(PROGRAM, language = Language.ENGLISH)).image
 
     @Test
     fun `a program of tasks and a subroutine runs after its way over a bad line`() = runTest {
         for (seed in 1..4) {
             val lego = SimulatedLegoFirmware()
             val line = TestLine(this, lego, faults = LineFaults(seed, loss = 0.02, doubled = 0.01, corrupted = 0.01))
-            assertIs<TransferResult.Complete>(line.tower.sendLegoProgram(2, image), "seed $seed")
+            assertIs<TransferResult.Success>(line.tower.sendLegoProgram(2, image), "seed $seed")
             val received = lego.programIn(slot = 2)
             assertEquals(image.chunks.sortedBy { it.id }, received.image.chunks.sortedBy { it.id })
             val brick = brickAfter(received, milliseconds = 700)

@@ -60,7 +60,7 @@ class StatusTest {
     @Test
     fun `only LEGO's firmware tells the voltage`() = runTest {
         assertEquals(TowerResult.Success(8700), TestLine(this, SimulatedLegoFirmware()).tower.battery())
-        val silent = TowerResult.Failed(TowerError.BrickSilent)
+        val silent = TowerResult.Failure(TowerError.BrickSilent)
         assertEquals(silent, TestLine(this, SimulatedLejos()).tower.battery())
     }
 
@@ -69,14 +69,14 @@ class StatusTest {
         val line = TestLine(this, SimulatedRom())
         assertEquals(TowerResult.Success(Unit), line.tower.alive())
         line.brick.isOn = false
-        assertEquals(TowerResult.Failed(TowerError.BrickSilent), line.tower.alive())
+        assertEquals(TowerResult.Failure(TowerError.BrickSilent), line.tower.alive())
         line.port.unplug()
-        assertEquals(TowerResult.Failed(TowerError.TowerGone), line.tower.alive())
+        assertEquals(TowerResult.Failure(TowerError.TowerGone), line.tower.alive())
     }
 
     @Test
     fun `a tower that hears only noise is a bad connection`() = runTest {
         val line = TestLine(this, SimulatedRom(), faults = LineFaults(corrupted = 1.0))
-        assertEquals(TowerResult.Failed(TowerError.BadConnection), line.tower.alive())
+        assertEquals(TowerResult.Failure(TowerError.BadConnection), line.tower.alive())
     }
 }

@@ -24,28 +24,28 @@ class RecordedStreamsTest {
     @Test
     fun `a program is sent as the tool sends it when the answer to a block is lost`() = runTest {
         val port = ReplayedPort("program-two-blocks")
-        assertEquals(TransferResult.Complete(290, repeats = 1), RcxTower(port).sendProgram(smallImage))
+        assertEquals(TransferResult.Success(290, repeats = 1), RcxTower(port).sendProgram(smallImage))
         port.assertAllSent()
     }
 
     @Test
     fun `a program is sent as the tool sends it when an answer is damaged`() = runTest {
         val port = ReplayedPort("program-wrong-reply")
-        assertEquals(TransferResult.Complete(290, repeats = 1), RcxTower(port).sendProgram(smallImage))
+        assertEquals(TransferResult.Success(290, repeats = 1), RcxTower(port).sendProgram(smallImage))
         port.assertAllSent()
     }
 
     @Test
     fun `a program is sent as the tool sends it when an answer comes twice`() = runTest {
         val port = ReplayedPort("program-reply-twice")
-        assertEquals(TransferResult.Complete(290, repeats = 0), RcxTower(port).sendProgram(smallImage))
+        assertEquals(TransferResult.Success(290, repeats = 0), RcxTower(port).sendProgram(smallImage))
         port.assertAllSent()
     }
 
     @Test
     fun `after status 3 the download begins again where the tool ends`() = runTest {
         val port = ReplayedPort("program-status-3")
-        assertIs<TransferResult.Failed>(RcxTower(port).sendProgram(smallImage))
+        assertIs<TransferResult.Failure>(RcxTower(port).sendProgram(smallImage))
         port.assertAllSent()
         assertEquals("55 FF 00 12 ED CA 35 F6 09 D2 2D", port.sentBehind.first())
     }
@@ -54,7 +54,7 @@ class RecordedStreamsTest {
     fun `a silent brick is asked with the bytes of the tool but more often`() = runTest {
         val port = ReplayedPort("program-silent")
         val result = RcxTower(port).sendProgram(smallImage)
-        assertEquals(TransferResult.Failed(TowerError.BrickSilent), result)
+        assertEquals(TransferResult.Failure(TowerError.BrickSilent), result)
         port.assertAllSent()
         assertEquals(List(5) { "55 FF 00 10 EF 10 EF" }, port.sentBehind)
     }
@@ -63,8 +63,8 @@ class RecordedStreamsTest {
     fun `a firmware is sent as the tool sends it`() = runTest {
         val file = readFirmwareFile(recordedStreams.getValue("madeup.srec").encodeToByteArray())
         val port = ReplayedPort("firmware-made-up")
-        val result = RcxTower(port).sendFirmware(assertIs<FirmwareFile.Read>(file).firmware)
-        assertEquals(TransferResult.Complete(250, repeats = 1), result)
+        val result = RcxTower(port).sendFirmware(assertIs<FirmwareFile.Success>(file).firmware)
+        assertEquals(TransferResult.Success(250, repeats = 1), result)
         port.assertAllSent()
     }
 }

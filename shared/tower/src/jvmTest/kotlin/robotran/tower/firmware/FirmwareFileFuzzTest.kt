@@ -10,7 +10,7 @@ import kotlin.test.assertTrue
 class FirmwareFileFuzzTest {
     private val random = Random(Fuzzing.seed)
     private val good = recordedStreams.getValue("madeup.srec").encodeToByteArray()
-    private val expected = (readFirmwareFile(good) as FirmwareFile.Read).firmware
+    private val expected = (readFirmwareFile(good) as FirmwareFile.Success).firmware
 
     @Test
     fun `a file with one wrong character is refused or is the same firmware`() {
@@ -19,8 +19,8 @@ class FirmwareFileFuzzTest {
             val file = good.copyOf()
             file[random.nextInt(file.size)] = random.nextInt(256).toByte()
             when (val result = readFirmwareFile(file)) {
-                is FirmwareFile.Rejected -> refused++
-                is FirmwareFile.Read -> assertEquals(expected.bytes.toList(), result.firmware.bytes.toList())
+                is FirmwareFile.Failure -> refused++
+                is FirmwareFile.Success -> assertEquals(expected.bytes.toList(), result.firmware.bytes.toList())
             }
         }
         assertTrue(refused > Fuzzing.share(15_000), "$refused refused")
@@ -32,7 +32,7 @@ class FirmwareFileFuzzTest {
             var file = good
             repeat(random.nextInt(1, 5)) { file = mutated(file) }
             val result = readFirmwareFile(file)
-            if (result is FirmwareFile.Read) assertTrue(result.firmware.bytes.size <= 0x8000)
+            if (result is FirmwareFile.Success) assertTrue(result.firmware.bytes.size <= 0x8000)
         }
         repeat(Fuzzing.share(2_000)) { readFirmwareFile(random.nextBytes(random.nextInt(2000))) }
     }
@@ -41,7 +41,7 @@ class FirmwareFileFuzzTest {
     fun `a whole firmware of LEGO's, damaged somewhere, is refused, or read within the limits`() {
         for (header in listOf("FIRM0328.LGO", "?LIB_VERSION_L00")) {
             val file = legoFile(header)
-            assertEquals(FirmwareKind.LEGO, (readFirmwareFile(file) as FirmwareFile.Read).firmware.kind)
+            assertEquals(FirmwareKind.LEGO, (readFirmwareFile(file) as FirmwareFile.Success).firmware.kind)
             repeat(Fuzzing.share(300)) {
                 var damaged = mutated(file)
                 if (damaged.isNotEmpty() &&
@@ -51,7 +51,7 @@ class FirmwareFileFuzzTest {
                 }
                 if (random.nextInt(4) == 0) damaged = mutated(damaged)
                 val result = readFirmwareFile(damaged)
-                if (result is FirmwareFile.Read) {
+                if (result is FirmwareFile.Success) {
                     assertTrue(result.firmware.bytes.size in 1..0x8000)
                     assertTrue(result.firmware.start in 0x8000..0xFFFF)
                     assertTrue(result.firmware.version?.let { it.major == 3 && it.minor in 0..99 } ?: true)

@@ -38,7 +38,7 @@ class StrangeBrickFuzzTest {
                     assertTrue(datalog.value.all { it.type in 0..0xFF && it.value in -32768..32767 })
                 }
                 val sent = line.tower.sendLegoProgram(slot = random.nextInt(1, 6), program)
-                assertTrue(sent !is TransferResult.Complete || sent.bytes == 300)
+                assertTrue(sent !is TransferResult.Success || sent.bytes == 300)
                 line.tower.sendFirmware(firmware)
                 line.tower.setLegoClock(hours = 1, minutes = 2)
             }

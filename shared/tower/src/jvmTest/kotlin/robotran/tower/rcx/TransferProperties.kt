@@ -50,7 +50,7 @@ class TransferProperties {
             val lejos = SimulatedLejos()
             val test = TestLine(this, lejos, line.kind, line.faults())
             when (sendDuring(line, test) { test.tower.sendProgram(line.image) }) {
-                is TransferResult.Complete -> complete++.also {
+                is TransferResult.Success -> complete++.also {
                     assertContentEquals(line.image, lejos.program, "$line")
                 }
 
@@ -70,9 +70,9 @@ class TransferProperties {
             val bytes = line.image + "Do you byte, when I knock?".encodeToByteArray()
             val firmware = FirmwareImage(bytes, 0x8000, FirmwareKind.UNKNOWN)
             val result = sendDuring(line, test) { test.tower.sendFirmware(firmware) }
-            if (result is TransferResult.Complete) complete++
+            if (result is TransferResult.Success) complete++
             val isRunning = test.brick.firmware is SimulatedLejos
-            assertTrue(isRunning || result !is TransferResult.Complete, "complete, but nothing runs: $line")
+            assertTrue(isRunning || result !is TransferResult.Success, "complete, but nothing runs: $line")
             if (isRunning) assertContentEquals(bytes, rom.received, "$line")
         }
         assertTrue(complete > runs / 4, "$complete complete")
@@ -92,9 +92,9 @@ class TransferProperties {
             val held = lego.parts.filterKeys { it.startsWith("3 ") }.mapValues { it.value.toList() }
             val sent = program.chunks.associate { it.nameIn(slot = 3) to it.code.toByteArray().toList() }
             when (result) {
-                is TransferResult.Complete -> complete++.also { assertEquals(sent, held, "$line") }
+                is TransferResult.Success -> complete++.also { assertEquals(sent, held, "$line") }
 
-                is TransferResult.Failed -> failed++.also {
+                is TransferResult.Failure -> failed++.also {
                     if (result.remains == Remains.AS_BEFORE) assertEquals(listOf<Byte>(1), held["3 task 0"], "$line")
                     if (result.remains == Remains.NO_PROGRAM) assertNull(held["3 task 0"], "$line")
                 }

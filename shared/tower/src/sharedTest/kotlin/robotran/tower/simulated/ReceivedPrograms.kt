@@ -10,6 +10,7 @@ import robotran.legofirmware.image.CodeBytes
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 
 /** What was sent to [slot], as the firmware's virtual machine runs it. */
 fun SimulatedLegoFirmware.programIn(slot: Int): FirmwareProgram {
@@ -21,7 +22,7 @@ fun SimulatedLegoFirmware.programIn(slot: Int): FirmwareProgram {
 }
 
 /** A virtual brick on which [program] has run for [milliseconds]. */
-fun brickAfter(program: FirmwareProgram, milliseconds: Int): RcxBrick = RcxBrick(listOf(program)).also { brick ->
+fun brickAfter(program: FirmwareProgram, milliseconds: Int): RcxBrick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH)).also { brick ->
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     repeat(milliseconds) { brick.tick() }

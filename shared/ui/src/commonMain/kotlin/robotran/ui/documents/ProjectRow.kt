@@ -32,9 +32,9 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.support
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.ui.language.spoken
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -131,10 +131,10 @@ private fun SheetPicture(work: ProjectListEntry) {
  * The programs of [project] for its picture; empty if they have errors, or if the compiler of one would have to be
  * fetched for a picture.
  */
-private suspend fun loadsForPicture(project: Project): List<RobotLoad> {
+private suspend fun loadsForPicture(project: Project): List<RobotProgramSet> {
     val isSlow = project.robots.any { robot -> robot.programs.any { it.language.support.hasSlowCompiler } }
     if (isSlow) return emptyList()
-    return (readRobotLoads(project, reader) as? RobotLoads.Ready)?.loads.orEmpty()
+    return (readRobotLoads(project, reader) as? RobotProgramSets.Success)?.loads.orEmpty()
 }
 
 private val pictures = SheetPictures()

@@ -108,11 +108,11 @@ private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: 
 }
 
 @Composable
-private fun Frame(frame: CallFrame, selected: Boolean, place: Int, onClick: () -> Unit) {
+private fun Frame(frame: CallFrame, selected: Boolean, index: Int, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     Row(
         Modifier
-            .testTag("frame-$place")
+            .testTag("frame-$index")
             .focusRing(8.dp)
             .clip(Shapes.SMALL)
             .background(if (selected) colours.runningLine else colours.pane)

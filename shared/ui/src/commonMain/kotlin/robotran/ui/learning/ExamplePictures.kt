@@ -10,7 +10,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.penbotTarget
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -34,7 +34,7 @@ internal object ExamplePictures : CardPictures<String> {
         val (set, name) = ExampleSet.find(id) ?: (ExampleSet.ROBOLANG to id)
         val brick = set.brick ?: BrickKind.default
         return pictures.of(id, BuiltInWorlds.plainFor(brick), colours, room) {
-            listOfNotNull(programOf(set, name, brick)).map { RobotLoad(listOf(it)) }
+            listOfNotNull(programOf(set, name, brick)).map { RobotProgramSet(listOf(it)) }
         }
     }
 
@@ -42,7 +42,7 @@ internal object ExamplePictures : CardPictures<String> {
         val text = set.programs[name] ?: return null
         val source = Program(name, set.language, text)
         val compiled = reader.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
-        return (compiled?.result as? ProgramResult.Ready)?.program
+        return (compiled?.result as? ProgramResult.Success)?.program
     }
 
     /** The Robolang version of a Java example for an RCX: `wall-bouncer.robo` for `WallBouncer.java`. */

@@ -206,8 +206,8 @@ private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     }
 }
 
-private fun DrawScope.drawDot(place: Int, isDone: Boolean, isShown: Boolean, colour: Color) {
-    val middle = Offset((place + 0.5f) * DOT_STEP.toPx(), size.height / 2)
+private fun DrawScope.drawDot(index: Int, isDone: Boolean, isShown: Boolean, colour: Color) {
+    val middle = Offset((index + 0.5f) * DOT_STEP.toPx(), size.height / 2)
     val radius = DOT_RADIUS.toPx()
     val line = Stroke(1.5.dp.toPx())
     if (isDone) {

@@ -25,7 +25,9 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.MotorMode
 import robotran.brick.state.RunState
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
@@ -122,7 +124,7 @@ private fun stateOf(moment: WelcomeMoment, milliseconds: Long): SessionState {
     )
 }
 
-private val BRICK = RcxBrick(emptyList()).state
+private val BRICK = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state
 private val STILL = WelcomeDrive.ALL[1]
 private val SHEET = World(
     "",

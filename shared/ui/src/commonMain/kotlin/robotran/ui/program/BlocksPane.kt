@@ -181,7 +181,7 @@ internal fun BlocksPane(
                 )
                 if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
                 Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
-                    if (blocks.sheet == null) EditError(scope)
+                    if (blocks.sheet == null) WorldEditError(scope)
                     when {
                         blocks.sheet != null || dragging.isCarrying -> Unit
                         blocks.isChoosing -> ChoosingBar(scope)
@@ -197,13 +197,13 @@ internal fun BlocksPane(
             LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
         }
         // A sheet covers the lower end.
-        if (blocks.sheet != null) EditError(scope)
+        if (blocks.sheet != null) WorldEditError(scope)
         SaidAloud(blocks.said)
     }
 }
 
 @Composable
-private fun EditError(scope: BlockScope) {
+private fun WorldEditError(scope: BlockScope) {
     scope.state.error?.let { EditErrorBar(scope.messages.editError(it), scope) }
 }
 

@@ -95,10 +95,10 @@ internal interface FindActions {
 /**
  * The fields for search and replacement.
  *
- * @param place the number of the selected match, from 1; 0 for none.
+ * @param index the number of the selected match, from 1; 0 for none.
  */
 @Composable
-internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActions) {
+internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActions) {
     val colours = LocalRobotranColours.current
     val first = remember { FocusRequester() }
     LaunchedEffect(state.asked) { first.requestFocus() }
@@ -149,7 +149,7 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
                 state.search = state.search.copy(wholeWords = !state.search.wholeWords)
             }
             Text(
-                if (state.search.text.isEmpty()) "" else countText(count, place),
+                if (state.search.text.isEmpty()) "" else countText(count, index),
                 Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
                 color = colours.onPane,
                 fontSize = TextSizes.SMALL,
@@ -159,10 +159,10 @@ internal fun FindBar(state: FindState, count: Int, place: Int, actions: FindActi
 }
 
 @Composable
-private fun countText(count: Int, place: Int): String = if (count == 0) {
+private fun countText(count: Int, index: Int): String = if (count == 0) {
     EditorTexts.findNone(spoken)
 } else {
-    EditorTexts.findCount(spoken, place, count)
+    EditorTexts.findCount(spoken, index, count)
 }
 
 @Composable

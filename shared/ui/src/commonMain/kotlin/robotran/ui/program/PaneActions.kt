@@ -8,7 +8,7 @@ import robotran.textediting.find.nextMatch
 import robotran.textediting.find.previousMatch
 import robotran.textediting.find.withAllReplaced
 import robotran.textediting.find.withSelected
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.workshop.event.LearningEvent
@@ -122,11 +122,11 @@ internal class PaneActions(
         focus.requestFocus()
     }
 
-    private fun goTo(place: Int) {
-        if (place >= 0) show(control.draft.withSelected(matches[place]))
+    private fun goTo(index: Int) {
+        if (index >= 0) show(control.draft.withSelected(matches[index]))
     }
 
-    private fun show(draft: Draft) = control.write(draft)
+    private fun show(draft: TextDocument) = control.write(draft)
 
     private fun caretLine(): Int = control.draft.lines.lineOf(control.draft.selection.caret) + 1
 

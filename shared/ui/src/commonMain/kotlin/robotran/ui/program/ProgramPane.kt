@@ -24,7 +24,7 @@ import robotran.brick.program.ProgramFailure
 import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.ProgramView
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.language.spoken
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.helpKey
@@ -157,7 +157,7 @@ private fun ShownFile(
     val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
     val view = remember(key) { EditorView() }
     val control = remember(key) {
-        val hasRoom = { draft: Draft -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
+        val hasRoom = { draft: TextDocument -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
         EditorControl(state.program.language, view, state.brick, hasRoom) { draft, kind ->
             event(ProgramEvent.DraftChanged(draft, kind))
         }
@@ -208,10 +208,10 @@ private fun ShownFile(
             FindBar(find, matches.size, place, actions)
         }
         HorizontalDivider(color = LocalRobotranColours.current.line)
-        val lit = state.translation?.takeIf { state.isTranslated }
+        val highlighted = state.translation?.takeIf { state.isTranslated }
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
         val failedLine = failure?.sourceLine ?: 0
-        val partners = if (lit == null) emptySet() else setOf(line)
+        val partners = if (highlighted == null) emptySet() else setOf(line)
         val marks =
             remember(state.notes, state.file.name, state.breakpoints, matches, runningLine, failedLine, partners) {
                 marksOf(state, runningLine, partners).copy(failedLine = failedLine, matches = matches)
@@ -280,16 +280,16 @@ private fun ShownFile(
                     translation = state.translation,
                     kind = state.translationKind ?: state.program.language,
                     isNow = state.isTranslated,
-                    lit = lit?.linesOf(state.file.name, line)?.toSet().orEmpty(),
-                    running = lit?.linesOf(state.file.name, runningLine)?.toSet().orEmpty(),
+                    highlighted = highlighted?.linesOf(state.file.name, line)?.toSet().orEmpty(),
+                    running = highlighted?.linesOf(state.file.name, runningLine)?.toSet().orEmpty(),
                     codeSize = settings.codeSize,
                     onLine = { shown ->
-                        val origin = lit?.originOf(shown)
+                        val origin = highlighted?.originOf(shown)
                         if (origin?.file == state.file.name) actions.goToLine(origin.line)
                     },
                     onRemark = { actions.goToLine(it.line) },
                     onZoom = actions::zoom,
-                    onKeep = lit?.takeIf { state.hasRoom }?.let { kept ->
+                    onKeep = highlighted?.takeIf { state.hasRoom }?.let { kept ->
                         { onEvent(ProgramEvent.ProgramAdded(Program.of(kept.fileName, kept.text))) }
                     },
                     modifier = part,

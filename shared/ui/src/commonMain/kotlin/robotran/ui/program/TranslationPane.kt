@@ -35,7 +35,7 @@ import robotran.languagesupport.CodeTokens
 import robotran.programs.ProgramTranslation
 import robotran.programs.TranslationRemark
 import robotran.programs.support
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.language.spoken
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
@@ -70,7 +70,7 @@ internal fun TranslationPane(
     translation: ProgramTranslation?,
     kind: ProgramLanguage,
     isNow: Boolean,
-    lit: Set<Int>,
+    highlighted: Set<Int>,
     running: Set<Int>,
     codeSize: Float,
     onLine: (Int) -> Unit,
@@ -120,8 +120,8 @@ internal fun TranslationPane(
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
             if (translation != null) {
-                val marks = remember(isNow, lit, running) {
-                    if (isNow) EditorMarks(partners = lit, runningPartners = running) else EditorMarks()
+                val marks = remember(isNow, highlighted, running) {
+                    if (isNow) EditorMarks(partners = highlighted, runningPartners = running) else EditorMarks()
                 }
                 TranslatedText(translation, marks, codeSize, onLine, onZoom, look)
             }
@@ -140,7 +140,7 @@ private fun TranslatedText(
 ) {
     val label = translation.language.translationTexts.label(spoken)
     val view = remember { EditorView() }
-    val draft = remember(translation.text) { Draft(translation.text.trimEnd('\n')) }
+    val draft = remember(translation.text) { TextDocument(translation.text.trimEnd('\n')) }
     val language = translation.language
     val brick = remember(draft) {
         language.support.code.brickOf(draft.lines) ?: BrickKind.default

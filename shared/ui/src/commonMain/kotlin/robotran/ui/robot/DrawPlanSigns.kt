@@ -98,14 +98,14 @@ internal fun DrawScope.drawWarning(at: Offset, colours: RobotranColours) {
 }
 
 /** A handle; a round one turns or is a corner. */
-internal fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
+internal fun DrawScope.drawKnob(position: Offset, isRound: Boolean) {
     val radius = KNOB.toPx()
     val line = Stroke(2.dp.toPx())
     if (isRound) {
-        drawCircle(RobotranColours.CASING, radius, place)
-        drawCircle(EditingColours.ACCENT, radius, place, style = line)
+        drawCircle(RobotranColours.CASING, radius, position)
+        drawCircle(EditingColours.ACCENT, radius, position, style = line)
     } else {
-        val corner = place - Offset(radius, radius)
+        val corner = position - Offset(radius, radius)
         drawRect(RobotranColours.CASING, corner, Size(radius * 2, radius * 2))
         drawRect(EditingColours.ACCENT, corner, Size(radius * 2, radius * 2), style = line)
     }

@@ -87,7 +87,7 @@ internal class PlanView(robot: RobotDescription) {
 }
 
 /** The pixels of a point of the robot. */
-internal fun SheetTransform.ofRobot(place: Point): Offset = toPixels(-place.y, place.x)
+internal fun SheetTransform.ofRobot(point: Point): Offset = toPixels(-point.y, point.x)
 
 /** The point of the robot at these pixels. */
-internal fun SheetTransform.toRobot(place: Offset): Point = toCentimetres(place).let { Point(it.y, -it.x) }
+internal fun SheetTransform.toRobot(position: Offset): Point = toCentimetres(position).let { Point(it.y, -it.x) }

@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
 import robotran.runcontrol.MarkKind
-import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.CallCountLine
 import robotran.runcontrol.TimelineMark
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.RunPaneState
@@ -79,7 +79,7 @@ internal fun DrawScope.drawTimeline(state: RunPaneState, plan: TimelinePlan, col
 
 /** Below the line, a bar chart of the ROM calls, one bar per few pixels. */
 private fun DrawScope.drawCalls(
-    calls: RomCallLine,
+    calls: CallCountLine,
     length: Long,
     plan: TimelinePlan,
     middle: Float,
@@ -103,46 +103,46 @@ private fun DrawScope.drawCalls(
 }
 
 /** Each kind has its own shape in addition to its colour. */
-private fun DrawScope.drawMark(mark: TimelineMark, place: Offset, colours: RobotranColours) {
+private fun DrawScope.drawMark(mark: TimelineMark, position: Offset, colours: RobotranColours) {
     val unit = 5.dp.toPx()
     when (mark.kind) {
-        MarkKind.START -> drawPath(shape(place, unit, -0.6f, -1f, 1f, 0f, -0.6f, 1f), RobotranColours.RUN_GREEN)
+        MarkKind.START -> drawPath(shape(position, unit, -0.6f, -1f, 1f, 0f, -0.6f, 1f), RobotranColours.RUN_GREEN)
 
         MarkKind.END -> drawRect(
             colours.quiet,
-            place - Offset(unit * 0.7f, unit * 0.7f),
+            position - Offset(unit * 0.7f, unit * 0.7f),
             Size(unit * 1.4f, unit * 1.4f),
         )
 
-        MarkKind.FAILURE -> drawCross(place, unit, colours.error)
-        MarkKind.GOAL -> drawPath(star(place, unit * 1.5f), colours.onPane)
-        MarkKind.GOAL_LOST -> drawCross(place, unit * 0.8f, colours.quiet)
-        MarkKind.REMARK -> drawPath(shape(place, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
-        MarkKind.BUMP -> drawPath(shape(place, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
-        MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, place)
-        MarkKind.MESSAGE -> drawRect(colours.focus, place - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
+        MarkKind.FAILURE -> drawCross(position, unit, colours.error)
+        MarkKind.GOAL -> drawPath(star(position, unit * 1.5f), colours.onPane)
+        MarkKind.GOAL_LOST -> drawCross(position, unit * 0.8f, colours.quiet)
+        MarkKind.REMARK -> drawPath(shape(position, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
+        MarkKind.BUMP -> drawPath(shape(position, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
+        MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, position)
+        MarkKind.MESSAGE -> drawRect(colours.focus, position - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))
     }
 }
 
-private fun DrawScope.drawCross(place: Offset, half: Float, colour: Color) {
+private fun DrawScope.drawCross(position: Offset, half: Float, colour: Color) {
     val width = 2.5.dp.toPx()
-    drawLine(colour, place - Offset(half, half), place + Offset(half, half), width, StrokeCap.Round)
-    drawLine(colour, place + Offset(-half, half), place + Offset(half, -half), width, StrokeCap.Round)
+    drawLine(colour, position - Offset(half, half), position + Offset(half, half), width, StrokeCap.Round)
+    drawLine(colour, position + Offset(-half, half), position + Offset(half, -half), width, StrokeCap.Round)
 }
 
-private fun shape(place: Offset, unit: Float, vararg corners: Float): Path = Path().apply {
-    moveTo(place.x + corners[0] * unit, place.y + corners[1] * unit)
+private fun shape(position: Offset, unit: Float, vararg corners: Float): Path = Path().apply {
+    moveTo(position.x + corners[0] * unit, position.y + corners[1] * unit)
     for (corner in 2..<corners.size step 2) {
         lineTo(
-            place.x + corners[corner] * unit,
-            place.y + corners[corner + 1] * unit,
+            position.x + corners[corner] * unit,
+            position.y + corners[corner + 1] * unit,
         )
     }
     close()
 }
 
-private fun star(place: Offset, unit: Float): Path = shape(
-    place,
+private fun star(position: Offset, unit: Float): Path = shape(
+    position,
     unit,
     0f,
     -1f,

@@ -86,7 +86,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 Section(RunTexts::robot) {
                     state.world.robots.forEachIndexed { number, robot ->
                         Chip(robot.name, number == state.watched, "robot-$number") {
-                            onEvent(RunEvent.RobotWatched(number))
+                            onEvent(RunEvent.DebuggedRobotChosen(number))
                         }
                     }
                 }

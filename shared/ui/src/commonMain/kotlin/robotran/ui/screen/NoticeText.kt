@@ -21,7 +21,7 @@ import robotran.world.messages.sentence
 /** The localised text of [notice]. */
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
-    is Notice.ForeignError -> notice.sentence
+    is Notice.ExternalError -> notice.sentence
     is Notice.WithRemarks -> withRemarks(notice)
     Notice.Unexpected -> DocumentTexts.unexpected(spoken)
 

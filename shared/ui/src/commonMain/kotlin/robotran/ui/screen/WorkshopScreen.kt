@@ -20,9 +20,9 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.assignment.HandInSheet
+import robotran.ui.assignment.HandInDialog
 import robotran.ui.assignment.NotAllowedStrip
-import robotran.ui.assignment.making.MakePage
+import robotran.ui.assignment.making.AssignmentEditorPage
 import robotran.ui.assignment.making.MakingPlace
 import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
@@ -40,9 +40,9 @@ import robotran.ui.runbar.LocalBrickKind
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
-import robotran.ui.send.SendSheet
+import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
-import robotran.ui.show.ShowSheet
+import robotran.ui.show.ShowDialog
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
 import robotran.workshop.blocks.allowedBlocks
@@ -120,7 +120,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
         LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
         state.course.page?.let { CoursePages(it, onEvent) }
-        state.making?.let { MakePage(it, makingPlace, onEvent) }
+        state.making?.let { AssignmentEditorPage(it, makingPlace, onEvent) }
         if (state.settingsShown) {
             SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
         }
@@ -130,9 +130,9 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         // then.
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, { noticeText(it) }, onEvent)
-        state.send?.let { SendSheet(it, onEvent) }
-        state.show?.let { ShowSheet(it, state.world, state.session, onEvent) }
-        state.handIn?.let { HandInSheet(it, state.document.hasShareSheet, onEvent) }
+        state.send?.let { SendDialog(it, onEvent) }
+        state.show?.let { ShowDialog(it, state.world, state.session, onEvent) }
+        state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
     }
 }
 

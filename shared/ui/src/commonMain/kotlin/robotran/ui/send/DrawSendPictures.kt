@@ -20,7 +20,7 @@ internal fun DrawScope.drawProgramToBrick(colours: RobotranColours) {
 
 internal fun DrawScope.drawNoTower(colours: RobotranColours) {
     drawComputer(colours)
-    drawTower(Offset(160f, 108f), lit = false)
+    drawTower(Offset(160f, 108f), highlighted = false)
     drawCross(Offset(92f, 72f), 14f, colours.error)
 }
 
@@ -47,7 +47,7 @@ internal fun DrawScope.drawDone(colours: RobotranColours) {
 internal fun DrawScope.drawBrickOff(colours: RobotranColours) {
     drawTower(NEAR_TOWER)
     drawWaves(WAVES_START, 2, colours.focus, colours.line)
-    drawSmallBrick(BRICK, lit = false, pointed = SmallButton.ON_OFF)
+    drawSmallBrick(BRICK, highlighted = false, pointed = SmallButton.ON_OFF)
 }
 
 internal fun DrawScope.drawOutOfSight(colours: RobotranColours) {
@@ -81,13 +81,13 @@ internal fun DrawScope.drawNoRoom(colours: RobotranColours) {
 internal fun DrawScope.drawUnplugged(colours: RobotranColours) {
     drawComputer(colours)
     drawCable(Offset(150f, 94f), Offset(94f, 74f), colours.quiet)
-    drawTower(Offset(168f, 108f), lit = false)
+    drawTower(Offset(168f, 108f), highlighted = false)
     // A gap between socket and plug.
     for (y in listOf(62f, 74f, 86f)) drawLine(colours.error, Offset(56f, y), Offset(70f, y), 3f, StrokeCap.Round)
 }
 
 internal fun DrawScope.drawTowerAsleep(colours: RobotranColours) {
-    drawTower(Offset(96f, 108f), lit = false)
+    drawTower(Offset(96f, 108f), highlighted = false)
     for ((place, size) in listOf(Offset(128f, 44f) to 12f, Offset(148f, 28f) to 16f, Offset(174f, 8f) to 20f)) {
         val letter = Path().apply {
             moveTo(place.x, place.y)
@@ -156,14 +156,14 @@ private fun DrawScope.drawSun(middle: Offset) {
 }
 
 /** A battery that is full to the [part] 0 to 1. */
-private fun DrawScope.drawBattery(place: Rect, part: Float, colours: RobotranColours) {
+private fun DrawScope.drawBattery(bounds: Rect, part: Float, colours: RobotranColours) {
     block(
-        Rect(place.center.x - place.width / 5, place.top - 7, place.center.x + place.width / 5, place.top + 4),
+        Rect(bounds.center.x - bounds.width / 5, bounds.top - 7, bounds.center.x + bounds.width / 5, bounds.top + 4),
         colours.onPane,
         2f,
     )
-    block(place, colours.onPane, 5f)
-    val inside = place.deflate(4f)
+    block(bounds, colours.onPane, 5f)
+    val inside = bounds.deflate(4f)
     block(inside, colours.pane, 3f)
     block(
         Rect(inside.left, inside.bottom - inside.height * part, inside.right, inside.bottom),

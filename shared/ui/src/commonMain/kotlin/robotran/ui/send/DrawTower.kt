@@ -15,12 +15,12 @@ import robotran.ui.theme.RobotranColours
 // The parts of the pictures, in the units of SendPicture.
 
 /** The infrared tower, its foot at [foot]: a dark box with a window to the brick, and a lamp. */
-internal fun DrawScope.drawTower(foot: Offset, lit: Boolean = true) {
+internal fun DrawScope.drawTower(foot: Offset, highlighted: Boolean = true) {
     val box = Rect(foot.x - TOWER_WIDTH / 2, foot.y - TOWER_HEIGHT, foot.x + TOWER_WIDTH / 2, foot.y)
     block(box, TowerColours.TOWER_EDGE, 7f)
     block(box.deflate(2f), TowerColours.TOWER, 6f)
     block(Rect(box.left + 6, box.top + 8, box.right - 6, box.top + 40), BrickColours.INFRARED, 4f)
-    drawCircle(if (lit) TowerColours.LAMP_ON else TowerColours.LAMP_OFF, 4f, Offset(foot.x, box.top + 52))
+    drawCircle(if (highlighted) TowerColours.LAMP_ON else TowerColours.LAMP_OFF, 4f, Offset(foot.x, box.top + 52))
 }
 
 /** The cable of a tower from [from] to the left, with its plug at [plug]. */
@@ -55,7 +55,7 @@ internal enum class SmallButton(val colour: Color, val place: Offset) {
  * @param lit whether its display is on.
  * @param pointed the button that a ring points out.
  */
-internal fun DrawScope.drawSmallBrick(corner: Offset, lit: Boolean = true, pointed: SmallButton? = null) {
+internal fun DrawScope.drawSmallBrick(corner: Offset, highlighted: Boolean = true, pointed: SmallButton? = null) {
     val whole = Rect(corner, Size(BRICK_WIDTH, BRICK_HEIGHT))
     block(whole, BrickColours.EDGE, 6f)
     block(whole.deflate(1.5f), RobotranColours.YELLOW, 5f)
@@ -65,7 +65,7 @@ internal fun DrawScope.drawSmallBrick(corner: Offset, lit: Boolean = true, point
         block(Rect(corner + Offset(x, 74f), Size(14f, 10f)), BrickColours.OUTPUT, 2f)
     }
     block(Rect(corner + Offset(3f, 34f), Size(58f, 36f)), BrickColours.FACE, 4f)
-    block(Rect(corner + Offset(19f, 39f), Size(26f, 26f)), if (lit) BrickColours.GLASS else TowerColours.DARK_GLASS, 2f)
+    block(Rect(corner + Offset(19f, 39f), Size(26f, 26f)), if (highlighted) BrickColours.GLASS else TowerColours.DARK_GLASS, 2f)
     for (button in SmallButton.entries) {
         drawCircle(button.colour, 6f, corner + button.place)
         if (button == pointed) {
@@ -100,8 +100,8 @@ internal fun DrawScope.drawCross(middle: Offset, reach: Float, colour: Color) {
     }
 }
 
-internal fun DrawScope.block(place: Rect, colour: Color, corner: Float) =
-    drawRoundRect(colour, place.topLeft, place.size, CornerRadius(corner))
+internal fun DrawScope.block(bounds: Rect, colour: Color, corner: Float) =
+    drawRoundRect(colour, bounds.topLeft, bounds.size, CornerRadius(corner))
 
 internal const val TOWER_WIDTH = 36f
 internal const val TOWER_HEIGHT = 78f

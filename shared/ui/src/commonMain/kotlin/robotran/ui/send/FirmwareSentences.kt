@@ -12,7 +12,7 @@ import robotran.workshop.state.ChosenFirmware
 /** What the file [chosen] is, where LEGO's own firmware is needed, or else leJOS. */
 @Composable
 internal fun firmwareSentence(chosen: ChosenFirmware, needsLego: Boolean): String = when (val file = chosen.file) {
-    is FirmwareFile.Rejected -> if (needsLego) {
+    is FirmwareFile.Failure -> if (needsLego) {
         SendTexts.fileLegoNone(
             spoken,
             chosen.name,
@@ -21,7 +21,7 @@ internal fun firmwareSentence(chosen: ChosenFirmware, needsLego: Boolean): Strin
         SendTexts.firmwareNone(spoken, chosen.name)
     }
 
-    is FirmwareFile.Read -> if (needsLego) forLego(chosen.name, file.firmware) else forLejos(chosen.name, file.firmware)
+    is FirmwareFile.Success -> if (needsLego) forLego(chosen.name, file.firmware) else forLejos(chosen.name, file.firmware)
 }
 
 @Composable

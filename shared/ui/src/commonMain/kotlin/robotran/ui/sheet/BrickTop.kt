@@ -16,13 +16,13 @@ internal class BrickTop(val look: BrickLook, private val middle: Offset, private
     val display: Rect = rect(look.display)
 
     /** A place on the brick, whose upper end is at smaller y, on the robot. */
-    fun rect(place: Rect): Rect = boxAround(cornersOf(place).map(::point))
+    fun rect(bounds: Rect): Rect = boxAround(cornersOf(bounds).map(::point))
 
-    fun point(place: Offset): Offset = middle + when (quarters) {
-        0 -> place
-        1 -> Offset(-place.y, place.x)
-        2 -> -place
-        else -> Offset(place.y, -place.x)
+    fun point(position: Offset): Offset = middle + when (quarters) {
+        0 -> position
+        1 -> Offset(-position.y, position.x)
+        2 -> -position
+        else -> Offset(position.y, -position.x)
     }
 
     companion object {

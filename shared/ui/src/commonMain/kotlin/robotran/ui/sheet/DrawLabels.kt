@@ -52,8 +52,8 @@ internal fun DrawScope.drawElementNames(
 
 /** The names of all elements that have one, besides robots, and where they are. */
 internal fun namedElements(world: World, state: SessionState): List<Pair<String, Point>> = buildList {
-    fun name(name: String?, place: Point) {
-        if (name != null) add(name to place)
+    fun name(name: String?, point: Point) {
+        if (name != null) add(name to point)
     }
     for (mark in world.marks) name(mark.name, mark.figure.middle)
     for (barrier in world.barriers) name(barrier.name, barrier.shape.centre)

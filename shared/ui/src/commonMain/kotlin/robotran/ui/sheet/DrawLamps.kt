@@ -27,7 +27,7 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
     private val latest = arrayOfNulls<LitByLamp>(world.lamps.size)
 
     /** The lamps that are on, with their lit areas and the shadows of robots and blocks. */
-    fun lit(state: SessionState, withShadows: Boolean = true): List<Glow> {
+    fun highlighted(state: SessionState, withShadows: Boolean = true): List<Glow> {
         if (world.lamps.isEmpty()) return emptyList()
         val things = if (!withShadows) {
             emptyList()
@@ -52,16 +52,16 @@ internal class GlowDrawing(private val world: World, private val transform: Shee
 
     fun toPixels(length: Double): Float = transform.toPixels(length)
 
-    private fun area(number: Int, lamp: Lamp, place: Point): Path {
-        latest[number]?.let { if (it.place == place) return it.path }
-        val corners = litArea(place, lamp.direction, lamp.cone, reachOf(lamp.brightness), obstacles)
+    private fun area(number: Int, lamp: Lamp, point: Point): Path {
+        latest[number]?.let { if (it.place == point) return it.path }
+        val corners = litArea(point, lamp.direction, lamp.cone, reachOf(lamp.brightness), obstacles)
         val path = Path().apply { addLine(corners.map(::toPixels), closed = true) }
-        latest[number] = LitByLamp(place, path)
+        latest[number] = LitByLamp(point, path)
         return path
     }
 
-    private fun shadows(place: Point, reach: Double, things: List<List<Point>>): Path? {
-        val shadows = things.mapNotNull { shadowOf(it, place, reach) }
+    private fun shadows(point: Point, reach: Double, things: List<List<Point>>): Path? {
+        val shadows = things.mapNotNull { shadowOf(it, point, reach) }
         if (shadows.isEmpty()) return null
         return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
     }
@@ -80,11 +80,11 @@ private class LitByLamp(val place: Point, val path: Path)
 internal class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
 
 internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) =
-    drawGlow(drawing, drawing.lit(state) + drawing.beacons(state))
+    drawGlow(drawing, drawing.highlighted(state) + drawing.beacons(state))
 
 /** The light of the world's lamps without the shadows of what moves. */
 internal fun DrawScope.drawStandingGlow(drawing: GlowDrawing, state: SessionState) =
-    drawGlow(drawing, drawing.lit(state, withShadows = false))
+    drawGlow(drawing, drawing.highlighted(state, withShadows = false))
 
 private fun DrawScope.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
     for (glow in glows) {
@@ -115,7 +115,7 @@ internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: S
     }
 }
 
-private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: Float) {
+private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, position: Offset, radius: Float) {
     val edge = Stroke(radius / 6)
     if (lamp.cone < Lamp.ALL_ROUND) {
         val box = Size(radius * 3.2f, radius * 3.2f)
@@ -126,7 +126,7 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
             from,
             closed,
             false,
-            place - box.center(),
+            position - box.center(),
             box,
             style = Stroke(radius / 2, cap = StrokeCap.Round),
         )
@@ -135,12 +135,12 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, place: Offset, radius: F
             val angle = ray * 2 * PI / RAYS
             val way = Offset(cos(angle).toFloat(), sin(angle).toFloat())
             val colour = if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE
-            drawLine(colour, place + way * (radius * 1.35f), place + way * (radius * 1.8f), radius / 5, StrokeCap.Round)
+            drawLine(colour, position + way * (radius * 1.35f), position + way * (radius * 1.8f), radius / 5, StrokeCap.Round)
         }
     }
-    drawCircle(bulbColour(lamp, on), radius, place)
-    if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, place)
-    drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, place, style = edge)
+    drawCircle(bulbColour(lamp, on), radius, position)
+    if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, position)
+    drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, position, style = edge)
 }
 
 /** The bulb of a lamp: grey while it is off, violet if it sends infrared light. */

@@ -45,8 +45,8 @@ internal fun DrawScope.drawRobot(
 }
 
 private class CanvasBrush(private val scope: DrawScope) : RobotBrush {
-    override fun plate(place: Rect, colour: Color, corner: Float, edge: Color?) =
-        scope.plate(place, colour, corner, edge)
+    override fun plate(bounds: Rect, colour: Color, corner: Float, edge: Color?) =
+        scope.plate(bounds, colour, corner, edge)
 
     override fun disc(middle: Offset, radius: Float, colour: Color, edge: Color?) {
         scope.drawCircle(colour, radius, middle)
@@ -81,17 +81,17 @@ private fun DrawScope.drawPen(down: Boolean) {
     drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.PEN_RADIUS, RobotPlan.PEN, style = Stroke(0.12f))
 }
 
-private fun DrawScope.drawBeacon(place: Offset) {
-    drawCircle(SheetColours.LAMP, RobotPlan.BEACON_RADIUS, place)
-    drawCircle(SheetColours.LAMP_CORE, RobotPlan.BEACON_RADIUS / 2, place)
-    drawCircle(SheetColours.LAMP_EDGE, RobotPlan.BEACON_RADIUS, place, style = Stroke(EDGE_WIDTH))
+private fun DrawScope.drawBeacon(position: Offset) {
+    drawCircle(SheetColours.LAMP, RobotPlan.BEACON_RADIUS, position)
+    drawCircle(SheetColours.LAMP_CORE, RobotPlan.BEACON_RADIUS / 2, position)
+    drawCircle(SheetColours.LAMP_EDGE, RobotPlan.BEACON_RADIUS, position, style = Stroke(EDGE_WIDTH))
 }
 
-private fun DrawScope.plate(place: Rect, colour: Color, corner: Float, edge: Color? = null) {
+private fun DrawScope.plate(bounds: Rect, colour: Color, corner: Float, edge: Color? = null) {
     val radius = CornerRadius(corner)
-    val size = Size(place.width, place.height)
-    drawRoundRect(colour, place.topLeft, size, radius)
-    if (edge != null) drawRoundRect(edge, place.topLeft, size, radius, style = Stroke(EDGE_WIDTH))
+    val size = Size(bounds.width, bounds.height)
+    drawRoundRect(colour, bounds.topLeft, size, radius)
+    if (edge != null) drawRoundRect(edge, bounds.topLeft, size, radius, style = Stroke(EDGE_WIDTH))
 }
 
 private const val EDGE_WIDTH = 0.15f

@@ -10,29 +10,29 @@ import kotlin.math.hypot
 import kotlin.math.sin
 
 /**
- * The area lit by a lamp at [place], as the corners of a polygon: all points within [reach], in its cone and not hidden
+ * The area lit by a lamp at [point], as the corners of a polygon: all points within [reach], in its cone and not hidden
  * by one of [obstacles], which are given by their corners. Angles are in degrees, lengths in centimetres.
  */
 internal fun litArea(
-    place: Point,
+    point: Point,
     direction: Double,
     cone: Double,
     reach: Double,
     obstacles: List<List<Point>>,
 ): List<Point> {
-    val edges = edgesNear(place, reach, obstacles)
+    val edges = edgesNear(point, reach, obstacles)
     val first = (direction - cone / 2) * RADIANS_PER_DEGREE
     val span = cone * RADIANS_PER_DEGREE
     val turns =
         DoubleArray(ROUND_STEPS + 1) { it * span / ROUND_STEPS } +
-            cornerTurns(place, first, edges).filter { it in 0.0..span }
+            cornerTurns(point, first, edges).filter { it in 0.0..span }
     turns.sort()
-    val rim = turns.map { turn -> place.towards(first + turn, distanceToEdge(place, first + turn, reach, edges)) }
-    return if (cone < FULL_TURN) rim + place else rim
+    val rim = turns.map { turn -> point.towards(first + turn, distanceToEdge(point, first + turn, reach, edges)) }
+    return if (cone < FULL_TURN) rim + point else rim
 }
 
-/** The distance from [place] to the nearest edge in the direction [angle], in radians, at most [reach]. */
-private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: List<Edge>): Double {
+/** The distance from [point] to the nearest edge in the direction [angle], in radians, at most [reach]. */
+private fun distanceToEdge(point: Point, angle: Double, reach: Double, edges: List<Edge>): Double {
     val x = cos(angle)
     val y = sin(angle)
     return edges.fold(reach) { nearest, edge ->
@@ -40,8 +40,8 @@ private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: Li
         val alongY = edge.to.y - edge.from.y
         val cross = x * alongY - y * alongX
         if (abs(cross) < PARALLEL) return@fold nearest
-        val toX = edge.from.x - place.x
-        val toY = edge.from.y - place.y
+        val toX = edge.from.x - point.x
+        val toY = edge.from.y - point.y
         val distance = (toX * alongY - toY * alongX) / cross
         val share = (toX * y - toY * x) / cross
         if (share in 0.0..1.0 && distance in 0.0..nearest) distance else nearest
@@ -49,25 +49,25 @@ private fun distanceToEdge(place: Point, angle: Double, reach: Double, edges: Li
 }
 
 /** The directions just before and just after each corner, relative to [first], above 0 and up to a full turn. */
-private fun cornerTurns(place: Point, first: Double, edges: List<Edge>): List<Double> = edges.flatMap { edge ->
-    val angle = atan2(edge.from.y - place.y, edge.from.x - place.x) - first
+private fun cornerTurns(point: Point, first: Double, edges: List<Edge>): List<Double> = edges.flatMap { edge ->
+    val angle = atan2(edge.from.y - point.y, edge.from.x - point.x) - first
     val turn = angle - floor(angle / (2 * PI)) * 2 * PI
     listOf(turn - BESIDE, turn + BESIDE)
 }
 
 private class Edge(val from: Point, val to: Point)
 
-private fun edgesNear(place: Point, reach: Double, obstacles: List<List<Point>>): List<Edge> = buildList {
+private fun edgesNear(point: Point, reach: Double, obstacles: List<List<Point>>): List<Edge> = buildList {
     for (corners in obstacles) {
-        if (corners.all { hypot(it.x - place.x, it.y - place.y) > reach } && !surrounds(corners, place, reach)) continue
+        if (corners.all { hypot(it.x - point.x, it.y - point.y) > reach } && !surrounds(corners, point, reach)) continue
         corners.forEachEdge { from, to -> add(Edge(from, to)) }
     }
 }
 
-/** Whether the bounding box of [corners] is within [reach] of [place]. */
-private fun surrounds(corners: List<Point>, place: Point, reach: Double): Boolean =
-    place.x in corners.minOf { it.x } - reach..corners.maxOf { it.x } + reach &&
-        place.y in corners.minOf { it.y } - reach..corners.maxOf { it.y } + reach
+/** Whether the bounding box of [corners] is within [reach] of [point]. */
+private fun surrounds(corners: List<Point>, point: Point, reach: Double): Boolean =
+    point.x in corners.minOf { it.x } - reach..corners.maxOf { it.x } + reach &&
+        point.y in corners.minOf { it.y } - reach..corners.maxOf { it.y } + reach
 
 private const val FULL_TURN = 360.0
 

@@ -98,10 +98,10 @@ internal fun RobotState.isPressed(bumper: BumperPart, index: Int): Boolean = ind
     null -> false
 }
 
-private fun turned(place: Offset, degrees: Float): Offset {
+private fun turned(position: Offset, degrees: Float): Offset {
     val angle = degrees * PI / HALF_TURN
     val (sine, cosine) = sin(angle).toFloat() to cos(angle).toFloat()
-    return Offset(place.x * cosine - place.y * sine, place.x * sine + place.y * cosine)
+    return Offset(position.x * cosine - position.y * sine, position.x * sine + position.y * cosine)
 }
 
 private const val HALF_TURN = 180.0

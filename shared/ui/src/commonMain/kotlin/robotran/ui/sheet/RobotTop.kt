@@ -11,7 +11,7 @@ import robotran.world.RobotPlacement
 
 /** Draws or writes the plates and discs of which a robot from above consists, in centimetres. */
 internal interface RobotBrush {
-    fun plate(place: Rect, colour: Color, corner: Float, edge: Color? = null)
+    fun plate(bounds: Rect, colour: Color, corner: Float, edge: Color? = null)
 
     fun disc(middle: Offset, radius: Float, colour: Color, edge: Color? = null)
 

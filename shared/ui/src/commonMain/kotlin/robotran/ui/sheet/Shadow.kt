@@ -12,15 +12,15 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * The shadow of an object with these [corners] within [reach] of a lamp at [place]; null if it is out of reach or the
+ * The shadow of an object with these [corners] within [reach] of a lamp at [point]; null if it is out of reach or the
  * lamp is inside it. Always counter-clockwise, so that overlapping shadows merge.
  */
-internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<Point>? {
-    if (distanceInto(corners, place).let { it <= 0 || it >= reach }) return null
-    val middle = Point(corners.sumOf { it.x } / corners.size - place.x, corners.sumOf { it.y } / corners.size - place.y)
+internal fun shadowOf(corners: List<Point>, point: Point, reach: Double): List<Point>? {
+    if (distanceInto(corners, point).let { it <= 0 || it >= reach }) return null
+    val middle = Point(corners.sumOf { it.x } / corners.size - point.x, corners.sumOf { it.y } / corners.size - point.y)
     val turns = corners.map { corner ->
-        val x = corner.x - place.x
-        val y = corner.y - place.y
+        val x = corner.x - point.x
+        val y = corner.y - point.y
         atan2(middle.x * y - middle.y * x, middle.x * x + middle.y * y)
     }
     val first = turns.indices.minBy { turns[it] }
@@ -32,9 +32,9 @@ internal fun shadowOf(corners: List<Point>, place: Point, reach: Double): List<P
     val far = reach / cos(span / 4)
     return listOf(
         corners[first],
-        place.towards(towards + turns[first], far),
-        place.towards(towards + (turns[first] + turns[last]) / 2, far),
-        place.towards(towards + turns[last], far),
+        point.towards(towards + turns[first], far),
+        point.towards(towards + (turns[first] + turns[last]) / 2, far),
+        point.towards(towards + turns[last], far),
         corners[last],
     )
 }

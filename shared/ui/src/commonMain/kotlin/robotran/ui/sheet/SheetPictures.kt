@@ -8,7 +8,7 @@ import kotlinx.coroutines.withContext
 import kotlinx.coroutines.yield
 import robotran.brick.state.RunState
 import robotran.language.Language
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -44,7 +44,7 @@ internal class SheetPictures {
         world: World,
         colours: SheetColours,
         room: PictureBounds,
-        loads: suspend () -> List<RobotLoad> = { emptyList() },
+        loads: suspend () -> List<RobotProgramSet> = { emptyList() },
     ): ImageBitmap = drawing.withLock {
         val kept = cache.takeIf { it.colours == colours && it.pictures.size < MAX } ?: Cache(colours, emptyMap())
         kept.pictures[key to room.pixels] ?: draw(world, loads, colours, room).also {
@@ -54,7 +54,7 @@ internal class SheetPictures {
 
     private suspend fun draw(
         world: World,
-        loads: suspend () -> List<RobotLoad>,
+        loads: suspend () -> List<RobotProgramSet>,
         colours: SheetColours,
         room: PictureBounds,
     ): ImageBitmap {
@@ -66,7 +66,7 @@ internal class SheetPictures {
         }
     }
 
-    private suspend fun stateOf(world: World, loads: List<RobotLoad>, engine: PhysicsEngine): SessionState {
+    private suspend fun stateOf(world: World, loads: List<RobotProgramSet>, engine: PhysicsEngine): SessionState {
         val session = Session(world, loads, engine, Language.ENGLISH)
         try {
             if (loads.isNotEmpty()) session.runInParts()

@@ -8,13 +8,13 @@ import robotran.world.geometry.Point
  */
 interface SheetTouch {
     /**
-     * A finger that went down at [place] starts to move. Returns whether it drags an element; otherwise it pans the
+     * A finger that went down at [point] starts to move. Returns whether it drags an element; otherwise it pans the
      * sheet.
      */
-    fun take(place: Point, tolerance: Double): Boolean
+    fun take(point: Point, tolerance: Double): Boolean
 
-    /** The dragging finger has moved to [place]. */
-    fun drag(place: Point)
+    /** The dragging finger has moved to [point]. */
+    fun drag(point: Point)
 
     /** The finger is released at its last place. */
     fun letGo()
@@ -22,6 +22,6 @@ interface SheetTouch {
     /** Something else, such as a dialog, has taken over the gesture. */
     fun giveUp() = letGo()
 
-    /** A tap at [place]. Returns whether there was an element. */
-    fun tap(place: Point, tolerance: Double): Boolean
+    /** A tap at [point]. Returns whether there was an element. */
+    fun tap(point: Point, tolerance: Double): Boolean
 }

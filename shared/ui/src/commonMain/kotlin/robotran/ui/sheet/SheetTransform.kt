@@ -17,15 +17,15 @@ class SheetTransform internal constructor(val pixelsPerCentimetre: Float, val pa
     fun toPixels(x: Double, y: Double): Offset =
         Offset(paper.left + x.toFloat() * pixelsPerCentimetre, paper.bottom - y.toFloat() * pixelsPerCentimetre)
 
-    fun toPixels(place: Point): Offset = toPixels(place.x, place.y)
+    fun toPixels(point: Point): Offset = toPixels(point.x, point.y)
 
     /** The length of [centimetres] in pixels. */
     fun toPixels(centimetres: Double): Float = centimetres.toFloat() * pixelsPerCentimetre
 
-    /** The point of the paper, or of the desk beside it, at [place]; the paper's corner if the sheet has no size. */
-    fun toCentimetres(place: Offset): Point {
+    /** The point of the paper, or of the desk beside it, at [position]; the paper's corner if the sheet has no size. */
+    fun toCentimetres(position: Offset): Point {
         if (pixelsPerCentimetre == 0f) return Point(0.0, 0.0)
-        return Point(toCentimetres(place.x - paper.left), toCentimetres(paper.bottom - place.y))
+        return Point(toCentimetres(position.x - paper.left), toCentimetres(paper.bottom - position.y))
     }
 
     /** The length of [pixels] in centimetres; 0 if the sheet has no size. */

@@ -40,12 +40,12 @@ internal sealed interface Sight {
 internal fun RobotPlacement.has(kind: SensorKind): Boolean =
     description.parts.any { it.port != null && it.kind == kind }
 
-/** The sights of the robot of [place]. */
-internal fun sightsOf(place: RobotPlacement, snapshot: RobotSnapshot): List<Sight> =
-    place.description.parts.filterIsInstance<SensorPart>().filter { it.port != null }.distinctBy { it.on(null) }
-        .mapNotNull { sightOf(it, place, snapshot) }
+/** The sights of the robot of [placement]. */
+internal fun sightsOf(placement: RobotPlacement, snapshot: RobotSnapshot): List<Sight> =
+    placement.description.parts.filterIsInstance<SensorPart>().filter { it.port != null }.distinctBy { it.on(null) }
+        .mapNotNull { sightOf(it, placement, snapshot) }
 
-private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnapshot): Sight? {
+private fun sightOf(part: SensorPart, placement: RobotPlacement, snapshot: RobotSnapshot): Sight? {
     val robot = snapshot.robot
     val eye = robot.ahead(part.at.x, part.at.y)
     return when {
@@ -60,8 +60,8 @@ private fun sightOf(part: SensorPart, place: RobotPlacement, snapshot: RobotSnap
 
                 // A penbot's looks ahead between its bumpers.
                 Facing.Free -> {
-                    if (place.lightFacing == LightFacing.FORWARD) {
-                        val front = robot.ahead(place.description.box.right, part.at.y)
+                    if (placement.lightFacing == LightFacing.FORWARD) {
+                        val front = robot.ahead(placement.description.box.right, part.at.y)
                         Sight.Cone(front, robot.pose.heading, LIGHT_DEGREES, Light.MAX_ECHO_DISTANCE)
                     } else {
                         Sight.Spot(eye)

@@ -24,7 +24,7 @@ internal fun DrawScope.drawLabels3D(
     shown: Set<SheetLayer>,
     labels: TextMeasurer,
 ) {
-    fun at(place: Point, height: Double): Offset? = projection.toScreen(Vector3(place.x, place.y, height))?.toOffset()
+    fun at(point: Point, height: Double): Offset? = projection.toScreen(Vector3(point.x, point.y, height))?.toOffset()
     val world = drawing.world
     if (SheetLayer.GOALS in shown) {
         for (target in drawing.targets) {

@@ -30,11 +30,11 @@ internal fun DrawScope.drawLampShadows(world: World, state: SessionState, projec
         if (!now.on || lamp.infrared || lamp.brightness <= 0) continue
         val reach = reachOf(lamp.brightness)
         for (part in LIT_PARTS) {
-            val lit = litCorners(lamp, now.place, reach * part)
+            val highlighted = litCorners(lamp, now.place, reach * part)
             val path = Path()
             for (thing in things) {
                 val shadow = shadowOf(thing, now.place, reach)?.let { ConvexPolygon.around(it) } ?: continue
-                within(shadow, lit)?.let { path.addGround(it.corners, projection) }
+                within(shadow, highlighted)?.let { path.addGround(it.corners, projection) }
             }
             drawPath(path, SpaceColours.LAMP_SHADOW)
         }
@@ -57,13 +57,13 @@ private fun DrawScope.drawBeaconLight(pose: Pose, reach: Double, projection: Pro
     }
 }
 
-/** A circle around [place], or the cone of [lamp] in it: a polygon that is convex if the cone is at most half a turn. */
-private fun litCorners(lamp: Lamp, place: Point, reach: Double): ConvexPolygon {
-    if (lamp.cone >= HALF_TURN) return ConvexPolygon(circle(place, reach))
+/** A circle around [point], or the cone of [lamp] in it: a polygon that is convex if the cone is at most half a turn. */
+private fun litCorners(lamp: Lamp, point: Point, reach: Double): ConvexPolygon {
+    if (lamp.cone >= HALF_TURN) return ConvexPolygon(circle(point, reach))
     val first = (lamp.direction - lamp.cone / 2) * RADIANS_PER_DEGREE
     val span = lamp.cone * RADIANS_PER_DEGREE
     return ConvexPolygon(
-        listOf(place) + List(CIRCLE_CORNERS) { place.towards(first + span * it / (CIRCLE_CORNERS - 1), reach) },
+        listOf(point) + List(CIRCLE_CORNERS) { point.towards(first + span * it / (CIRCLE_CORNERS - 1), reach) },
     )
 }
 
@@ -79,8 +79,8 @@ private fun within(polygon: ConvexPolygon, area: ConvexPolygon): ConvexPolygon? 
     return rest
 }
 
-internal fun circle(place: Point, radius: Double): List<Point> =
-    List(CIRCLE_CORNERS) { place.towards(it * 2 * PI / CIRCLE_CORNERS, radius) }
+internal fun circle(point: Point, radius: Double): List<Point> =
+    List(CIRCLE_CORNERS) { point.towards(it * 2 * PI / CIRCLE_CORNERS, radius) }
 
 private const val CIRCLE_CORNERS = 32
 private const val HALF_TURN = 180.0

@@ -53,5 +53,5 @@ private fun DrawScope.drawEcho3D(cone: Sight.Cone, projection: Projection) {
     drawPath(path, SheetColours.ECHO, style = Stroke(3.dp.toPx(), cap = StrokeCap.Round))
 }
 
-private fun pixel(place: Point, projection: Projection): Offset? =
-    projection.toScreen(Vector3(place.x, place.y, 0.0))?.toOffset()
+private fun pixel(point: Point, projection: Projection): Offset? =
+    projection.toScreen(Vector3(point.x, point.y, 0.0))?.toOffset()

@@ -30,8 +30,8 @@ internal class SpaceDrawing(internal val world: World, internal val colours: Spa
     internal class Target(val region: GoalRegion, val place: Point)
 
     /** A flag does not stand where a lamp does. */
-    private fun besideLamps(place: Point): Point =
-        if (world.lamps.none { distance(it.place, place) < LAMP_ROOM }) place else Point(place.x - LAMP_ROOM, place.y)
+    private fun besideLamps(point: Point): Point =
+        if (world.lamps.none { distance(it.place, point) < LAMP_ROOM }) point else Point(point.x - LAMP_ROOM, point.y)
 
     /**
      * What stands in [state], for the camera of [projection]; [eyeOf] is the robot that looks, if it is one's eye.

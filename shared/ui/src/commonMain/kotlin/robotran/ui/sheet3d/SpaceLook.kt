@@ -45,27 +45,27 @@ internal class SpaceLook {
         this.onCamera = onCamera
     }
 
-    /** What is at the pixel [place]. */
-    fun hit(place: Offset): TouchedPlace? {
+    /** What is at the pixel [position]. */
+    fun hit(position: Offset): TouchedPlace? {
         val projection = projection ?: return null
         val scene = scene ?: return null
-        val pixel = ScreenPoint(place.x.toDouble(), place.y.toDouble())
+        val pixel = ScreenPoint(position.x.toDouble(), position.y.toDouble())
         elementAt(scene, projection, pixel)?.let {
             return TouchedPlace(Point(it.point.x, it.point.y), it.point.z, projection.scaleAt(it.point), isSolid = true)
         }
-        return ground(place)
+        return ground(position)
     }
 
-    /** What of the paper or desk is at the pixel [place]; null for the sky. */
-    fun ground(place: Offset): TouchedPlace? {
+    /** What of the paper or desk is at the pixel [position]; null for the sky. */
+    fun ground(position: Offset): TouchedPlace? {
         val projection = projection ?: return null
-        val point = onPlane(place, 0.0) ?: return null
+        val point = onPlane(position, 0.0) ?: return null
         return TouchedPlace(point, 0.0, projection.scaleAt(Vector3(point.x, point.y, 0.0)), isSolid = false)
     }
 
-    /** The point at [height] above the paper that the pixel [place] shows. */
-    fun onPlane(place: Offset, height: Double): Point? =
-        projection?.onPlane(ScreenPoint(place.x.toDouble(), place.y.toDouble()), height)
+    /** The point at [height] above the paper that the pixel [position] shows. */
+    fun onPlane(position: Offset, height: Double): Point? =
+        projection?.onPlane(ScreenPoint(position.x.toDouble(), position.y.toDouble()), height)
 
     /** Goes around what the camera looks at, by the way of a finger in pixels: what is near follows the finger. */
     fun orbit(way: Offset) = turn(-way.x * DEGREES_PER_PIXEL, way.y * DEGREES_PER_PIXEL)

@@ -46,10 +46,10 @@ internal fun describeElement(thing: SheetElement, pose: Pose, world: World, sess
 
 /** A place such as `20.0 cm across and 30.0 cm up`. */
 @Composable
-internal fun placeWords(place: Point): String = SheetTexts.place(
+internal fun placeWords(point: Point): String = SheetTexts.place(
     spoken,
-    ScreenTexts.centimetres(spoken, oneDecimal(place.x)),
-    ScreenTexts.centimetres(spoken, oneDecimal(place.y)),
+    ScreenTexts.centimetres(spoken, oneDecimal(point.x)),
+    ScreenTexts.centimetres(spoken, oneDecimal(point.y)),
 )
 
 @Composable

@@ -111,11 +111,11 @@ private fun arc(measuring: Measuring, middle: Offset, radius: Float) = Path().ap
     }
 }
 
-private fun DrawScope.handle(place: Offset, isSmall: Boolean) {
+private fun DrawScope.handle(position: Offset, isSmall: Boolean) {
     val radius = (if (isSmall) SMALL_HANDLE else HANDLE).toPx() / 2
-    drawCircle(RobotranColours.CASING, radius, place)
-    drawCircle(SheetColours.LABEL, radius, place, style = Stroke(LINE.toPx()))
-    if (!isSmall) drawCircle(SheetColours.LABEL, LINE.toPx() / 2, place)
+    drawCircle(RobotranColours.CASING, radius, position)
+    drawCircle(SheetColours.LABEL, radius, position, style = Stroke(LINE.toPx()))
+    if (!isSmall) drawCircle(SheetColours.LABEL, LINE.toPx() / 2, position)
 }
 
 private fun DrawScope.line(from: Offset, to: Offset, casing: Boolean) =
@@ -130,14 +130,14 @@ private fun colour(casing: Boolean): Color = if (casing) RobotranColours.CASING 
 
 private fun DrawScope.width(casing: Boolean): Float = (if (casing) CASING else LINE).toPx()
 
-/** Words beyond [place] in the direction [along], inside the picture. */
-private fun DrawScope.plate(label: String, place: Offset, along: Offset, text: TextMeasurer) {
+/** Words beyond [position] in the direction [along], inside the picture. */
+private fun DrawScope.plate(label: String, position: Offset, along: Offset, text: TextMeasurer) {
     val style = TextStyle(SheetColours.LABEL, fontSize = LABEL_SIZE.sp, fontWeight = FontWeight.Bold)
     val laid = text.measure(label, style, maxLines = 1)
     val pad = 8.dp.toPx()
     val plate = Size(laid.size.width + 2 * pad, laid.size.height + pad)
     val away = max(plate.width * abs(along.x), plate.height * abs(along.y)) / 2 + PLATE_GAP.toPx()
-    val middle = place + along * away
+    val middle = position + along * away
     val corner = Offset(
         (middle.x - plate.width / 2).coerceIn(0f, max(0f, size.width - plate.width)),
         (middle.y - plate.height / 2).coerceIn(0f, max(0f, size.height - plate.height)),

@@ -30,23 +30,23 @@ internal class HandTouch(
 ) : SheetTouch {
     private var held: Held? = null
 
-    override fun take(place: Point, tolerance: Double): Boolean {
+    override fun take(point: Point, tolerance: Double): Boolean {
         val (session, chosen) = now()
-        held = handleAt(place, chosen, session, tolerance) ?: grip(place, session, tolerance)
+        held = handleAt(point, chosen, session, tolerance) ?: grip(point, session, tolerance)
         return held != null
     }
 
-    override fun drag(place: Point) {
+    override fun drag(point: Point) {
         val grip = held ?: return
         val session = now().first
         val pose = poseOf(grip.thing, world, session) ?: return
         inputs.send(
             when (grip) {
-                is Held.Body -> placing(grip.thing, pose.copy(x = place.x + grip.offset.x, y = place.y + grip.offset.y))
+                is Held.Body -> placing(grip.thing, pose.copy(x = point.x + grip.offset.x, y = point.y + grip.offset.y))
 
                 is Held.Handle -> placing(
                     grip.thing,
-                    pose.copy(heading = round(angle(Point(pose.x, pose.y), place) + grip.turn)),
+                    pose.copy(heading = round(angle(Point(pose.x, pose.y), point) + grip.turn)),
                 )
             },
         )
@@ -57,10 +57,10 @@ internal class HandTouch(
         inputs.flush()
     }
 
-    override fun tap(place: Point, tolerance: Double): Boolean {
+    override fun tap(point: Point, tolerance: Double): Boolean {
         val (session, chosen) = now()
-        if (handleAt(place, chosen, session, tolerance) != null) return true
-        val thing = elementAt(world, session, place, tolerance, MOVABLE)
+        if (handleAt(point, chosen, session, tolerance) != null) return true
+        val thing = elementAt(world, session, point, tolerance, MOVABLE)
         choose(thing)
         if (thing?.kind == SheetElementKind.LAMP) {
             inputs.sendNow(SessionInput.SwitchLamp(thing.number, !session.lamps[thing.number].on))
@@ -68,19 +68,19 @@ internal class HandTouch(
         return thing != null
     }
 
-    private fun handleAt(place: Point, chosen: SheetElement?, session: SessionState, tolerance: Double): Held? {
+    private fun handleAt(point: Point, chosen: SheetElement?, session: SessionState, tolerance: Double): Held? {
         if (chosen == null || chosen.kind == SheetElementKind.LAMP) return null
         val pose = poseOf(chosen, world, session) ?: return null
         val handle = handleOf(chosen, world, session) ?: return null
-        if (distance(handle, place) > tolerance + HANDLE_CENTIMETRES) return null
-        return Held.Handle(chosen, pose.heading - angle(Point(pose.x, pose.y), place))
+        if (distance(handle, point) > tolerance + HANDLE_CENTIMETRES) return null
+        return Held.Handle(chosen, pose.heading - angle(Point(pose.x, pose.y), point))
     }
 
-    private fun grip(place: Point, session: SessionState, tolerance: Double): Held? {
-        val thing = elementAt(world, session, place, tolerance, MOVABLE) ?: return null
+    private fun grip(point: Point, session: SessionState, tolerance: Double): Held? {
+        val thing = elementAt(world, session, point, tolerance, MOVABLE) ?: return null
         val pose = poseOf(thing, world, session) ?: return null
         choose(thing)
-        return Held.Body(thing, Point(pose.x - place.x, pose.y - place.y))
+        return Held.Body(thing, Point(pose.x - point.x, pose.y - point.y))
     }
 
     private fun angle(from: Point, to: Point) = atan2(to.y - from.y, to.x - from.x) * DEGREES_PER_RADIAN

@@ -27,31 +27,31 @@ internal class MeasuringTouch(
     /** How far from a finger a thing may be, in centimetres. */
     private var reach = 0.0
 
-    override fun take(place: Point, tolerance: Double): Boolean {
+    override fun take(point: Point, tolerance: Double): Boolean {
         val (measuring, things) = now() ?: return false
         latest = measuring
         reach = tolerance
         val near = tolerance + HANDLE_CENTIMETRES
-        val end = MeasuringEnd.entries.filter { distance(measuring.placeOf(it), place) <= near }
-            .minByOrNull { distance(measuring.placeOf(it), place) }
+        val end = MeasuringEnd.entries.filter { distance(measuring.placeOf(it), point) <= near }
+            .minByOrNull { distance(measuring.placeOf(it), point) }
         held = end ?: MeasuringEnd.TO
         if (end == null) {
-            val start = things.snapped(place, tolerance)
+            val start = things.snapped(point, tolerance)
             move(measuring.moved(MeasuringEnd.FROM, start).moved(MeasuringEnd.TO, start))
         }
         return true
     }
 
-    override fun drag(place: Point) {
+    override fun drag(point: Point) {
         val (_, things) = now() ?: return
-        latest?.let { move(it.moved(held, things.snapped(place, reach * SNAPPING))) }
+        latest?.let { move(it.moved(held, things.snapped(point, reach * SNAPPING))) }
     }
 
     override fun letGo() = Unit
 
-    override fun tap(place: Point, tolerance: Double): Boolean {
+    override fun tap(point: Point, tolerance: Double): Boolean {
         val (measuring, things) = now() ?: return false
-        put(measuring.moved(MeasuringEnd.TO, things.snapped(place, tolerance)))
+        put(measuring.moved(MeasuringEnd.TO, things.snapped(point, tolerance)))
         return true
     }
 

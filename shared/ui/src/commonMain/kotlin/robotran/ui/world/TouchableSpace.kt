@@ -100,7 +100,7 @@ internal fun TouchableSpace(
 }
 
 /** The pixel of a place on the paper; null if it is behind the camera. */
-private fun Projection.pixelOf(place: Point): Offset? = toScreen(Vector3(place.x, place.y, 0.0))?.toOffset()
+private fun Projection.pixelOf(point: Point): Offset? = toScreen(Vector3(point.x, point.y, 0.0))?.toOffset()
 
 /** What is behind the camera keeps a place in the middle of the picture, so that keys and readers still reach it. */
 private fun Projection.handleAt(pose: Pose, reach: Double): HandlePlace {

@@ -21,7 +21,7 @@ import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.worldediting.AlignSide
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
 import robotran.worldediting.WorldEditing
@@ -67,37 +67,37 @@ private fun Actions(editor: EditorScope) {
     val editing = editor.editing
     val turn = turnStep(editing)
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { editor.make(Edit.Delete) }
-        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { editor.make(Edit.Duplicate) }
+        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { editor.make(WorldEdit.Delete) }
+        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { editor.make(WorldEdit.Duplicate) }
         if (editing.canRotate) {
-            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { editor.make(Edit.TurnBy(turn)) }
+            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { editor.make(WorldEdit.TurnBy(turn)) }
             Action(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right") {
-                editor.make(Edit.TurnBy(-turn))
+                editor.make(WorldEdit.TurnBy(-turn))
             }
         }
         if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
-            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { editor.make(Edit.ScaleBy(GROWTH)) }
-            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { editor.make(Edit.ScaleBy(1 / GROWTH)) }
+            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { editor.make(WorldEdit.ScaleBy(GROWTH)) }
+            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { editor.make(WorldEdit.ScaleBy(1 / GROWTH)) }
         }
         if (editing.selection.any { it.kind == ElementKind.MARK }) {
             Action(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front") {
-                editor.make(Edit.Restack(StackOrder.TO_FRONT))
+                editor.make(WorldEdit.Restack(StackOrder.TO_FRONT))
             }
             Action(EditIcons.UP, WorldEditorTexts::forward, "forward") {
-                editor.make(Edit.Restack(StackOrder.FORWARD))
+                editor.make(WorldEdit.Restack(StackOrder.FORWARD))
             }
             Action(EditIcons.DOWN, WorldEditorTexts::backward, "backward") {
-                editor.make(Edit.Restack(StackOrder.BACK))
+                editor.make(WorldEdit.Restack(StackOrder.BACK))
             }
             Action(EditIcons.BACK, WorldEditorTexts::toBack, "to-back") {
-                editor.make(Edit.Restack(StackOrder.TO_BACK))
+                editor.make(WorldEdit.Restack(StackOrder.TO_BACK))
             }
         }
         if (editing.selection.size > 1) {
-            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { editor.make(Edit.Group) }
+            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { editor.make(WorldEdit.Group) }
         }
         if (editing.groups.any { group -> group.any { it in editing.selection } }) {
-            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { editor.make(Edit.Ungroup) }
+            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { editor.make(WorldEdit.Ungroup) }
         }
     }
 }
@@ -112,7 +112,7 @@ private fun AlignRow(editor: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
-            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { editor.make(Edit.Align(side)) })
+            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
         }
     }
 }

@@ -72,43 +72,43 @@ private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
     handles.firstOrNull { it.handle.grip == DragHandle.Turn }?.let { drawTurnArrow(it.place) }
 }
 
-private fun DrawScope.drawKnob(place: Offset, isRound: Boolean) {
+private fun DrawScope.drawKnob(position: Offset, isRound: Boolean) {
     val radius = KNOB.toPx()
     val line = Stroke(2.dp.toPx())
     if (isRound) {
-        drawCircle(RobotranColours.CASING, radius, place)
-        drawCircle(EditingColours.ACCENT, radius, place, style = line)
+        drawCircle(RobotranColours.CASING, radius, position)
+        drawCircle(EditingColours.ACCENT, radius, position, style = line)
     } else {
-        val corner = place - Offset(radius, radius)
+        val corner = position - Offset(radius, radius)
         drawRect(RobotranColours.CASING, corner, Size(radius * 2, radius * 2))
         drawRect(EditingColours.ACCENT, corner, Size(radius * 2, radius * 2), style = line)
     }
 }
 
-private fun DrawScope.drawPlus(place: Offset) {
+private fun DrawScope.drawPlus(position: Offset) {
     val radius = 7.dp.toPx()
-    drawCircle(EditingColours.ACCENT, radius, place)
+    drawCircle(EditingColours.ACCENT, radius, position)
     val arm = radius * 0.55f
-    drawLine(RobotranColours.CASING, place - Offset(arm, 0f), place + Offset(arm, 0f), 2.dp.toPx())
-    drawLine(RobotranColours.CASING, place - Offset(0f, arm), place + Offset(0f, arm), 2.dp.toPx())
+    drawLine(RobotranColours.CASING, position - Offset(arm, 0f), position + Offset(arm, 0f), 2.dp.toPx())
+    drawLine(RobotranColours.CASING, position - Offset(0f, arm), position + Offset(0f, arm), 2.dp.toPx())
 }
 
-private fun DrawScope.drawTurnArrow(place: Offset) {
+private fun DrawScope.drawTurnArrow(position: Offset) {
     val radius = 13.dp.toPx()
-    drawCircle(RobotranColours.CASING, radius, place)
-    drawCircle(EditingColours.ACCENT, radius, place, style = Stroke(2.dp.toPx()))
+    drawCircle(RobotranColours.CASING, radius, position)
+    drawCircle(EditingColours.ACCENT, radius, position, style = Stroke(2.dp.toPx()))
     val arc = radius * 0.55f
     drawArc(
         EditingColours.ACCENT,
         -60f,
         280f,
         false,
-        place - Offset(arc, arc),
+        position - Offset(arc, arc),
         Size(arc * 2, arc * 2),
         style = Stroke(2.dp.toPx(), cap = StrokeCap.Round),
     )
-    rotate(220f, place) {
-        val tip = place + Offset(arc, 0f)
+    rotate(220f, position) {
+        val tip = position + Offset(arc, 0f)
         val head = 4.dp.toPx()
         drawLine(EditingColours.ACCENT, tip, tip + Offset(-head, -head), 2.dp.toPx(), StrokeCap.Round)
         drawLine(EditingColours.ACCENT, tip, tip + Offset(head, -head), 2.dp.toPx(), StrokeCap.Round)

@@ -42,7 +42,7 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Snapping
 import robotran.worldediting.written
 
@@ -70,7 +70,7 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
                 editing.history.canUndo,
                 withWords,
             ) {
-                editor.make(Edit.Undo)
+                editor.make(WorldEdit.Undo)
             }
             Step(
                 EditIcons.REDO,
@@ -79,16 +79,16 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
                 editing.history.canRedo,
                 withWords,
             ) {
-                editor.make(Edit.Redo)
+                editor.make(WorldEdit.Redo)
             }
             Toggle(
                 EditIcons.SEVERAL,
                 WorldEditorTexts.several(spoken),
                 "edit-several",
-                editing.several,
+                editing.isMultiSelect,
                 withWords,
             ) {
-                editor.make(Edit.SelectSeveral(!editing.several))
+                editor.make(WorldEdit.SetMultiSelect(!editing.isMultiSelect))
             }
             EditMenu(editor, view, withWords)
         }
@@ -167,11 +167,11 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
         )
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
-                choose { editor.make(Edit.SelectAll) }
+                choose { editor.make(WorldEdit.SelectAll) }
             }
-            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { editor.make(Edit.Copy) } }
+            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { editor.make(WorldEdit.Copy) } }
             MenuItem(WorldEditorTexts.paste(spoken), "menu-paste") {
-                choose { editor.make(Edit.Paste(view.middle(editor.world.paper))) }
+                choose { editor.make(WorldEdit.Paste(view.middle(editor.world.paper))) }
             }
             MenuItem(WorldEditorTexts.wholeSheet(spoken), "menu-fit") {
                 choose {
@@ -192,13 +192,13 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
                     WorldEditorTexts.gridOff(spoken)
                 }
                 MenuItem(checked(words, snapping.grid == grid), "menu-grid-${written(grid)}") {
-                    choose { editor.make(Edit.Snap(snapping.copy(grid = grid))) }
+                    choose { editor.make(WorldEdit.Snap(snapping.copy(grid = grid))) }
                 }
             }
             MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), "menu-angle") {
                 choose {
                     editor.make(
-                        Edit.Snap(
+                        WorldEdit.Snap(
                             snapping.copy(
                                 angle = if (snapping.angle > 0) {
                                     0.0
@@ -211,7 +211,7 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
                 }
             }
             MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), "menu-others") {
-                choose { editor.make(Edit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
+                choose { editor.make(WorldEdit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
             }
             MenuDivider()
             MenuItem(WorldEditorTexts.discard(spoken), "menu-discard") {

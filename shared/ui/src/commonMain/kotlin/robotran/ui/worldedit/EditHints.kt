@@ -30,7 +30,7 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.WorldEditState
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 
 /**
  * Why an edit was rejected, or the world's errors. It covers the sheet, which does not move, until it is closed or
@@ -68,7 +68,7 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "show-trouble", {
-                    editor.make(Edit.Select(thing))
+                    editor.make(WorldEdit.Select(thing))
                 })
             }
         }

@@ -8,13 +8,13 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Tool
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.listed
 
 /** The edit for a key on the sheet; null for none. */
-internal fun editForKey(event: KeyEvent, editing: WorldEditing): Edit? {
+internal fun editForKey(event: KeyEvent, editing: WorldEditing): WorldEdit? {
     if (event.type != KeyEventType.KeyDown) return null
     if (event.isCtrlPressed || event.isMetaPressed) return editForCommand(event)
     val shift = event.isShiftPressed
@@ -24,27 +24,27 @@ internal fun editForKey(event: KeyEvent, editing: WorldEditing): Edit? {
         Key.DirectionRight -> nudge(editing, 1, 0, shift)
         Key.DirectionUp -> nudge(editing, 0, 1, shift)
         Key.DirectionDown -> nudge(editing, 0, -1, shift)
-        Key.R -> Edit.TurnBy(turnStep(editing) * if (shift) -1 else 1)
-        Key.Plus, Key.Equals, Key.NumPadAdd -> Edit.ScaleBy(GROWTH)
-        Key.Minus, Key.NumPadSubtract -> Edit.ScaleBy(1 / GROWTH)
-        Key.Delete, Key.Backspace -> Edit.Delete
-        Key.G -> if (shift) Edit.Ungroup else Edit.Group
+        Key.R -> WorldEdit.TurnBy(turnStep(editing) * if (shift) -1 else 1)
+        Key.Plus, Key.Equals, Key.NumPadAdd -> WorldEdit.ScaleBy(GROWTH)
+        Key.Minus, Key.NumPadSubtract -> WorldEdit.ScaleBy(1 / GROWTH)
+        Key.Delete, Key.Backspace -> WorldEdit.Delete
+        Key.G -> if (shift) WorldEdit.Ungroup else WorldEdit.Group
         Key.Escape -> escaped(editing)
         else -> null
     }
 }
 
 /** The edit for Ctrl and a key, if the focused element has not consumed it. */
-internal fun editForCommand(event: KeyEvent): Edit? {
+internal fun editForCommand(event: KeyEvent): WorldEdit? {
     if (event.type != KeyEventType.KeyDown || !(event.isCtrlPressed || event.isMetaPressed)) return null
     return when (event.key) {
-        Key.Z -> if (event.isShiftPressed) Edit.Redo else Edit.Undo
-        Key.Y -> Edit.Redo
-        Key.C -> Edit.Copy
-        Key.V -> Edit.Paste()
-        Key.D -> Edit.Duplicate
-        Key.A -> Edit.SelectAll
-        Key.G -> if (event.isShiftPressed) Edit.Ungroup else Edit.Group
+        Key.Z -> if (event.isShiftPressed) WorldEdit.Redo else WorldEdit.Undo
+        Key.Y -> WorldEdit.Redo
+        Key.C -> WorldEdit.Copy
+        Key.V -> WorldEdit.Paste()
+        Key.D -> WorldEdit.Duplicate
+        Key.A -> WorldEdit.SelectAll
+        Key.G -> if (event.isShiftPressed) WorldEdit.Ungroup else WorldEdit.Group
         else -> null
     }
 }
@@ -52,23 +52,23 @@ internal fun editForCommand(event: KeyEvent): Edit? {
 internal fun turnStep(editing: WorldEditing): Double = if (editing.snapping.angle > 0) editing.snapping.angle else 1.0
 
 /** After the last element the focus moves on from the sheet. */
-private fun tabbed(editing: WorldEditing, backwards: Boolean): Edit? {
+private fun tabbed(editing: WorldEditing, backwards: Boolean): WorldEdit? {
     val listed = editing.world.listed()
     val end = if (backwards) listed.first() else listed.last()
     val isAtEnd = end in editing.selection || (backwards && editing.selection.isEmpty())
-    return if (isAtEnd) null else Edit.SelectNext(backwards)
+    return if (isAtEnd) null else WorldEdit.SelectNext(backwards)
 }
 
-private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): Edit {
+private fun nudge(editing: WorldEditing, x: Int, y: Int, fine: Boolean): WorldEdit {
     val step = if (fine) FINE_STEP else editing.snapping.grid.takeIf { it > 0 } ?: 1.0
-    return Edit.Nudge(x * step, y * step)
+    return WorldEdit.Nudge(x * step, y * step)
 }
 
 /** The edit for Escape and Back in the editor, one step at a time; null if they close it. */
-internal fun escaped(editing: WorldEditing): Edit? = when {
-    editing.gesture != null -> Edit.CancelDrag
-    editing.tool != Tool.SELECT -> Edit.SelectTool(Tool.SELECT)
-    editing.selection.isNotEmpty() -> Edit.Select(null)
+internal fun escaped(editing: WorldEditing): WorldEdit? = when {
+    editing.gesture != null -> WorldEdit.CancelDrag
+    editing.tool != Tool.SELECT -> WorldEdit.SelectTool(Tool.SELECT)
+    editing.selection.isNotEmpty() -> WorldEdit.Select(null)
     else -> null
 }
 

@@ -16,7 +16,7 @@ import androidx.compose.ui.input.pointer.positionChanged
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Tool
 import robotran.worldediting.elementsAt
 
@@ -56,20 +56,20 @@ private class SheetFinger(
         val there = editor.world.elementsAt(centimetres(down), reach)
         when {
             editor.editing.tool != Tool.SELECT -> draw(down)
-            handle != null -> drag(down, adding) { editor.make(Edit.StartDrag(handle.handle.grip, centimetres(down))) }
+            handle != null -> drag(down, adding) { editor.make(WorldEdit.StartDrag(handle.handle.grip, centimetres(down))) }
 
             there.any {
                 it in editor.editing.selection
-            } -> drag(down, adding) { editor.make(Edit.StartDrag(DragHandle.Body, centimetres(down))) }
-            there.isNotEmpty() && !adding && !editor.editing.several -> drag(down, adding = false) { takeNew(down) }
-            adding || editor.editing.several -> box(down, adding)
+            } -> drag(down, adding) { editor.make(WorldEdit.StartDrag(DragHandle.Body, centimetres(down))) }
+            there.isNotEmpty() && !adding && !editor.editing.isMultiSelect -> drag(down, adding = false) { takeNew(down) }
+            adding || editor.editing.isMultiSelect -> box(down, adding)
             else -> push(down)
         }
     }
 
     private fun takeNew(down: Offset) {
-        editor.make(Edit.Select(editor.world.elementsAt(centimetres(down), reach).first()))
-        editor.make(Edit.StartDrag(DragHandle.Body, centimetres(down)))
+        editor.make(WorldEdit.Select(editor.world.elementsAt(centimetres(down), reach).first()))
+        editor.make(WorldEdit.StartDrag(DragHandle.Body, centimetres(down)))
     }
 
     private suspend fun AwaitPointerEventScope.drag(down: Offset, adding: Boolean, take: () -> Unit) {
@@ -77,12 +77,12 @@ private class SheetFinger(
         val end = moves(down) { place ->
             if (!held) take()
             held = true
-            latest().make(Edit.DragTo(centimetres(place), reach / 2))
+            latest().make(WorldEdit.DragTo(centimetres(place), reach / 2))
         }
         when {
-            end == End.SECOND_FINGER && held -> latest().make(Edit.CancelDrag)
-            held -> latest().make(Edit.Drop)
-            end == End.UP -> editor.make(Edit.TapAt(centimetres(down), reach, adding))
+            end == End.SECOND_FINGER && held -> latest().make(WorldEdit.CancelDrag)
+            held -> latest().make(WorldEdit.Drop)
+            end == End.UP -> editor.make(WorldEdit.TapAt(centimetres(down), reach, adding))
         }
     }
 
@@ -94,7 +94,7 @@ private class SheetFinger(
             view.pushBy(place - last, editor.world.paper)
             last = place
         }
-        if (!moved && end == End.UP) editor.make(Edit.TapAt(centimetres(down), reach))
+        if (!moved && end == End.UP) editor.make(WorldEdit.TapAt(centimetres(down), reach))
     }
 
     private suspend fun AwaitPointerEventScope.box(down: Offset, adding: Boolean) {
@@ -105,10 +105,10 @@ private class SheetFinger(
         val box = view.box
         view.box = null
         if (end != End.UP) return
-        if (box == null) return editor.make(Edit.TapAt(centimetres(down), reach, adding))
+        if (box == null) return editor.make(WorldEdit.TapAt(centimetres(down), reach, adding))
         val low = centimetres(box.bottomLeft)
         val high = centimetres(box.topRight)
-        editor.make(Edit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
+        editor.make(WorldEdit.SelectWithin(Bounds(low.x, low.y, high.x, high.y), adding = true))
     }
 
     private suspend fun AwaitPointerEventScope.draw(down: Offset) {
@@ -116,7 +116,7 @@ private class SheetFinger(
         val end = moves(down) { place -> view.line += place }
         val line = view.line
         view.line = emptyList()
-        if (end == End.UP) editor.make(Edit.Draw(line.map(::centimetres)))
+        if (end == End.UP) editor.make(WorldEdit.Draw(line.map(::centimetres)))
     }
 
     private enum class End { UP, SECOND_FINGER }
@@ -155,7 +155,7 @@ private class SheetFinger(
         }
     }
 
-    private fun centimetres(place: Offset): Point = transform.toCentimetres(place)
+    private fun centimetres(position: Offset): Point = transform.toCentimetres(position)
 }
 
 private const val WHEEL_ZOOM = 1.2

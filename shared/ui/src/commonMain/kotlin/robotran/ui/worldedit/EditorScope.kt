@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
@@ -15,10 +15,10 @@ internal class EditorScope(val editing: WorldEditing, private val onEvent: (Work
     val world get() = editing.world
 
     /** Sends one edit. */
-    fun make(edit: Edit) = onEvent(WorldEditEvent.Edited(edit))
+    fun make(edit: WorldEdit) = onEvent(WorldEditEvent.Edited(edit))
 
     /** Sends a part of a longer change, such as a character of a name; [settle] ends it. */
-    fun change(ref: ElementRef, element: Element) = make(Edit.Change(ref, element))
+    fun change(ref: ElementRef, element: Element) = make(WorldEdit.Change(ref, element))
 
     /** Sends a change as a step of its own. */
     fun changeAtOnce(ref: ElementRef, element: Element) {
@@ -27,7 +27,7 @@ internal class EditorScope(val editing: WorldEditing, private val onEvent: (Work
         settle()
     }
 
-    fun settle() = make(Edit.FinishChange)
+    fun settle() = make(WorldEdit.FinishChange)
 
     fun perform(event: WorldEditEvent) = onEvent(event)
 

@@ -8,8 +8,8 @@ import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.MarkFigure
 import robotran.world.WorldLimits
-import robotran.worldediting.Edit
-import robotran.worldediting.EditError
+import robotran.worldediting.WorldEdit
+import robotran.worldediting.WorldEditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.name
@@ -49,7 +49,7 @@ internal fun ElementFields(editor: EditorScope, ref: ElementRef, element: Elemen
 /** A name is needed only if a goal refers to the element. */
 @Composable
 internal fun NameField(editor: EditorScope, ref: ElementRef, element: Element) {
-    val taken = (editor.editing.error as? EditError.NameTaken)?.let { editErrorText(it) }
+    val taken = (editor.editing.error as? WorldEditError.NameTaken)?.let { editErrorText(it) }
     TextRow(
         WorldEditorTexts.name(spoken),
         element.name.orEmpty(),
@@ -169,7 +169,7 @@ private fun LampFields(editor: EditorScope, ref: ElementRef, piece: Element.OfLa
 }
 
 /** Sends an edit as a step of its own. */
-internal fun EditorScope.makeAtOnce(edit: Edit) {
+internal fun EditorScope.makeAtOnce(edit: WorldEdit) {
     settle()
     make(edit)
     settle()

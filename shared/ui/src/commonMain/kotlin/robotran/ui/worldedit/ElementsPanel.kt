@@ -27,7 +27,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.listed
@@ -57,8 +57,8 @@ internal fun ElementRow(editor: EditorScope, ref: ElementRef, indent: Dp, onChos
             .clip(Shapes.MEDIUM)
             .background(if (isChosen) colours.runningLine else Color.Transparent)
             .selectable(isChosen, role = Role.Button) {
-                editor.make(Edit.Select(ref, editor.editing.several))
-                if (!editor.editing.several) onChosen()
+                editor.make(WorldEdit.Select(ref, editor.editing.isMultiSelect))
+                if (!editor.editing.isMultiSelect) onChosen()
             }
             .padding(start = 12.dp + indent, end = 12.dp),
         Arrangement.spacedBy(8.dp),

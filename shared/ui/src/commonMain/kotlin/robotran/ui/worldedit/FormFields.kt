@@ -18,7 +18,7 @@ import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.Form
@@ -82,14 +82,14 @@ private fun ShapeFields(editor: EditorScope, ref: ElementRef, shape: Shape, onCh
 private fun MakeCorners(editor: EditorScope, ref: ElementRef) = WordButton(
     WorldEditorTexts.makeCorners(spoken),
     "make-corners",
-    { editor.make(Edit.MakeCorners(ref)) },
+    { editor.make(WorldEdit.MakeCorners(ref)) },
     Modifier.padding(top = 8.dp),
 )
 
 @Composable
-internal fun PlaceFields(editor: EditorScope, place: Point, tag: String = "", onChange: (Point) -> Unit) {
-    CoordinateField(editor, WorldEditorTexts.x(spoken), place.x, "${tag}x") { onChange(place.copy(x = it)) }
-    CoordinateField(editor, WorldEditorTexts.y(spoken), place.y, "${tag}y") { onChange(place.copy(y = it)) }
+internal fun PlaceFields(editor: EditorScope, point: Point, tag: String = "", onChange: (Point) -> Unit) {
+    CoordinateField(editor, WorldEditorTexts.x(spoken), point.x, "${tag}x") { onChange(point.copy(x = it)) }
+    CoordinateField(editor, WorldEditorTexts.y(spoken), point.y, "${tag}y") { onChange(point.copy(y = it)) }
 }
 
 @Composable
@@ -144,15 +144,15 @@ private fun CornerFields(editor: EditorScope, ref: ElementRef, corners: List<Poi
         MenuRow(WorldEditorTexts.corners(spoken, corners.size), words, words[number].second, "corner") {
             chosen = it
         }
-        PlaceFields(editor, corners[number], "corner-") { editor.make(Edit.MoveCorner(ref, number, it)) }
+        PlaceFields(editor, corners[number], "corner-") { editor.make(WorldEdit.MoveCorner(ref, number, it)) }
         if (!canGrow) return@Column
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
             WordButton(WorldEditorTexts.addCorner(spoken), "add-corner", {
                 val after = if (number < corners.lastIndex) number else (number - 1).coerceAtLeast(0)
-                editor.make(Edit.AddCorner(ref, after))
+                editor.make(WorldEdit.AddCorner(ref, after))
             }, Modifier.weight(1f))
             WordButton(WorldEditorTexts.removeCorner(spoken), "remove-corner", {
-                editor.make(Edit.RemoveCorner(ref, number))
+                editor.make(WorldEdit.RemoveCorner(ref, number))
             }, Modifier.weight(1f))
         }
     }

@@ -8,7 +8,7 @@ import robotran.ui.texts.WorldEditorTexts
 import robotran.world.GoalCondition
 import robotran.world.MarkFigure
 import robotran.world.TouchKind
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -83,7 +83,7 @@ private fun LineRow(sender: GoalSender, words: GoalFieldWords, field: GoalField.
     }.map { ElementRef(ElementKind.MARK, it) }
     val choices = lines.map { it to elementText(world, it) }
     MenuRow(words.label(spoken), choices, field.line, words.tag) { line ->
-        sender.making.nameAnd(line, choices) { name -> Edit.Change(sender.thing, sender.piece(field.with(name))) }
+        sender.making.nameAnd(line, choices) { name -> WorldEdit.Change(sender.thing, sender.piece(field.with(name))) }
     }
 }
 

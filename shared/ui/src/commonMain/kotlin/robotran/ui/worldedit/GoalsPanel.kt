@@ -15,7 +15,7 @@ import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure
 import robotran.world.World
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -44,22 +44,22 @@ internal fun GoalsPanel(editor: EditorScope, onChosen: () -> Unit) {
 private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         GoalAction(EditIcons.PENCIL, WorldEditorTexts::goalChange, "goal-change", onChosen)
-        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { editor.make(Edit.Delete) }
+        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { editor.make(WorldEdit.Delete) }
         GoalAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up") {
-            editor.make(Edit.MoveGoal(number, GoalMove.UP))
+            editor.make(WorldEdit.MoveGoal(number, GoalMove.UP))
         }
         GoalAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down") {
-            editor.make(Edit.MoveGoal(number, GoalMove.DOWN))
+            editor.make(WorldEdit.MoveGoal(number, GoalMove.DOWN))
         }
         GoalAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in") {
-            editor.make(Edit.MoveGoal(number, GoalMove.IN))
+            editor.make(WorldEdit.MoveGoal(number, GoalMove.IN))
         }
         GoalAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out") {
-            editor.make(Edit.MoveGoal(number, GoalMove.OUT))
+            editor.make(WorldEdit.MoveGoal(number, GoalMove.OUT))
         }
         if (goal.isGroup) {
             GoalAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap") {
-                editor.make(Edit.UnwrapGoal(number))
+                editor.make(WorldEdit.UnwrapGoal(number))
             }
         }
     }
@@ -70,7 +70,7 @@ private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: (
         WorldEditorTexts.choose(spoken),
         "goal-wrap",
     ) {
-        editor.make(Edit.WrapGoal(number, it))
+        editor.make(WorldEdit.WrapGoal(number, it))
     }
 }
 
@@ -92,13 +92,13 @@ private fun AddGoal(editor: EditorScope, into: Int?) {
 }
 
 /** A goal for a line refers to it by name; an unnamed line gets one. */
-private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Edit {
+private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): WorldEdit {
     val number = world.marks.indexOfFirst { it.figure is MarkFigure.Line }
     val condition = goal.condition
-    if (condition !is HasLine || number < 0) return Edit.AddGoal(goal, into)
+    if (condition !is HasLine || number < 0) return WorldEdit.AddGoal(goal, into)
     val mark = world.marks[number]
     val name = mark.name ?: world.uniqueName(lineWord)
-    val add = Edit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
+    val add = WorldEdit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
     if (mark.name != null) return add
-    return Edit.Batch(listOf(Edit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))
+    return WorldEdit.Batch(listOf(WorldEdit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))
 }

@@ -36,10 +36,10 @@ internal fun positionedHandles(
     }
 }
 
-/** The handle within [reach] of [place]; turn and corner handles have priority over edge handles. */
-internal fun handleAt(handles: List<PositionedHandle>, place: Offset, reach: Float): PositionedHandle? = handles
-    .filter { (it.place - place).getDistance() <= reach }
-    .minByOrNull { (it.place - place).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
+/** The handle within [reach] of [position]; turn and corner handles have priority over edge handles. */
+internal fun handleAt(handles: List<PositionedHandle>, position: Offset, reach: Float): PositionedHandle? = handles
+    .filter { (it.place - position).getDistance() <= reach }
+    .minByOrNull { (it.place - position).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
 
 private fun hasRoom(grip: DragHandle.Size, wide: Float, high: Float) =
     (grip.side.across == 0 && wide >= ROOM_FOR_MIDDLE) || (grip.side.up == 0 && high >= ROOM_FOR_MIDDLE)

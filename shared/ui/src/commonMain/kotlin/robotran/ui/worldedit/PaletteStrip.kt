@@ -32,7 +32,7 @@ import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
 import robotran.worldediting.named
@@ -84,7 +84,7 @@ internal fun PaletteStrip(
 private fun HandTool(editor: EditorScope, tool: Tool, word: String) {
     val isTaken = editor.editing.tool == tool
     IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
-        editor.make(Edit.SelectTool(if (isTaken) Tool.SELECT else tool))
+        editor.make(WorldEdit.SelectTool(if (isTaken) Tool.SELECT else tool))
     }, Modifier.width(itemWidth()), chosen = isTaken)
 }
 
@@ -97,7 +97,7 @@ private fun PaletteButton(editor: EditorScope, view: EditView, item: PaletteItem
     val put = rememberUpdatedState { place: Point ->
         val piece = item.piece(editor.world)
         editor.make(
-            Edit.Put(
+            WorldEdit.Put(
                 if (item == PaletteItem.ROBOT) {
                     piece.named(editor.world.uniqueName(robotName))
                 } else {

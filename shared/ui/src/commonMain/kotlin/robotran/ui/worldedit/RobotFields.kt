@@ -28,7 +28,7 @@ import robotran.world.pluggedSensors
 import robotran.world.robot.BrickBuild
 import robotran.world.robot.robotErrors
 import robotran.world.withPlugged
-import robotran.worldediting.EditError
+import robotran.worldediting.WorldEditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 
@@ -141,7 +141,7 @@ private fun ProgramFields(editor: EditorScope, ref: ElementRef, robot: RobotPlac
         editor.changeAtOnce(ref, Element.OfRobot(robot.copy(program = if (wanted) FIRST_PROGRAM else null)))
     }
     val program = robot.program ?: return
-    val error = (editor.editing.error as? EditError.InvalidText)?.let { editErrorText(it) }
+    val error = (editor.editing.error as? WorldEditError.InvalidText)?.let { editErrorText(it) }
     TextRow(
         WorldEditorTexts.program(spoken),
         program,

@@ -6,7 +6,7 @@ import robotran.ui.language.spoken
 import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.World
-import robotran.worldediting.EditError
+import robotran.worldediting.WorldEditError
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ValidationError
 import robotran.worldediting.max
@@ -32,21 +32,21 @@ internal fun validationErrorText(world: World, error: ValidationError): String =
 
 /** The reason of a rejected edit as a sentence. */
 @Composable
-internal fun editErrorText(error: EditError): String = when (error) {
-    is EditError.TooMany -> WorldEditorTexts.refusalTooMany(spoken, kindsWord(error.kind)(spoken), max(error.kind))
+internal fun editErrorText(error: WorldEditError): String = when (error) {
+    is WorldEditError.TooMany -> WorldEditorTexts.refusalTooMany(spoken, kindsWord(error.kind)(spoken), max(error.kind))
 
-    EditError.TooManyPoints -> WorldEditorTexts.refusalPoints(spoken)
-    EditError.TooFar -> WorldEditorTexts.refusalFar(spoken)
-    EditError.InvalidSize -> WorldEditorTexts.refusalSize(spoken)
-    EditError.OutOfRange -> WorldEditorTexts.refusalRange(spoken)
-    EditError.TooFewCorners -> WorldEditorTexts.refusalCorners(spoken)
-    EditError.CoincidentPoints -> WorldEditorTexts.refusalSamePlace(spoken)
-    is EditError.NameTaken -> WorldEditorTexts.refusalName(spoken, error.name)
-    EditError.InvalidText -> WorldEditorTexts.refusalText(spoken)
-    EditError.LastRobot -> WorldEditorTexts.refusalLastRobot(spoken)
-    EditError.NeedsLine -> WorldEditorTexts.refusalNeedsLine(spoken)
-    EditError.NeedsTemplate -> WorldEditorTexts.refusalNeedsTemplate(spoken)
-    EditError.TooDeep -> WorldEditorTexts.refusalDeep(spoken)
+    WorldEditError.TooManyPoints -> WorldEditorTexts.refusalPoints(spoken)
+    WorldEditError.TooFar -> WorldEditorTexts.refusalFar(spoken)
+    WorldEditError.InvalidSize -> WorldEditorTexts.refusalSize(spoken)
+    WorldEditError.OutOfRange -> WorldEditorTexts.refusalRange(spoken)
+    WorldEditError.TooFewCorners -> WorldEditorTexts.refusalCorners(spoken)
+    WorldEditError.CoincidentPoints -> WorldEditorTexts.refusalSamePlace(spoken)
+    is WorldEditError.NameTaken -> WorldEditorTexts.refusalName(spoken, error.name)
+    WorldEditError.InvalidText -> WorldEditorTexts.refusalText(spoken)
+    WorldEditError.LastRobot -> WorldEditorTexts.refusalLastRobot(spoken)
+    WorldEditError.NeedsLine -> WorldEditorTexts.refusalNeedsLine(spoken)
+    WorldEditError.NeedsTemplate -> WorldEditorTexts.refusalNeedsTemplate(spoken)
+    WorldEditError.TooDeep -> WorldEditorTexts.refusalDeep(spoken)
 }
 
 /** The plural of an element kind. */

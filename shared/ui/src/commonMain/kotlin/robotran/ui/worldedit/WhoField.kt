@@ -5,7 +5,7 @@ import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.HasActor
 import robotran.world.WorldLimits
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.name
@@ -31,7 +31,7 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
             sender.once(condition.withWho(null))
         } else {
             sender.making.nameAnd(thing, choices) { name ->
-                Edit.Change(sender.thing, sender.piece(condition.withWho(name)))
+                WorldEdit.Change(sender.thing, sender.piece(condition.withWho(name)))
             }
         }
     }
@@ -41,10 +41,10 @@ internal fun WhoField(sender: GoalSender, condition: HasActor) {
  * Goals refer to elements by name. If [ref] has no name, names it by its word in [words], and applies [next] in the
  * same step.
  */
-internal fun EditorScope.nameAnd(ref: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> Edit) {
+internal fun EditorScope.nameAnd(ref: ElementRef, words: List<Pair<ElementRef, String>>, next: (String) -> WorldEdit) {
     val piece = world.piece(ref) ?: return
     val known = piece.name
     if (known != null) return makeAtOnce(next(known))
     val name = world.uniqueName(words.first { it.first == ref }.second.take(WorldLimits.MAXIMUM_NAME_CHARACTERS))
-    makeAtOnce(Edit.Batch(listOf(Edit.Change(ref, piece.named(name)), next(name))))
+    makeAtOnce(WorldEdit.Batch(listOf(WorldEdit.Change(ref, piece.named(name)), next(name))))
 }

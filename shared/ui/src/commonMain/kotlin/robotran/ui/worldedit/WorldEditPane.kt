@@ -189,7 +189,7 @@ private fun FollowSelection(editor: EditorScope, tab: EditTab?, onTab: (EditTab)
     val selection: Set<ElementRef> = editor.editing.selection
     LaunchedEffect(selection) {
         val stays = tab == EditTab.GOALS && selection.all { it.kind == ElementKind.GOAL }
-        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && editor.editing.several)) {
+        if (selection.isNotEmpty() && !stays && !(tab == EditTab.THINGS && editor.editing.isMultiSelect)) {
             onTab(EditTab.CHOSEN)
         }
     }

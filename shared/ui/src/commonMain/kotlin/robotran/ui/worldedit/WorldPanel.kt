@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.WorldLimits
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.SheetProperties
 import robotran.worldediting.figures
 
@@ -12,7 +12,7 @@ import robotran.worldediting.figures
 @Composable
 internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     val figures = editor.world.figures
-    val change = { changed: SheetProperties -> editor.make(Edit.ChangeSheet(changed)) }
+    val change = { changed: SheetProperties -> editor.make(WorldEdit.ChangeSheet(changed)) }
     TextRow(
         WorldEditorTexts.title(spoken),
         figures.title,
@@ -114,7 +114,7 @@ internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     Remark(WorldEditorTexts.seedHelp(spoken))
     RowHeading(WorldEditorTexts.startOver(spoken))
     WordButton(WorldEditorTexts.newWorld(spoken), "new-world", {
-        editor.makeAtOnce(Edit.NewWorld(newTitle))
+        editor.makeAtOnce(WorldEdit.NewWorld(newTitle))
     })
     Remark(WorldEditorTexts.newWorldHelp(spoken))
 }

@@ -45,7 +45,7 @@ import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.WorkshopState
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import java.awt.event.KeyEvent
 import javax.swing.JFrame
 
@@ -162,7 +162,7 @@ private fun MenuScope.FileItems(
 /** Undo and Redo of the program, or of the world or the robot while it is edited. */
 private fun undoTarget(state: WorkshopState): Pair<WorkshopEvent, WorkshopEvent> = when {
     state.robotEdit != null -> RobotEditEvent.Edited(RobotEdit.Undo) to RobotEditEvent.Edited(RobotEdit.Redo)
-    state.worldEdit != null -> WorldEditEvent.Edited(Edit.Undo) to WorldEditEvent.Edited(Edit.Redo)
+    state.worldEdit != null -> WorldEditEvent.Edited(WorldEdit.Undo) to WorldEditEvent.Edited(WorldEdit.Redo)
     else -> ProgramEvent.Undone to ProgramEvent.Redone
 }
 

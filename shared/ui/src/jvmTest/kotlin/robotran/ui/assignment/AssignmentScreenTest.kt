@@ -24,7 +24,7 @@ import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
@@ -129,7 +129,7 @@ class AssignmentScreenTest {
                 pass(SETTLED)
                 onNodeWithTag("assignment-handed-in").assertTextContains("Handed in on this device as Ada.")
             }
-            val saved = assertIs<ProjectFileResult.Loaded>(
+            val saved = assertIs<ProjectFileResult.Success>(
                 readProject(machine.files.disk.values.last(), Language.ENGLISH),
             ).project
             assertEquals("Ada", saved.handIn?.name)
@@ -141,7 +141,7 @@ class AssignmentScreenTest {
         val limited = AnyAssignment.assignment.copy(words = listOf("forward", "backward"))
         on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = limited))) { workshop ->
             workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-            workshop.handle(BlockEvent.SheetShown(BlockSheet.Palette))
+            workshop.handle(BlockEvent.SheetShown(BlockDialog.Palette))
             pass(SETTLED)
             assertTrue(has("take-move"))
             assertTrue(!has("take-turn"))

@@ -15,14 +15,14 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 
 internal fun Workshop.write(text: String, caret: Int = text.length, anchor: Int = caret) =
-    handle(ProgramEvent.DraftChanged(Draft(text, TextSelection(anchor, caret)), EditKind.OTHER))
+    handle(ProgramEvent.DraftChanged(TextDocument(text, TextSelection(anchor, caret)), EditKind.OTHER))
 
 internal val Workshop.selected get() = state.programs.draft.selectedText
 internal val Workshop.caret get() = state.programs.draft.selection.caret
@@ -35,8 +35,8 @@ internal fun ComposeUiTest.focusProgram() {
 
 /** A long press on [tag]; null for its centre. */
 @OptIn(ExperimentalTestApi::class)
-internal fun ComposeUiTest.rest(tag: String, place: Offset? = null) {
-    onNodeWithTag(tag).performTouchInput { down(place ?: center) }
+internal fun ComposeUiTest.rest(tag: String, position: Offset? = null) {
+    onNodeWithTag(tag).performTouchInput { down(position ?: center) }
     pass(800)
     onNodeWithTag(tag).performTouchInput { up() }
     pass(300)

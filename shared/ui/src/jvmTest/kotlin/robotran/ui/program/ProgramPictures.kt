@@ -10,7 +10,7 @@ import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
@@ -50,7 +50,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("WallBouncer.java", text)))
         val draft = workshop.state.programs.draft
         val place = draft.text.indexOf("Motor.A.") + "Motor.A.".length
-        workshop.handle(ProgramEvent.DraftChanged(Draft(draft.text).withCaret(place), EditKind.OTHER))
+        workshop.handle(ProgramEvent.DraftChanged(TextDocument(draft.text).withCaret(place), EditKind.OTHER))
     }
 
     private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {

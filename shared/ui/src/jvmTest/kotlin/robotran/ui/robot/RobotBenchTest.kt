@@ -31,7 +31,7 @@ import robotran.world.ReadyRobots
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
 import robotran.world.robot.things
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import kotlin.test.Test
@@ -46,7 +46,7 @@ class RobotBenchTest {
     @Test
     fun `the world editor leads to the workbench, and Done leads back`() = onScreen(1280, 800) { workshop ->
         workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Select(ElementRef(ElementKind.ROBOT, 0))))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0))))
         pass(200)
         scrollAndTouch("build-robot")
         pass(200)
@@ -223,7 +223,7 @@ class RobotBenchTest {
 
         fun select(element: ElementRef) {
             workshop.handle(WorldEditEvent.EditorOpened)
-            workshop.handle(WorldEditEvent.Edited(Edit.Select(element)))
+            workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(element)))
             screen.pass(300)
         }
 

@@ -11,7 +11,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.program.focusProgram
 import robotran.ui.program.pressTool
 import robotran.workshop.Workshop
@@ -169,7 +169,7 @@ class NqcOnScreenTest {
         workshop.handle(DocumentEvent.DialogClosed)
     }
 
-    private fun Workshop.write(text: String) = handle(ProgramEvent.DraftChanged(Draft(text), EditKind.OTHER))
+    private fun Workshop.write(text: String) = handle(ProgramEvent.DraftChanged(TextDocument(text), EditKind.OTHER))
 
     private companion object {
         val COUNTING = """

@@ -7,7 +7,7 @@ import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.projects.ProgramView
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -22,7 +22,7 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import kotlin.test.Test
@@ -52,7 +52,7 @@ class NxtInAppPictures {
                 keep(workshop, "help")
                 workshop.handle(LearningEvent.PageClosed)
                 workshop.handle(WorldEditEvent.EditorOpened)
-                workshop.handle(WorldEditEvent.Edited(Edit.Select(ElementRef(ElementKind.ROBOT, 0))))
+                workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0))))
                 keep(workshop, "robot")
                 workshop.close()
             }
@@ -64,7 +64,7 @@ class NxtInAppPictures {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-        workshop.handle(BlockEvent.SheetShown(BlockSheet.Palette))
+        workshop.handle(BlockEvent.SheetShown(BlockDialog.Palette))
         photograph(workshop, 1440, 900).keepAs("nxt-app/palette")
         workshop.close()
         val debugged = open(LONGS, Settings())

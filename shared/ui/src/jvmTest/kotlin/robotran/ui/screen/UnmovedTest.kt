@@ -16,7 +16,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
 import robotran.worldediting.piece
@@ -78,7 +78,7 @@ class UnmovedTest {
             onScreen(width, height) { workshop ->
                 val told = "$width x $height"
                 workshop.handle(WorldEditEvent.EditorOpened)
-                workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
+                workshop.handle(WorldEditEvent.Edited(WorldEdit.Snap(Snapping(toOthers = false))))
                 pass(300)
                 val before = placesByTag()
                 val tags = listOf("edit-sheet", "edit-undo", "edit-menu", "edit-done", "edit-try")
@@ -142,8 +142,8 @@ class UnmovedTest {
     private fun Workshop.putWallOverRobot() {
         val world = checkNotNull(state.worldEdit).world
         val start = world.robots.first().start
-        handle(WorldEditEvent.Edited(Edit.Put(PaletteItem.WALL.piece(world), Point(start.x + 30, start.y + 30))))
-        handle(WorldEditEvent.Edited(Edit.Nudge(-30.0, -30.0)))
+        handle(WorldEditEvent.Edited(WorldEdit.Put(PaletteItem.WALL.piece(world), Point(start.x + 30, start.y + 30))))
+        handle(WorldEditEvent.Edited(WorldEdit.Nudge(-30.0, -30.0)))
     }
 
     private fun ComposeUiTest.press(tag: String) {

@@ -77,7 +77,7 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
     put("needs-lego", SendStep.NeedsFirmware(why = TowerError.NoLegoFirmware))
     put("lego-too-old", SendStep.NeedsFirmware(why = TowerError.LegoFirmwareTooOld(RcxVersion(3, 9))))
     for (kind in FirmwareKind.entries) {
-        val file = FirmwareFile.Read(FirmwareImage(ByteArray(1), 0x8000, kind))
+        val file = FirmwareFile.Success(FirmwareImage(ByteArray(1), 0x8000, kind))
         put("firmware-${kind.name.lowercase()}", SendStep.NeedsFirmware(ChosenFirmware("lejos.srec", file)))
         put(
             "lego-${kind.name.lowercase()}",
@@ -85,11 +85,11 @@ internal val SEND_STEPS: Map<String, SendStep> = buildMap {
         )
     }
     for (minor in listOf(9, 28)) {
-        val file = FirmwareFile.Read(FirmwareImage(ByteArray(1), 0x8000, FirmwareKind.LEGO, RcxVersion(3, minor)))
+        val file = FirmwareFile.Success(FirmwareImage(ByteArray(1), 0x8000, FirmwareKind.LEGO, RcxVersion(3, minor)))
         val chosen = ChosenFirmware("firm03$minor.lgo", file)
         put("lego-3-$minor", SendStep.NeedsFirmware(chosen, TowerError.NoLegoFirmware))
     }
-    val none = FirmwareFile.Rejected(FirmwareFileError.NotSRecords)
+    val none = FirmwareFile.Failure(FirmwareFileError.NotSRecords)
     put("firmware-none", SendStep.NeedsFirmware(ChosenFirmware("square.robo", none)))
     put("lego-none", SendStep.NeedsFirmware(ChosenFirmware("square.robo", none), TowerError.NoLegoFirmware))
     put("cancelled-slot", SendStep.Cancelled(Transfer.PROGRAM, slot = 3))

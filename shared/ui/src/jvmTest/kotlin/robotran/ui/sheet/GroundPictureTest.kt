@@ -53,43 +53,43 @@ class GroundPictureTest {
         assertFalse(light.contentEquals(dark))
     }
 
-    private fun compare(theme: RobotranColours, scale: Float, place: Offset, density: Float) =
-        compare(theme, drawingAt(scale), place, density)
+    private fun compare(theme: RobotranColours, scale: Float, position: Offset, density: Float) =
+        compare(theme, drawingAt(scale), position, density)
 
-    private fun compare(theme: RobotranColours, drawing: SheetDrawing, place: Offset, density: Float) {
+    private fun compare(theme: RobotranColours, drawing: SheetDrawing, position: Offset, density: Float) {
         val colours = SheetColours.of(theme)
         val grain = paperGrain(theme.paper)
-        val drawn = window(place, density) { visible ->
+        val drawn = window(position, density) { visible ->
             drawRect(colours.desk, visible.topLeft, visible.size)
             drawGround(drawing, colours, grain, visible)
         }
         repeat(2) {
-            val shown = pixels(kept(drawing, theme, place, density, grain))
+            val shown = pixels(kept(drawing, theme, position, density, grain))
             val wrong = pixels(drawn).zip(shown).withIndex()
                 .filter { (_, colours) -> differs(colours.first, colours.second) }
                 .map { (pixel, _) -> "${pixel % WIDTH},${pixel / WIDTH}" }
-            assertTrue(wrong.isEmpty(), "${wrong.size} pixels differ at $place: ${wrong.take(9)}")
+            assertTrue(wrong.isEmpty(), "${wrong.size} pixels differ at $position: ${wrong.take(9)}")
         }
     }
 
     private fun kept(
         drawing: SheetDrawing,
         theme: RobotranColours,
-        place: Offset = Offset.Zero,
+        position: Offset = Offset.Zero,
         density: Float = 1f,
         grain: ImageBitmap = paperGrain(theme.paper),
-    ): ImageBitmap = window(place, density) { visible ->
+    ): ImageBitmap = window(position, density) { visible ->
         val colours = SheetColours.of(theme)
         drawRect(colours.desk, visible.topLeft, visible.size)
         drawing.ground.draw(this, colours, grain, visible, isStretched = false)
     }
 
-    /** A window of the sheet whose paper begins at [place]. */
-    private fun window(place: Offset, density: Float, draw: DrawScope.(Rect) -> Unit): ImageBitmap {
+    /** A window of the sheet whose paper begins at [position]. */
+    private fun window(position: Offset, density: Float, draw: DrawScope.(Rect) -> Unit): ImageBitmap {
         val image = ImageBitmap(WIDTH, HEIGHT)
         val size = Size(WIDTH.toFloat(), HEIGHT.toFloat())
         CanvasDrawScope().draw(Density(density), LayoutDirection.Ltr, Canvas(image), size) {
-            translate(place.x, place.y) { draw(Rect(-place, size)) }
+            translate(position.x, position.y) { draw(Rect(-position, size)) }
         }
         return image
     }

@@ -4,7 +4,16 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toArgb
 import androidx.compose.ui.graphics.toPixelMap
+import java.io.ByteArrayInputStream
+import javax.imageio.ImageIO
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
@@ -16,13 +25,6 @@ import robotran.world.RobotColour
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
-import java.io.ByteArrayInputStream
-import javax.imageio.ImageIO
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFailsWith
-import kotlin.test.assertNotEquals
-import kotlin.test.assertTrue
 
 class SheetPictureTest {
     private val world = BuiltInWorlds.plain
@@ -107,7 +109,7 @@ class SheetPictureTest {
         milliseconds = 0,
         robots = listOf(
             RobotSnapshot(
-                brick = RcxBrick(emptyList()).state,
+                brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state,
                 robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
                 bumps = 0,
                 remarks = emptyList(),

@@ -3,7 +3,9 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.toPixelMap
+import robotran.language.Language
 import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.Ink
@@ -130,7 +132,7 @@ internal object SheetScenes {
     ) = SessionState(
         milliseconds = 0,
         robots = poses.map {
-            RobotSnapshot(RcxBrick(emptyList()).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+            RobotSnapshot(RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
         },
         blocks = blocks,
         lamps = lamps,

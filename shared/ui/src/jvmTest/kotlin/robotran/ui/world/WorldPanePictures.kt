@@ -95,7 +95,7 @@ class WorldPanePictures {
         )) {
             val sheets = worlds.map { file ->
                 val world = world(file.name.removeSuffix(".world.json"))
-                val session = Session(world, emptyList<robotran.simulation.RobotLoad>(), physics, Language.ENGLISH)
+                val session = Session(world, emptyList<robotran.simulation.RobotProgramSet>(), physics, Language.ENGLISH)
                 renderSheet(world, session.state, TILE, colours = colours).also { session.close() }
             }
             val contact = contactSheet(sheets)
@@ -147,7 +147,7 @@ class WorldPanePictures {
         listOf(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, robot)))
 
     private fun world(name: String): World =
-        (readWorld(File("../../worlds/$name.world.json").readText(), Language.ENGLISH) as WorldFileResult.Loaded).world
+        (readWorld(File("../../worlds/$name.world.json").readText(), Language.ENGLISH) as WorldFileResult.Success).world
 
     private companion object {
         const val RUN_MILLISECONDS = 3_200

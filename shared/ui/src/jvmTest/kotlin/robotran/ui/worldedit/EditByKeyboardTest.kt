@@ -8,7 +8,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import robotran.world.MarkFigure
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
@@ -73,7 +73,7 @@ class EditByKeyboardTest {
         assertEquals(0, editing.groups.size)
         key(Key.Escape)
         assertEquals(emptySet(), editing.selection)
-        make(Edit.Select(ElementRef(ElementKind.MARK, 0)))
+        make(WorldEdit.Select(ElementRef(ElementKind.MARK, 0)))
         key(Key.Delete)
         assertEquals(2, world.marks.size)
     }

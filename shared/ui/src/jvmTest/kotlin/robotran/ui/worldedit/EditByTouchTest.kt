@@ -16,7 +16,7 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.worldediting.DragHandle
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
@@ -97,7 +97,7 @@ class EditByTouchTest {
     @Test
     fun `a finger chooses, moves, resizes and turns`() = onEditor {
         put(PaletteItem.BOX, 75.0, 60.0)
-        make(Edit.Select(null))
+        make(WorldEdit.Select(null))
         tapAt(75.0, 60.0)
         assertEquals(ElementRef(ElementKind.BARRIER, 0), editing.only)
         drag(place(75.0, 60.0), place(65.0, 50.0))
@@ -126,13 +126,13 @@ class EditByTouchTest {
     fun `with Several switched on a box chooses all in it, which are grouped, moved and deleted together`() = onEditor {
         put(PaletteItem.DOT, 70.0, 60.0)
         put(PaletteItem.DOT, 86.0, 60.0)
-        make(Edit.Select(null))
+        make(WorldEdit.Select(null))
         tap("edit-several")
         drag(place(60.0, 70.0), place(95.0, 50.0))
         assertEquals(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1)), editing.selection)
         tap("group")
         tap("edit-several")
-        make(Edit.Select(null))
+        make(WorldEdit.Select(null))
         drag(place(70.0, 60.0), place(70.0, 55.0))
         assertEquals(
             listOf(55.0, 55.0),
@@ -169,7 +169,7 @@ class EditByTouchTest {
 
     @Test
     fun `a line to be traced is drawn by finger`() = onEditor {
-        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
+        make(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE))
         drag(place(20.0, 70.0), place(80.0, 70.0))
         val stroke = checkNotNull(world.template).strokes.single()
         assertTrue(stroke.first().x < 22 && stroke.last().x > 78 && stroke.size <= 3, "$stroke")
@@ -178,14 +178,14 @@ class EditByTouchTest {
     @Test
     fun `what has to be mended is told and Done waits for it`() = onEditor {
         put(PaletteItem.WALL, 80.0, 60.0)
-        make(Edit.Nudge(-40.0, -30.0))
+        make(WorldEdit.Nudge(-40.0, -30.0))
         assertTrue(isThere("edit-hints"))
         tap("edit-done")
         assertNotEquals(null, workshop.state.worldEdit)
         assertTrue(checkNotNull(workshop.state.worldEdit).hasFailedToClose)
         assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
         assertTrue(isThere("chosen-trouble"))
-        make(Edit.Nudge(0.0, 20.0))
+        make(WorldEdit.Nudge(0.0, 20.0))
         assertFalse(isThere("edit-hints"))
         tap("edit-done")
         assertEquals(null, workshop.state.worldEdit)
@@ -195,7 +195,7 @@ class EditByTouchTest {
     fun `what can be kept is kept at once, and discarding brings the old world back`() = onEditor {
         put(PaletteItem.LAMP, 80.0, 60.0)
         assertEquals(1, workshop.project.world.lamps.size)
-        make(Edit.Undo)
+        make(WorldEdit.Undo)
         put(PaletteItem.LAMP, 70.0, 60.0)
         tap("edit-menu")
         tap("menu-discard")

@@ -13,7 +13,7 @@ import robotran.world.RobotColour
 import robotran.world.Shade
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
@@ -131,12 +131,12 @@ class EditPanelTest {
     @Test
     fun `goals of every kind are added from the list, put in groups and changed`() = onEditor(1280, 2400) {
         put(PaletteItem.LINE, 75.0, 60.0)
-        make(Edit.SelectTool(Tool.DRAW_TEMPLATE))
-        make(Edit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
-        make(Edit.SelectTool(Tool.SELECT))
+        make(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE))
+        make(WorldEdit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
+        make(WorldEdit.SelectTool(Tool.SELECT))
         tap("tab-edit-goals")
         for (kind in 0..12) {
-            make(Edit.Select(null))
+            make(WorldEdit.Select(null))
             tap("add-goal")
             tap("add-goal-$kind")
         }

@@ -11,7 +11,7 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece
 import kotlin.test.Test
@@ -45,17 +45,17 @@ class EditPictures {
     }
 
     private fun build(workshop: Workshop) {
-        fun make(edit: Edit) = workshop.handle(WorldEditEvent.Edited(edit))
+        fun make(edit: WorldEdit) = workshop.handle(WorldEditEvent.Edited(edit))
 
         fun put(item: PaletteItem, x: Double, y: Double) =
-            make(Edit.Put(item.piece(checkNotNull(workshop.state.worldEdit).world), Point(x, y)))
+            make(WorldEdit.Put(item.piece(checkNotNull(workshop.state.worldEdit).world), Point(x, y)))
         put(PaletteItem.LINE, 70.0, 20.0)
         put(PaletteItem.GOAL_AREA, 85.0, 65.0)
         put(PaletteItem.LAMP, 20.0, 60.0)
         put(PaletteItem.BLOCK, 20.0, 15.0)
         put(PaletteItem.ROBOT, 70.0, 35.0)
         put(PaletteItem.BOX, 45.0, 62.0)
-        make(Edit.TurnBy(15.0))
+        make(WorldEdit.TurnBy(15.0))
     }
 
     private companion object {

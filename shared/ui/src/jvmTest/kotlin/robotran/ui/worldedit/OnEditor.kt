@@ -23,7 +23,7 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
 import robotran.world.World
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
 import robotran.worldediting.WorldEditing
@@ -34,7 +34,7 @@ import robotran.worldediting.piece
 internal fun onEditor(width: Int = 1280, height: Int = 800, check: EditorTest.() -> Unit) =
     onScreen(width, height) { workshop ->
         workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Snap(Snapping(toOthers = false))))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Snap(Snapping(toOthers = false))))
         pass(200)
         EditorTest(this, workshop).check()
     }
@@ -54,10 +54,10 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
 
     /** Places an element without the palette. */
     fun put(item: PaletteItem, x: Double, y: Double) {
-        make(Edit.Put(item.piece(world), Point(x, y)))
+        make(WorldEdit.Put(item.piece(world), Point(x, y)))
     }
 
-    fun make(edit: Edit) {
+    fun make(edit: WorldEdit) {
         workshop.handle(WorldEditEvent.Edited(edit))
         screen.pass(100)
     }

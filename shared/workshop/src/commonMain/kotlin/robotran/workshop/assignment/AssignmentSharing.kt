@@ -18,7 +18,7 @@ import robotran.workshop.platform.Saving
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.LinkProblem
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.PupilLink
 
 /** Files and links of an assignment, for its author and for pupils. Each function returns the state of the page then. */
@@ -29,12 +29,12 @@ internal class AssignmentSharing(
 ) {
     private val title: String get() = current.project.world.title
 
-    suspend fun saveForTeacher(page: MakingState): MakingState =
+    suspend fun saveForTeacher(page: AssignmentEditorState): AssignmentEditorState =
         save(page, teacherCopy(current.project), title + preferences.language.teacherSuffix)
 
-    suspend fun saveForPupils(page: MakingState): MakingState = save(page, pupilCopy(current.project), title)
+    suspend fun saveForPupils(page: AssignmentEditorState): AssignmentEditorState = save(page, pupilCopy(current.project), title)
 
-    suspend fun makeLink(page: MakingState): MakingState {
+    suspend fun makeLink(page: AssignmentEditorState): AssignmentEditorState {
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
         if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkProblem.NoSite))
         val copy = pupilCopy(current.project)
@@ -44,18 +44,18 @@ internal class AssignmentSharing(
         }
     }
 
-    suspend fun copyLink(page: MakingState): MakingState {
+    suspend fun copyLink(page: AssignmentEditorState): AssignmentEditorState {
         val shown = page.link ?: return page
         return page.copy(link = shown.copy(isCopied = shown.link?.let { platform.sharing.copy(it) } == true))
     }
 
-    suspend fun shareLink(page: MakingState): MakingState {
+    suspend fun shareLink(page: AssignmentEditorState): AssignmentEditorState {
         page.link?.link?.let { platform.sharing.share(it) }
         return page
     }
 
     /** Shows and copies the HTML that shows the assignment in a frame, or says why there is none. */
-    suspend fun copyEmbedCode(page: MakingState): MakingState {
+    suspend fun copyEmbedCode(page: AssignmentEditorState): AssignmentEditorState {
         val made = makeLink(page)
         val link = made.link?.link ?: return page.copy(embedCode = null, embedProblem = made.link?.problem)
         val code = "<iframe src=\"${link.replaceFirst("#", "?embed=assignment#")}\" title=\"${escaped(title)}\" " +
@@ -63,7 +63,7 @@ internal class AssignmentSharing(
         return page.copy(embedCode = code, embedCodeCopied = platform.sharing.copy(code))
     }
 
-    suspend fun savePackage(page: MakingState, version: ScormVersion): MakingState {
+    suspend fun savePackage(page: AssignmentEditorState, version: ScormVersion): AssignmentEditorState {
         val site = platform.webSite?.files() ?: return page.copy(saveError = "")
         val copy = pupilCopy(current.project)
         val made = withContext(platform.background) {
@@ -77,12 +77,12 @@ internal class AssignmentSharing(
 
     private fun escaped(text: String) = text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;")
 
-    private suspend fun save(page: MakingState, project: Project, name: String): MakingState {
+    private suspend fun save(page: AssignmentEditorState, project: Project, name: String): AssignmentEditorState {
         val bytes = withContext(platform.background) { projectFile(project) } ?: return page.copy(saveError = "")
         return save(page, name, FileKind.PROJECT, bytes)
     }
 
-    private suspend fun save(page: MakingState, name: String, kind: FileKind, bytes: ByteArray): MakingState =
+    private suspend fun save(page: AssignmentEditorState, name: String, kind: FileKind, bytes: ByteArray): AssignmentEditorState =
         when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
             is Saving.Saved -> page.copy(savedAs = saving.name)
             is Saving.Failed -> page.copy(saveError = saving.reason)

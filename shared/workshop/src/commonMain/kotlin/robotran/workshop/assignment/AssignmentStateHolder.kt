@@ -21,7 +21,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asProject
 import robotran.workshop.programs.asPupil
-import robotran.workshop.run.EndedTry
+import robotran.workshop.run.EndedAttempt
 import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
@@ -30,7 +30,7 @@ import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.Notice
 
 /**
@@ -54,7 +54,7 @@ class AssignmentStateHolder(
     private val runs = AssignmentRuns(platform, physics, preferences)
     private val maker = HandInMaker(platform, scope, preferences, current, runs, memory, ::refresh)
     private val author =
-        AssignmentAuthor(
+        AssignmentEditor(
             platform,
             scope,
             current,
@@ -67,7 +67,7 @@ class AssignmentStateHolder(
             openWorldEditor,
         )
     private var hints: List<Hint> = emptyList()
-    private var lastTry: EndedTry? = null
+    private var lastTry: EndedAttempt? = null
 
     /** The programs before they were begun again; null once that was undone, or others were written since. */
     private var replaced: List<Program>? = null
@@ -84,7 +84,7 @@ class AssignmentStateHolder(
     val handIn: HandInStep? get() = maker.step
 
     /** The page of the author; null while it is closed. */
-    val making: MakingState? get() = author.state
+    val making: AssignmentEditorState? get() = author.state
 
     /** Restores what this device remembers. */
     suspend fun start() {
@@ -129,7 +129,7 @@ class AssignmentStateHolder(
     }
 
     /** Called with each new state of the run; [ended] is the try that is over, the same object until that changes. */
-    internal fun runChanged(ended: EndedTry?) {
+    internal fun runChanged(ended: EndedAttempt?) {
         if (ended == null || ended === lastTry) return
         val isNew = ended.number != lastTry?.number
         lastTry = ended
@@ -142,7 +142,7 @@ class AssignmentStateHolder(
         refresh()
     }
 
-    private fun hintsAfter(assignment: Assignment, ended: EndedTry, tries: AssignmentTries): List<Hint> {
+    private fun hintsAfter(assignment: Assignment, ended: EndedAttempt, tries: AssignmentTries): List<Hint> {
         val program = ended.programs.getOrNull(ended.firstProgram) ?: ended.programs.first()
         val given = assignment.start.firstOrNull { it.name == program.name } ?: assignment.start.firstOrNull()
         return HintsOfAssignment(assignment, current.project.world).after(

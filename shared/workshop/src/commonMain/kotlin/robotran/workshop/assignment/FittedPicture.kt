@@ -11,9 +11,9 @@ import kotlin.math.roundToInt
 /** A picture that fits into an assignment, or why there is none. */
 internal sealed interface FittedPicture {
     /** @property madeSmaller its size if it had to be made smaller. */
-    class Fits(val bytes: ByteArray, val madeSmaller: PictureSize?) : FittedPicture
+    class Success(val bytes: ByteArray, val madeSmaller: PictureSize?) : FittedPicture
 
-    data class Refused(val error: PictureError) : FittedPicture
+    data class Failure(val error: PictureError) : FittedPicture
 }
 
 /**
@@ -21,8 +21,8 @@ internal sealed interface FittedPicture {
  * which nobody sees the loss.
  */
 internal suspend fun fitPicture(bytes: ByteArray, reader: PhotoReader): FittedPicture {
-    if (canBeShown(bytes) && bytes.size <= MAX_BYTES) return FittedPicture.Fits(bytes, madeSmaller = null)
-    val photo = reader.read(bytes) ?: return FittedPicture.Refused(
+    if (canBeShown(bytes) && bytes.size <= MAX_BYTES) return FittedPicture.Success(bytes, madeSmaller = null)
+    val photo = reader.read(bytes) ?: return FittedPicture.Failure(
         when {
             isHeic(bytes) -> PictureError.HEIC
             canBeShown(bytes) -> PictureError.TOO_LARGE
@@ -46,10 +46,10 @@ private suspend fun madeSmaller(photo: Photo): FittedPicture {
         )
         for (quality in QUALITIES) {
             val jpeg = photo.jpeg(size.width, size.height, quality)
-            if (jpeg.size <= MAX_BYTES) return FittedPicture.Fits(jpeg, size)
+            if (jpeg.size <= MAX_BYTES) return FittedPicture.Success(jpeg, size)
         }
     }
-    return FittedPicture.Refused(PictureError.TOO_LARGE)
+    return FittedPicture.Failure(PictureError.TOO_LARGE)
 }
 
 /** Whether [bytes] begin as the container of an iPhone's photos. */

@@ -9,7 +9,7 @@ import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.StartProgram
 
 /** Finds out which of the author's programs solve the task, by running them, so that pupils do not begin with one. */
@@ -69,10 +69,10 @@ private fun emptyProgram(language: ProgramLanguage): ProjectProgram {
 /** Asks before pupils get a program that solves the task, once for each such program. */
 internal class AskedGiving(private val runs: AssignmentRuns) {
     private val allowed = mutableSetOf<List<List<String>>>()
-    private var asked: (suspend (MakingState) -> MakingState)? = null
+    private var asked: (suspend (AssignmentEditorState) -> AssignmentEditorState)? = null
 
     /** Whether to ask before [what] shares [project]. */
-    suspend fun mustAsk(project: Project, what: suspend (MakingState) -> MakingState): Boolean {
+    suspend fun mustAsk(project: Project, what: suspend (AssignmentEditorState) -> AssignmentEditorState): Boolean {
         val programs = given(project)
         if (programs.map(::textsOf) in allowed || runs.solving(project, programs).isEmpty()) return false
         asked = what
@@ -80,7 +80,7 @@ internal class AskedGiving(private val runs: AssignmentRuns) {
     }
 
     /** What waits for the answer. From now on, what pupils begin with in [project] is shared without asking. */
-    fun confirmed(project: Project): (suspend (MakingState) -> MakingState)? {
+    fun confirmed(project: Project): (suspend (AssignmentEditorState) -> AssignmentEditorState)? {
         allowed += given(project).map(::textsOf)
         return asked.also { asked = null }
     }

@@ -8,7 +8,7 @@ import robotran.projects.ProjectProgram
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.learning.solutionsOf
 import robotran.workshop.programs.asProject
-import robotran.workshop.run.EndedTry
+import robotran.workshop.run.EndedAttempt
 import robotran.workshop.state.SolutionProgram
 
 /**
@@ -86,7 +86,7 @@ internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
 }
 
 /** The program that has just met all goals of the open world, as long as it is as it was then. */
-internal fun solvingProgram(project: Project, ended: EndedTry?): ProjectProgram? {
+internal fun solvingProgram(project: Project, ended: EndedAttempt?): ProjectProgram? {
     if (ended == null || !ended.result.isSolved || ended.result.goals != project.world.goals.size) return null
     val ran = ended.programs.getOrNull(ended.firstProgram)?.asProject() ?: return null
     return project.firstPrograms.firstOrNull { textsOf(it) == textsOf(ran) }

@@ -36,7 +36,7 @@ data class BlocksState(
     val selected: List<BlockId> = emptyList(),
     val anchor: BlockId? = null,
     val isChoosing: Boolean = false,
-    val sheet: BlockSheet? = null,
+    val sheet: BlockDialog? = null,
     val palette: BlockPalette = BlockPalette(),
     val drag: BlockDrag? = null,
     val said: String? = null,
@@ -59,21 +59,21 @@ fun BlockProgram.blocksIn(run: BlockRun): List<Block> {
 }
 
 /** What the pupil edits in a sheet below the blocks. */
-sealed interface BlockSheet {
+sealed interface BlockDialog {
     /** The blocks that can be added. */
-    data object Palette : BlockSheet
+    data object Palette : BlockDialog
 
     /** What can be done to a block. */
-    data class Actions(val block: BlockId) : BlockSheet
+    data class Actions(val block: BlockId) : BlockDialog
 
     /** A value, a name, a text or a choice. */
-    data class Part(val span: SourceSpan) : BlockSheet
+    data class Part(val span: SourceSpan) : BlockDialog
 
     /** The comment of the line with this index. */
-    data class Note(val line: Int) : BlockSheet
+    data class Note(val line: Int) : BlockDialog
 
     /** The text of the line with this index. */
-    data class Line(val line: Int) : BlockSheet
+    data class Line(val line: Int) : BlockDialog
 }
 
 /**
@@ -90,17 +90,17 @@ data class BlockPalette(val group: BlockGroup = BlockGroup.DRIVE, val query: Str
  * @property target where it goes if it is let go; null if nowhere.
  */
 @Immutable
-data class BlockDrag(val load: BlockLoad, val target: BlockTarget? = null)
+data class BlockDrag(val load: DragPayload, val target: BlockTarget? = null)
 
 /** Blocks that are carried, or run at once. */
-sealed interface BlockLoad {
-    data class Blocks(val run: BlockRun) : BlockLoad
+sealed interface DragPayload {
+    data class Blocks(val run: BlockRun) : DragPayload
 
     /** The value at [span] of the program. */
-    data class Value(val span: SourceSpan) : BlockLoad
+    data class Value(val span: SourceSpan) : DragPayload
 
     /** A block or a value of the palette. */
-    data class New(val block: PaletteBlock) : BlockLoad
+    data class New(val block: PaletteBlock) : DragPayload
 }
 
 /** Where something that is carried goes. */

@@ -43,7 +43,7 @@ sealed interface SheetPreview {
 
 /** What the number does whose sheet is open, if the robot stands at [pose]; null if it is no plain length or angle. */
 fun BlocksState.sheetPreview(pose: Pose): SheetPreview? {
-    val open = sheet as? BlockSheet.Part ?: return null
+    val open = sheet as? BlockDialog.Part ?: return null
     val part = program.partAt(open.span) as? PhrasePart.Value ?: return null
     return previewOf(part, program.text, program.lineAt(open.span.start), pose)
 }

@@ -46,8 +46,8 @@ class CourseStateHolder(
     private val notices: Notices,
     private val lookAtHandIns: (Course) -> Unit,
 ) {
-    private val shelf = CourseShelf(platform.store, scope)
-    private val author = CourseAuthor(platform, scope, preferences, shelf, switcher, stored, notices) { show(it) }
+    private val shelf = CourseRepository(platform.store, scope)
+    private val author = CourseEditor(platform, scope, preferences, shelf, switcher, stored, notices) { show(it) }
 
     /** The course from which the open project was begun last. */
     private var openKey: String? = null
@@ -231,7 +231,7 @@ class CourseStateHolder(
 
     /** Keeps [course] on the device and returns its key; tells why if that is impossible. */
     private suspend fun keep(course: Course): String? {
-        val isNew = CourseShelf.keyOf(course) !in shelf.records
+        val isNew = CourseRepository.keyOf(course) !in shelf.records
         val kept = withContext(platform.background) { shelf.keep(course, platform.clock.now) }
         if (kept !is KeptCourse.Kept) return null.also { notices.show(noticeOf(kept)) }
         if (isNew) {
@@ -278,7 +278,7 @@ class CourseStateHolder(
 }
 
 internal fun noticeOf(kept: KeptCourse): Notice = when (kept) {
-    KeptCourse.TooMany -> Notice.TooManyCourses(CourseShelf.MAXIMUM_COURSES)
+    KeptCourse.TooMany -> Notice.TooManyCourses(CourseRepository.MAXIMUM_COURSES)
     KeptCourse.TooLong -> Notice.CourseTooLong
     is KeptCourse.Failed -> Notice.FileNotSaved(kept.reason, isFull = false)
     KeptCourse.Full, is KeptCourse.Kept -> Notice.FileNotSaved("", isFull = true)

@@ -107,18 +107,18 @@ internal class DocumentExports(
         val compiled = withContext(platform.background) { compiler.compile(program) }
         val result = (compiled as? TimedCompilation.Compiled)?.result ?: return notices.show(Notice.CompilerMissing)
         when (result) {
-            is ProgramResult.HasErrors -> {
+            is ProgramResult.Failure -> {
                 notices.show(Notice.KitNeedsCorrectProgram(result.diagnostics.first().range?.line ?: 1))
             }
 
-            is ProgramResult.Ready -> {
+            is ProgramResult.Success -> {
                 val image = result.firmwareImage
                 if (image == null) saveKit(program, kitOf(program, result, target)) else saveImage(program, image)
             }
         }
     }
 
-    private fun kitOf(program: Program, compiled: ProgramResult.Ready, target: RobotTarget): List<KitFile> =
+    private fun kitOf(program: Program, compiled: ProgramResult.Success, target: RobotTarget): List<KitFile> =
         when (val runnable = compiled.program) {
             is RobolangProgram -> kitFiles(translateRobolang(runnable), program.name, program.text)
 

@@ -51,7 +51,7 @@ class DocumentStateHolder(
     private val notices: Notices,
     openCourses: suspend (List<Course>) -> Unit,
     putRobot: (RobotDescription) -> Unit = {},
-    private val takesElsewhere: (OpenRequest) -> Boolean = { false },
+    private val isHandledElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
     private val guard = OpeningGuard(platform.openingMarks, platform.clock)
@@ -118,7 +118,7 @@ class DocumentStateHolder(
     /** Restores the last project, unless files were passed to this window. */
     suspend fun start() {
         val arrival = platform.openRequests.takeNow()
-        val back = restoration.take(isBroughtSomething = arrival != null)
+        val back = restoration.take(hasIncomingFiles = arrival != null)
         if (back == null) autosaver.startNew(autosaver.unusedName()) else restore(back)
         view.refresh()
         if (!platform.store.isAnswering) view.tellSilence()
@@ -199,11 +199,11 @@ class DocumentStateHolder(
     fun release() = autosaver.release()
 
     private suspend fun receive(arrival: OpenRequest) {
-        if (takesElsewhere(arrival)) return
+        if (isHandledElsewhere(arrival)) return
         when (arrival) {
             is OpenRequest.OfFiles -> arrival.files.filterNot { it.isUnread }.ifEmpty { null }?.let { opener.open(it) }
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
-            is OpenRequest.Unreadable -> notices.show(Notice.ForeignError(arrival.sentence))
+            is OpenRequest.Unreadable -> notices.show(Notice.ExternalError(arrival.sentence))
         }
     }
 
@@ -229,7 +229,7 @@ class DocumentStateHolder(
         return result
     }
 
-    override suspend fun visitProject(name: String, project: Project): SwitchResult {
+    override suspend fun previewProject(name: String, project: Project): SwitchResult {
         val left = autosaver.openId
         var result: SwitchResult = SwitchResult.Cancelled
         replacement.replace { before ->

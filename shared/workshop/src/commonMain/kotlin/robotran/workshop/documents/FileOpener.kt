@@ -58,7 +58,7 @@ internal class FileOpener(
     private val openStored: suspend (id: String) -> Unit,
 ) {
     /** What was to be opened, and what My work has of it, until the pupil has chosen. */
-    private var asked: Pair<OpenFilesResult.Opened, ProjectSummary>? = null
+    private var asked: Pair<OpenFilesResult.Success, ProjectSummary>? = null
 
     /** The files that stopped the app the last time, until the pupil has chosen. */
     var stoppedFiles: List<OpenedFile> = emptyList()
@@ -89,8 +89,8 @@ internal class FileOpener(
                 openFiles(unpackedCourses(given), preferences.language)
             }
         ) {
-            is OpenFilesResult.Opened -> take(opening, isWanted)
-            is OpenFilesResult.Rejected -> view.show(DocumentDialog.Rejected(opening.error))
+            is OpenFilesResult.Success -> take(opening, isWanted)
+            is OpenFilesResult.Failure -> view.show(DocumentDialog.Rejected(opening.error))
         }
     }
 
@@ -102,12 +102,12 @@ internal class FileOpener(
         }
         guard.begin(mark)
         when (val opening = openLinkText(link, preferences.language)) {
-            is OpenFilesResult.Opened -> {
+            is OpenFilesResult.Success -> {
                 view.show(null)
                 take(opening)
             }
 
-            is OpenFilesResult.Rejected -> {
+            is OpenFilesResult.Failure -> {
                 view.show(DocumentDialog.PastingLink((opening.error as? OpenFilesError.InLink)?.message))
             }
         }
@@ -120,7 +120,7 @@ internal class FileOpener(
         open(listOf(OpenedFile(location.name, bytes, location.address)), isWanted = true)
     }
 
-    private suspend fun take(opened: OpenFilesResult.Opened, isWanted: Boolean = false) {
+    private suspend fun take(opened: OpenFilesResult.Success, isWanted: Boolean = false) {
         navigator.leavePages()
         takeWork(opened, isWanted)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
@@ -131,7 +131,7 @@ internal class FileOpener(
      * Opens what is in files. If My work has newer changes of the first project's file, asks, unless the file [isWanted]
      * as it is.
      */
-    private suspend fun takeWork(opened: OpenFilesResult.Opened, isWanted: Boolean = false) {
+    private suspend fun takeWork(opened: OpenFilesResult.Success, isWanted: Boolean = false) {
         val first = opened.projects.firstOrNull() ?: return takeParts(opened)
         view.saveNow()
         val known = if (isWanted) null else known(first)
@@ -170,7 +170,7 @@ internal class FileOpener(
         if (isWork) openStored(known.id) else takeWork(opened, isWanted = true)
     }
 
-    private suspend fun ask(opened: OpenFilesResult.Opened, known: ProjectSummary) {
+    private suspend fun ask(opened: OpenFilesResult.Success, known: ProjectSummary) {
         asked = opened to known
         val language = preferences.settings.language?.tag.orEmpty()
         val place = known.file?.place ?: return
@@ -193,7 +193,7 @@ internal class FileOpener(
      * Opens the file of [opened] as the entry [known] of My work, which has nothing that the file lacks. Returns false
      * if another window has that entry.
      */
-    private suspend fun goOnWith(known: ProjectSummary, opened: OpenFilesResult.Opened): Boolean {
+    private suspend fun goOnWith(known: ProjectSummary, opened: OpenFilesResult.Success): Boolean {
         val first = opened.projects.first()
         val isOpen = known.id == autosaver.openId
         val claim = if (isOpen) null else autosaver.repository.claim(known.id) ?: return false
@@ -244,7 +244,7 @@ internal class FileOpener(
             other.robots.map { it.programs.map { program -> program.files } }
 
     /** A world becomes a new project with the current programs; programs are added to the current ones. */
-    private suspend fun takeParts(opened: OpenFilesResult.Opened) {
+    private suspend fun takeParts(opened: OpenFilesResult.Success) {
         val world = opened.world ?: return addPrograms(opened)
         replacement.replace { before ->
             editor.changeWorld(world, isAnother = true)
@@ -255,7 +255,7 @@ internal class FileOpener(
         }
     }
 
-    private fun addPrograms(opened: OpenFilesResult.Opened) {
+    private fun addPrograms(opened: OpenFilesResult.Success) {
         opened.programs.forEach { program ->
             tabs.addProgram(Program.of(program.files.map { SourceFile(it.name, it.text) }), replacing = true)
         }

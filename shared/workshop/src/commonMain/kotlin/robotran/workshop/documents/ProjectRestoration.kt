@@ -24,12 +24,12 @@ internal class ProjectRestoration(
      *
      * @param isBroughtSomething whether files were passed to the window; they replace the last open project.
      */
-    suspend fun take(isBroughtSomething: Boolean): RestoredProject? {
+    suspend fun take(hasIncomingFiles: Boolean): RestoredProject? {
         val own = platform.window.projectId
         for (id in platform.window.leftIds()) if (id != own) saveHandover(id)
         return when {
             own != null -> takeOwn(own)
-            isBroughtSomething || !platform.restoresLastProject -> null
+            hasIncomingFiles || !platform.restoresLastProject -> null
 
             else -> autosaver.openProjects.takeBack(platform.window::hasEnded, ::mayOpen)
                 ?: null.also { tellElsewhere() }

@@ -53,7 +53,7 @@ internal class StoppedProjects(
         is StoppedWork.Stored -> autosaver.repository.fileText(work.id)?.encodeToByteArray()
 
         is StoppedWork.OfLink -> withContext(platform.background) {
-            val opened = openLinkText(work.link, preferences.language) as? OpenFilesResult.Opened
+            val opened = openLinkText(work.link, preferences.language) as? OpenFilesResult.Success
             opened?.projects?.firstOrNull()?.let { projectFile(it.project) }
         }
 

@@ -70,7 +70,7 @@ sealed interface AssignmentEvent : WorkshopEvent {
     /** Pupils begin with the program at [index] of the first robot, or do not. */
     data class StartSwitched(val index: Int, val on: Boolean) : OfAuthor
 
-    /** The program at [index] of [robotran.workshop.state.MakingState.solution] belongs to the solution, or does not. */
+    /** The program at [index] of [robotran.workshop.state.AssignmentEditorState.solution] belongs to the solution, or does not. */
     data class SolutionSwitched(val index: Int, val on: Boolean) : OfAuthor
 
     /** Takes the programs of the solution as they are now; the one that is most likely the solution if there is none. */

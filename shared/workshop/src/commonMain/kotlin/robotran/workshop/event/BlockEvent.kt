@@ -7,9 +7,9 @@ import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDrag
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockPalette
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockStep
 
 /** A user action on the blocks of the current program. Ignored while it is shown as text only, except [ViewChosen]. */
@@ -32,7 +32,7 @@ sealed interface BlockEvent : ProgramEvent {
     data class StackSelected(val block: BlockId) : BlockEvent
 
     /** Whether from now on a touch on a block selects all blocks up to it. */
-    data class ChoosingSet(val isOn: Boolean) : BlockEvent
+    data class MultiSelectChanged(val isOn: Boolean) : BlockEvent
 
     data class Stepped(val step: BlockStep) : BlockEvent
 
@@ -52,12 +52,12 @@ sealed interface BlockEvent : ProgramEvent {
     data class Pasted(val text: String) : BlockEvent
 
     /** Opens [sheet]; null closes it. */
-    data class SheetShown(val sheet: BlockSheet?) : BlockEvent
+    data class SheetShown(val sheet: BlockDialog?) : BlockEvent
 
     /** Runs [load] at once, from where the robot stands; the program stays as it is. */
-    data class DoneNow(val load: BlockLoad) : BlockEvent
+    data class SnippetRequested(val load: DragPayload) : BlockEvent
 
-    data class PaletteTurned(val palette: BlockPalette) : BlockEvent
+    data class PaletteGroupSelected(val palette: BlockPalette) : BlockEvent
 
     /** What is carried, and where it would land now. */
     data class Dragged(val drag: BlockDrag) : BlockEvent

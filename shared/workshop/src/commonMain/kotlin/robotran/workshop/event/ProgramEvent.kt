@@ -4,7 +4,7 @@ import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.programs.Program
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 
 /** A user action on the programs. */
 sealed interface ProgramEvent : WorkshopEvent {
@@ -12,7 +12,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class ProgramEdited(val text: String) : ProgramEvent
 
     /** Sets the text and the selection of the current file to [draft]. */
-    data class DraftChanged(val draft: Draft, val kind: EditKind) : ProgramEvent
+    data class DraftChanged(val draft: TextDocument, val kind: EditKind) : ProgramEvent
 
     /** Undoes the last edit of the current file. */
     data object Undone : ProgramEvent

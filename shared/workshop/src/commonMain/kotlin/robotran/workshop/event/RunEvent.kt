@@ -40,7 +40,7 @@ sealed interface RunEvent : WorkshopEvent {
     data class ShortfallShown(val shortfall: GoalShortfall) : RunEvent
 
     /** Shows the internals of the robot with this index. */
-    data class RobotWatched(val robot: Int) : RunEvent
+    data class DebuggedRobotChosen(val robot: Int) : RunEvent
 
     /** Replays the recorded run of the project. */
     data object RecordingPlayed : RunEvent

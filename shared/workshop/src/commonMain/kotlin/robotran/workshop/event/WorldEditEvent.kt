@@ -3,7 +3,7 @@ package robotran.workshop.event
 import robotran.brick.kind.BrickKind
 import robotran.simulation.state.MissingSensors
 import robotran.world.RobotDescription
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 
 /** A user action in the world editor. */
 sealed interface WorldEditEvent : WorkshopEvent {
@@ -11,7 +11,7 @@ sealed interface WorldEditEvent : WorkshopEvent {
     data object EditorOpened : WorldEditEvent
 
     /** Applies an edit to the world. */
-    data class Edited(val edit: Edit) : WorldEditEvent
+    data class Edited(val edit: WorldEdit) : WorldEditEvent
 
     /** Finishes editing and puts the robots into the world. If the world is invalid, shows the errors instead. */
     data object EditorClosed : WorldEditEvent

@@ -45,13 +45,13 @@ internal class GradingLoop(
         onGraded: (String, GradedHandIn) -> Unit,
         onProgress: (GradingState, millisecondsLeft: Long?) -> Unit,
     ) {
-        val news = GradingNews(submissions.keys.toList(), platform.clock, onGraded, onProgress)
+        val news = GradingUpdates(submissions.keys.toList(), platform.clock, onGraded, onProgress)
         val all = submissions.values.toList()
         val crew = platform.gradingWorkers?.start(assignment, plan, language)
         if (crew == null) gradeInSlices(all, news) else gradeWith(crew, all, news)
     }
 
-    private suspend fun gradeWith(crew: GradingCrew, submissions: List<Submission>, news: GradingNews) {
+    private suspend fun gradeWith(crew: GradingCrew, submissions: List<Submission>, news: GradingUpdates) {
         val board = GradingBoard(submissions, plan.runs)
         try {
             coroutineScope { repeat(crew.size) { launch { gradeNext(crew, board, news) } } }
@@ -61,7 +61,7 @@ internal class GradingLoop(
         }
     }
 
-    private suspend fun gradeNext(crew: GradingCrew, board: GradingBoard, news: GradingNews) {
+    private suspend fun gradeNext(crew: GradingCrew, board: GradingBoard, news: GradingUpdates) {
         while (true) {
             val (row, submission) = board.begin() ?: return
             val result = crew.grade(submission) { runs ->
@@ -73,7 +73,7 @@ internal class GradingLoop(
         }
     }
 
-    private suspend fun gradeInSlices(submissions: List<Submission>, news: GradingNews) {
+    private suspend fun gradeInSlices(submissions: List<Submission>, news: GradingUpdates) {
         val session = GradingSession(HandInGrader(assignment, plan, physics, language), submissions)
         try {
             while (!session.state.isOver) {

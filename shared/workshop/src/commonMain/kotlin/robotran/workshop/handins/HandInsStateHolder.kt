@@ -43,7 +43,7 @@ class HandInsStateHolder internal constructor(
     private val preferences: Preferences,
     private val current: CurrentProject,
     physics: PhysicsEngine,
-    private val visits: HandInVisits,
+    private val visits: HandInPreviews,
     private val title: () -> String,
 ) {
     /** Null while the page is closed. */
@@ -59,7 +59,7 @@ class HandInsStateHolder internal constructor(
     private var reading: Job? = null
     private val bringing = Mutex()
     private val scanning = HandInScan(platform.qrScanner, scope, ::show, ::bringLinks)
-    private val grading = GradingRounds(platform, scope, physics, ::state, ::show)
+    private val grading = GradingRuns(platform, scope, physics, ::state, ::show)
     private val comments = CommentWriter(scope, ::tell)
     private var removed: HandInRow? = null
     private val exports = HandInExports(platform, scope, ::tell)

@@ -8,7 +8,7 @@ import robotran.assignments.grading.workers.writeHandIn
 import robotran.documents.FileStamp
 import robotran.language.Language
 import robotran.projects.writeProject
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.PhysicsEngine
 
@@ -27,7 +27,7 @@ internal class KeptResults(
 
     /** What a result is drawn on. */
     private val start by lazy {
-        val session = Session(task.plan.worlds.first().world, emptyList<RobotLoad>(), physics, language)
+        val session = Session(task.plan.worlds.first().world, emptyList<RobotProgramSet>(), physics, language)
         session.state.also { session.close() }
     }
 

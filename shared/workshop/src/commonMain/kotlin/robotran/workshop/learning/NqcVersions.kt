@@ -54,7 +54,7 @@ internal class NqcVersions {
     private fun translation(task: Lesson, file: SourceFile, name: String): Program? {
         val written = Program.of(file.name, file.text)
         if (language !in written.language.support.translations(task.brick)) return null
-        val compiled = compiler.compileNow(written) as? ProgramResult.Ready ?: return null
+        val compiled = compiler.compileNow(written) as? ProgramResult.Success ?: return null
         return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
             ?.let { Program.of(name, it.text) }
     }

@@ -50,18 +50,18 @@ fun placesToMeasure(world: World, session: SessionState): List<SnappedPlace> = b
     }
 }
 
-/** The thing nearest to [place] within [tolerance] centimetres; otherwise the place itself, to the millimetre. */
-fun List<SnappedPlace>.snapped(place: Point, tolerance: Double): SnappedPlace =
-    filter { distance(it.point, place) <= tolerance }.minByOrNull { distance(it.point, place) }
-        ?: SnappedPlace(Point(millimetres(place.x), millimetres(place.y)))
+/** The thing nearest to [point] within [tolerance] centimetres; otherwise the place itself, to the millimetre. */
+fun List<SnappedPlace>.snapped(point: Point, tolerance: Double): SnappedPlace =
+    filter { distance(it.point, point) <= tolerance }.minByOrNull { distance(it.point, point) }
+        ?: SnappedPlace(Point(millimetres(point.x), millimetres(point.y)))
 
-/** The thing after the one at [place], to go through all of them by a key; null if there is none. */
-fun List<SnappedPlace>.after(place: Point): SnappedPlace? {
+/** The thing after the one at [point], to go through all of them by a key; null if there is none. */
+fun List<SnappedPlace>.after(point: Point): SnappedPlace? {
     // Of several at one place the first stands for all, so that none leads to itself.
     val things = filter { it.thing in WITH_A_MIDDLE }.fold(emptyList<SnappedPlace>()) { known, next ->
         if (known.any { distance(it.point, next.point) < SAME_CENTIMETRES }) known else known + next
     }
-    val here = things.indexOfFirst { distance(it.point, place) < SAME_CENTIMETRES }
+    val here = things.indexOfFirst { distance(it.point, point) < SAME_CENTIMETRES }
     return things.getOrNull((here + 1) % things.size.coerceAtLeast(1))
 }
 

@@ -9,11 +9,13 @@ import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.blockediting.palette.PaletteBlock
 import robotran.blockediting.palette.textAt
+import robotran.language.Language
 import robotran.language.source.SourceSpan
+import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
-import robotran.workshop.blocks.BlockLoad
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeForNew
@@ -27,7 +29,7 @@ internal fun ProgramFileMemory.taken(now: BlocksState, block: PaletteBlock): Pro
 
 internal fun ProgramFileMemory.pasted(now: BlocksState, text: String): ProgramFileMemory {
     val value = now.part?.let { BlockEdit.Replace(it, text.trim()) }
-    return if (value != null && '\n' !in text.trim() && apply(now.program, value) is BlockEditResult.Done) {
+    return if (value != null && '\n' !in text.trim() && apply(now.program, value) is BlockEditResult.Success) {
         edited(now, value)
     } else {
         inserted(now, text, now.placeForNew)
@@ -45,22 +47,22 @@ internal fun ProgramFileMemory.dropped(now: BlocksState): ProgramFileMemory {
     } ?: copy(blocks = now.copy(drag = null))
 }
 
-private fun ProgramFileMemory.droppedBetween(now: BlocksState, load: BlockLoad, place: BlockPlace) = when (load) {
-    is BlockLoad.Blocks -> edited(now, BlockEdit.Move(load.run, place))
-    is BlockLoad.New -> if (load.block.isValue) null else inserted(now, load.block.textFor(now.program), place)
-    is BlockLoad.Value -> null
+private fun ProgramFileMemory.droppedBetween(now: BlocksState, load: DragPayload, place: BlockPlace) = when (load) {
+    is DragPayload.Blocks -> edited(now, BlockEdit.Move(load.run, place))
+    is DragPayload.New -> if (load.block.isValue) null else inserted(now, load.block.textFor(now.program), place)
+    is DragPayload.Value -> null
 }
 
-private fun ProgramFileMemory.droppedInto(now: BlocksState, load: BlockLoad, span: SourceSpan) = when (load) {
-    is BlockLoad.Blocks -> null
-    is BlockLoad.New -> if (load.block.isValue) valuePut(now, load.block, span) else null
-    is BlockLoad.Value -> valueEdited(now, BlockEdit.MoveValue(load.span, span))
+private fun ProgramFileMemory.droppedInto(now: BlocksState, load: DragPayload, span: SourceSpan) = when (load) {
+    is DragPayload.Blocks -> null
+    is DragPayload.New -> if (load.block.isValue) valuePut(now, load.block, span) else null
+    is DragPayload.Value -> valueEdited(now, BlockEdit.MoveValue(load.span, span))
 }
 
-private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: BlockLoad) = when (load) {
-    is BlockLoad.Blocks -> edited(now, BlockEdit.Delete(now.program.blocksIn(load.run).mapTo(mutableSetOf()) { it.id }))
-    is BlockLoad.New -> null
-    is BlockLoad.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
+private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: DragPayload) = when (load) {
+    is DragPayload.Blocks -> edited(now, BlockEdit.Delete(now.program.blocksIn(load.run).mapTo(mutableSetOf()) { it.id }))
+    is DragPayload.New -> null
+    is DragPayload.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
 }
 
 private fun ProgramFileMemory.valuePut(now: BlocksState, block: PaletteBlock, span: SourceSpan): ProgramFileMemory {
@@ -81,7 +83,7 @@ private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): Pr
 
 /** Inserts lines at [place], or outside of all blocks if they may only stand there. */
 private fun ProgramFileMemory.inserted(now: BlocksState, text: String, place: BlockPlace): ProgramFileMemory {
-    val isOutermost = blocksOf(text).blocks.any { it.head.form?.isOutermost == true }
+    val isOutermost = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).blocks.any { it.head.form?.isOutermost == true }
     return edited(now, BlockEdit.Insert(text, if (isOutermost) now.program.outside(place) else place))
 }
 

@@ -15,11 +15,11 @@ import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockList
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.lineOf
@@ -43,7 +43,7 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
         selected = known.selected.takeIf { ids -> ids.all { program[it] != null } }.orEmpty(),
         anchor = null,
         isChoosing = false,
-        sheet = known.sheet?.takeIf { it == BlockSheet.Palette },
+        sheet = known.sheet?.takeIf { it == BlockDialog.Palette },
         drag = null,
         said = null,
         error = null,
@@ -61,7 +61,7 @@ internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
     if (!view.hasBlocks || known.program.text != draft.text) return this
     val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
     val cursor = row?.cursor?.takeIf { it != known.cursor } ?: return this
-    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockSheet.Palette }))
+    return copy(blocks = known.at(cursor).copy(sheet = known.sheet?.takeIf { it == BlockDialog.Palette }))
 }
 
 /**
@@ -98,15 +98,15 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.SelectedTo -> copy(blocks = now.selectedTo(event.block))
         is BlockEvent.StackSelected -> copy(blocks = now.selectedStack(event.block))
         is BlockEvent.Stepped -> shownAt(now.stepped(event.step))
-        is BlockEvent.ChoosingSet -> copy(blocks = now.copy(isChoosing = event.isOn))
+        is BlockEvent.MultiSelectChanged -> copy(blocks = now.copy(isChoosing = event.isOn))
         is BlockEvent.Moved -> moved(now, now.placeBeyond(event.isUp))
         is BlockEvent.Nested -> moved(now, now.placeNested(event.isOut))
         is BlockEvent.Folded -> copy(blocks = now.folded(event.block))
         is BlockEvent.Taken -> taken(now, event.block)
         is BlockEvent.Pasted -> pasted(now, event.text)
         is BlockEvent.SheetShown -> showing(now, event.sheet)
-        is BlockEvent.DoneNow -> copy(blocks = now.copy(error = null))
-        is BlockEvent.PaletteTurned -> copy(blocks = now.copy(palette = event.palette))
+        is BlockEvent.SnippetRequested -> copy(blocks = now.copy(error = null))
+        is BlockEvent.PaletteGroupSelected -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
         BlockEvent.Dropped -> dropped(now)
         BlockEvent.DragCancelled -> copy(blocks = now.copy(drag = null))
@@ -127,13 +127,13 @@ private fun BlocksState.folded(block: BlockId): BlocksState {
     return copy(list = BlockList(program, collapsed)).at(BlockCursor.At(block))
 }
 
-private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockSheet?): ProgramFileMemory {
-    val base = if (sheet is BlockSheet.Part) UndoBase(draft, history) else null
-    val here = (sheet as? BlockSheet.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
+private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockDialog?): ProgramFileMemory {
+    val base = if (sheet is BlockDialog.Part) UndoBase(draft, history) else null
+    val here = (sheet as? BlockDialog.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
     val at = if (here == null || here == now.cursor) now else now.at(here)
     // Where a sheet was opened is where the keyboard goes on, and where a value of the palette goes.
-    val state = if (sheet is BlockSheet.Part) at.copy(part = sheet.span) else at
-    val opensPalette = sheet == BlockSheet.Palette && now.sheet != BlockSheet.Palette
+    val state = if (sheet is BlockDialog.Part) at.copy(part = sheet.span) else at
+    val opensPalette = sheet == BlockDialog.Palette && now.sheet != BlockDialog.Palette
     val palette = if (opensPalette) now.palette.copy(query = "") else now.palette
     return shownAt(state.copy(sheet = sheet, palette = palette, error = null)).copy(undoBase = base)
 }
@@ -143,7 +143,7 @@ internal fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
     list.rowOfLine(program.lineAt(part.start).index)?.let { list.rows[it].cursor }
 
 private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
-    val sheet = now.sheet as? BlockSheet.Part ?: return this
+    val sheet = now.sheet as? BlockDialog.Part ?: return this
     return edited(now, BlockEdit.Replace(sheet.span, text))
 }
 
@@ -154,9 +154,9 @@ private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): Progr
 
 internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
     when (val result = apply(now.program, edit)) {
-        is BlockEditResult.Refused -> copy(blocks = now.copy(drag = null, error = result.reason))
+        is BlockEditResult.Failure -> copy(blocks = now.copy(drag = null, error = result.reason))
 
-        is BlockEditResult.Done -> {
+        is BlockEditResult.Success -> {
             val said = describe(now.program, edit, result, BlockMessages.of(now.language))
             madeOf(
                 now.copy(said = saidAfter(now.said, said), isChoosing = now.isChoosing && edit !is BlockEdit.Delete),
@@ -168,15 +168,15 @@ internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): Progra
 
 private fun ProgramFileMemory.madeOf(
     now: BlocksState,
-    done: BlockEditResult.Done,
+    done: BlockEditResult.Success,
     staysInLine: Boolean,
 ): ProgramFileMemory {
     val program = done.program
     val part = done.selection.takeIf { staysInLine && program.partAt(it) != null }
     val sheet = when (now.sheet) {
-        is BlockSheet.Part -> part?.let { BlockSheet.Part(it) }
-        BlockSheet.Palette -> BlockSheet.Palette
-        is BlockSheet.Actions, is BlockSheet.Line, is BlockSheet.Note, null -> null
+        is BlockDialog.Part -> part?.let { BlockDialog.Part(it) }
+        BlockDialog.Palette -> BlockDialog.Palette
+        is BlockDialog.Actions, is BlockDialog.Line, is BlockDialog.Note, null -> null
     }
     val after = now.copy(
         list = BlockList(program, now.list.collapsed),
@@ -190,14 +190,14 @@ private fun ProgramFileMemory.madeOf(
         error = null,
     )
     if (program.text == draft.text) return copy(blocks = after)
-    val text = Draft(program.text, TextSelection(done.selection.start, done.selection.end))
-    val base = undoBase?.takeIf { staysInLine && now.sheet is BlockSheet.Part } ?: UndoBase(draft, history)
+    val text = TextDocument(program.text, TextSelection(done.selection.start, done.selection.end))
+    val base = undoBase?.takeIf { staysInLine && now.sheet is BlockDialog.Part } ?: UndoBase(draft, history)
     return copy(
         draft = text,
         history = base.history.recorded(base.draft, text, EditKind.OTHER),
         breakpoints = movedBreakpoints(breakpoints, now.program, done),
         blocks = after,
-        undoBase = base.takeIf { sheet is BlockSheet.Part },
+        undoBase = base.takeIf { sheet is BlockDialog.Part },
     )
 }
 

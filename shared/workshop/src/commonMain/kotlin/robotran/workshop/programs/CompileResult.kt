@@ -7,8 +7,8 @@ import kotlin.coroutines.cancellation.CancellationException
 /** Runs [compile] and returns its result. A bug of the compiler is a result, too: the pupil can still edit the program. */
 internal suspend fun resultOf(compile: suspend () -> CompilerLoading): CompileStatus = try {
     when (compile()) {
-        CompilerLoading.Loaded -> CompileStatus.DONE
-        is CompilerLoading.Failed -> CompileStatus.NO_COMPILER
+        CompilerLoading.Success -> CompileStatus.DONE
+        is CompilerLoading.Failure -> CompileStatus.NO_COMPILER
     }
 } catch (cancelled: CancellationException) {
     throw cancelled

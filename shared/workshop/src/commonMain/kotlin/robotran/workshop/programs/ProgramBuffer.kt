@@ -11,7 +11,7 @@ import robotran.programs.translated
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.state.InlineDiagnostic
 import robotran.workshop.state.notesOf
 
@@ -33,7 +33,7 @@ internal class ProgramBuffer private constructor(
     /** A program that was just opened and is shown as [view]. */
     constructor(program: Program, view: ProgramView) : this(
         program,
-        program.files.map { ProgramFileMemory(Draft(it.text), view = view) },
+        program.files.map { ProgramFileMemory(TextDocument(it.text), view = view) },
         null,
         emptyList(),
     )
@@ -41,7 +41,7 @@ internal class ProgramBuffer private constructor(
     /** How the program is shown. */
     val view: ProgramView get() = memories.first().view
 
-    val diagnostics: List<Diagnostic> get() = (result as? ProgramResult.HasErrors)?.diagnostics.orEmpty()
+    val diagnostics: List<Diagnostic> get() = (result as? ProgramResult.Failure)?.diagnostics.orEmpty()
 
     /**
      * This program in the language [to], with remarks in [language]; translates only on demand. With errors, the last valid
@@ -55,7 +55,7 @@ internal class ProgramBuffer private constructor(
     /** Whether the translations belong to the current program. */
     val isTranslated: Boolean get() = runnable != null
 
-    private val runnable get() = (result as? ProgramResult.Ready)?.program
+    private val runnable get() = (result as? ProgramResult.Success)?.program
 
     /** The same program with the compile result [result]. */
     fun read(result: ProgramResult): ProgramBuffer =
@@ -83,7 +83,7 @@ internal class ProgramBuffer private constructor(
             other.files.map { file ->
                 val known = memories.getOrNull(program.files.indexOfFirst { it.name == file.name })
                 file to when {
-                    known == null -> ProgramFileMemory(Draft(file.text), view = view)
+                    known == null -> ProgramFileMemory(TextDocument(file.text), view = view)
                     known.draft.text == file.text -> known
                     else -> known.written(known.draft.changedTo(file.text), EditKind.OTHER)
                 }

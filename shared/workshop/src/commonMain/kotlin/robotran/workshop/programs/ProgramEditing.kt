@@ -7,7 +7,7 @@ import robotran.programs.support
 import robotran.projects.ProjectLimits
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.service.Notices
@@ -88,11 +88,11 @@ internal class ProgramEditing(
         navigator.show(Pane.PROGRAM)
     }
 
-    private fun write(robot: RobotPrograms, draft: Draft, kind: EditKind) {
+    private fun write(robot: RobotPrograms, draft: TextDocument, kind: EditKind) {
         if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.show(TOO_LONG)
         if (!hasRoom(robot.memory.draft.text, draft.text)) return notices.show(Notice.ProjectTooLong)
         val plain = draft.text.withPlainLineEnds()
-        val written = if (plain == draft.text) draft else Draft(plain, draft.selection)
+        val written = if (plain == draft.text) draft else TextDocument(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
         if (within.text != robot.memory.draft.text) resetEditState()
         remember(robot, robot.memory.written(within, kind))
@@ -120,7 +120,7 @@ internal class ProgramEditing(
         val draft = robot.memory.draft
         val text = robot.entry.program.language.support.code.format(draft.text) ?: return
         val line = draft.lines.lineOf(draft.selection.caret)
-        val laidOut = Draft(text)
+        val laidOut = TextDocument(text)
         val column = draft.lines.columnOf(draft.selection.caret)
         write(
             robot,
@@ -180,7 +180,7 @@ internal class ProgramEditing(
         new.lineOfFirst?.let { insertFirst(robot, it) }
         val file = new.file
         val entry = robot.entry
-        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(Draft(file.text)))
+        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(TextDocument(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
         robot.shownFile = robot.entry.memories.lastIndex
     }
@@ -246,9 +246,9 @@ internal class ProgramEditing(
 }
 
 /** This draft with [text] and the caret next to the same text as before. */
-internal fun Draft.changedTo(text: String): Draft {
+internal fun TextDocument.changedTo(text: String): TextDocument {
     val edit = editBetween(this.text, text.withPlainLineEnds()) ?: return this
-    return Draft(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
+    return TextDocument(edit.applyTo(this.text)).withCaret(edit.moved(selection.caret))
 }
 
 /** In thousands, since each language formats larger numbers differently. */

@@ -5,7 +5,7 @@ import robotran.textediting.EditHistory
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.movedWith
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.blocks.BlocksState
 
 /**
@@ -20,7 +20,7 @@ import robotran.workshop.blocks.BlocksState
  * undone together. Null if no such sheet is open.
  */
 internal data class ProgramFileMemory(
-    val draft: Draft,
+    val draft: TextDocument,
     val history: EditHistory = EditHistory(),
     val breakpoints: Set<Int> = emptySet(),
     val view: ProgramView = ProgramView.TEXT,
@@ -28,7 +28,7 @@ internal data class ProgramFileMemory(
     val undoBase: UndoBase? = null,
 ) {
     /** The state after an edit to [written]. */
-    fun written(written: Draft, kind: EditKind): ProgramFileMemory {
+    fun written(written: TextDocument, kind: EditKind): ProgramFileMemory {
         if (written.text == draft.text) {
             return copy(draft = draft.copy(selection = written.selection), history = history.closed())
                 .withCursorAtCaret()
@@ -51,9 +51,9 @@ internal data class ProgramFileMemory(
         else -> this
     }
 
-    private fun movedTo(after: Draft): Set<Int> =
+    private fun movedTo(after: TextDocument): Set<Int> =
         editBetween(draft, after)?.let { breakpoints.movedWith(it, draft.lines) } ?: breakpoints
 }
 
 /** A text and how it came about. */
-internal data class UndoBase(val draft: Draft, val history: EditHistory)
+internal data class UndoBase(val draft: TextDocument, val history: EditHistory)

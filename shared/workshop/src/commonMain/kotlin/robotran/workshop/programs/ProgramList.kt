@@ -41,14 +41,14 @@ internal class ProgramList(
     val pendingCharacters: Int get() = entries.sumOf { if (it.result == null) it.program.characters else 0 }
 
     /** The programs for the brick's slots; null for a program that cannot run. */
-    val slots: List<BrickProgram?> get() = entries.map { (it.result as? ProgramResult.Ready)?.program }
+    val slots: List<BrickProgram?> get() = entries.map { (it.result as? ProgramResult.Success)?.program }
 
     /** The diagnostics of the program in [slot]; empty if it has changed since it was compiled. */
     fun diagnostics(slot: Int): List<Diagnostic> = entries[slot].diagnostics
 
     fun isCompiled(slot: Int): Boolean = entries[slot].result != null
 
-    fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Ready && !entries[slot].program.isBlank
+    fun canRun(slot: Int): Boolean = entries[slot].result is ProgramResult.Success && !entries[slot].program.isBlank
 
     /** Replaces the program in [slot] by [entry]. */
     fun change(slot: Int, entry: ProgramBuffer) {
@@ -72,11 +72,11 @@ internal class ProgramList(
     /** Compiles all changed programs whose compilers can be loaded. */
     suspend fun compilePending(): CompilerLoading {
         while (true) {
-            val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Loaded
+            val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Success
             val source = program
             val result = when (val compiled = withContext(Dispatchers.Default) { compiler.compile(source) }) {
                 is TimedCompilation.Compiled -> compiled.result
-                is TimedCompilation.NotLoaded -> return CompilerLoading.Failed(compiled.cause)
+                is TimedCompilation.NotLoaded -> return CompilerLoading.Failure(compiled.cause)
             }
             entries = entries.map { if (it.program === program) it.read(result) else it }
         }

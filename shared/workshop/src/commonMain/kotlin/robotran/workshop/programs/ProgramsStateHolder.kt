@@ -24,9 +24,9 @@ import robotran.projects.ProjectRobot
 import robotran.projects.charactersInFile
 import robotran.projects.target
 import robotran.simulation.Breakpoint
-import robotran.simulation.RobotLoad
-import robotran.workshop.blocks.BlockLoad
-import robotran.workshop.blocks.BlockSheet
+import robotran.simulation.RobotProgramSet
+import robotran.workshop.blocks.DragPayload
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.firstLength
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
@@ -35,7 +35,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
-import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.Snippet
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.immediate
@@ -117,9 +117,9 @@ class ProgramsStateHolder(
     /**
      * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
      */
-    fun loads(world: World, firstSlots: List<Int>): List<RobotLoad> = world.robots.mapIndexed { index, placement ->
+    fun loads(world: World, firstSlots: List<Int>): List<RobotProgramSet> = world.robots.mapIndexed { index, placement ->
         robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
-            ?: RobotLoad(emptyList())
+            ?: RobotProgramSet(emptyList())
     }
 
     /**
@@ -150,7 +150,7 @@ class ProgramsStateHolder(
     }
 
     /** The breakpoints at the lines of [program]; none if its source has changed since. */
-    internal fun breakpointsOf(program: ImmediateProgram): Set<Breakpoint> {
+    internal fun breakpointsOf(program: Snippet): Set<Breakpoint> {
         val robot = robots.firstOrNull { it.placement.name == program.robot } ?: return emptySet()
         val source = robot.list.programs.getOrNull(program.slot)?.files?.first()?.text
         return if (source == program.source) robot.breakpoints(program.slot) else emptySet()
@@ -173,16 +173,16 @@ class ProgramsStateHolder(
     }
 
     /** The program that does [load] alone; null if there can be none, and then the blocks say why. */
-    internal fun immediateProgram(load: BlockLoad): ImmediateProgram? {
+    internal fun snippet(load: DragPayload): Snippet? {
         val robot = shown
         val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
         val itsCompiler = compiler.forTarget(robot.placement.description.target)
-        return when (val result = itsCompiler.compileAlone(load, blocks, robot.entry.program.name)) {
-            is ImmediateResult.Ready -> {
+        return when (val result = itsCompiler.compileSnippet(load, blocks, robot.entry.program.name)) {
+            is SnippetResult.Success -> {
                 immediate(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
             }
 
-            is ImmediateResult.Refused -> {
+            is SnippetResult.Failure -> {
                 val memory = robot.memory.copy(blocks = blocks.copy(error = result.reason))
                 robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
                 refresh()
@@ -208,7 +208,7 @@ class ProgramsStateHolder(
     fun editFirstLength() {
         val length = state.blocks?.takeIf { state.view.hasBlocks }?.program?.firstLength() ?: return
         handle(BlockEvent.CursorPut(length.cursor, length.span))
-        handle(BlockEvent.SheetShown(BlockSheet.Part(length.span)))
+        handle(BlockEvent.SheetShown(BlockDialog.Part(length.span)))
     }
 
     /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
@@ -314,9 +314,9 @@ class ProgramsStateHolder(
     private suspend fun compileChanged(): CompilerLoading {
         for (robot in robots) {
             val loading = robot.list.compilePending()
-            if (loading is CompilerLoading.Failed) return loading
+            if (loading is CompilerLoading.Failure) return loading
         }
-        return CompilerLoading.Loaded
+        return CompilerLoading.Success
     }
 
     private fun requestCompile() {

@@ -14,7 +14,7 @@ import robotran.projects.givenProgram
 import robotran.projects.lightFacingOf
 import robotran.projects.target
 import robotran.simulation.Breakpoint
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
 
@@ -94,10 +94,10 @@ internal class RobotPrograms(
     }
 
     /** The programs to load; Run starts the one in [firstSlot]. */
-    fun load(firstSlot: Int): RobotLoad {
+    fun load(firstSlot: Int): RobotProgramSet {
         val slots = list.slots
         val facing = saved.lightFacing ?: slots.getOrNull(firstSlot)?.let { lightFacingOf(it) }
-        return RobotLoad(slots, firstSlot, facing, saved.files)
+        return RobotProgramSet(slots, firstSlot, facing, saved.files)
     }
 
     /** Keeps [files] in its flash memory for the next run; returns whether they are others than before. */

@@ -26,7 +26,7 @@ import robotran.world.file.RobotFileResult
 import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
 import robotran.world.robot.draftError
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -82,8 +82,8 @@ internal class RobotEditStateHolder(
         closesWorld = worldEdit() == null
         if (closesWorld) editWorld(WorldEditEvent.EditorOpened)
         val place = placeOf(robot) ?: return
-        editWorld(WorldEditEvent.Edited(Edit.Select(ElementRef(ElementKind.ROBOT, robot))))
-        editWorld(WorldEditEvent.Edited(Edit.FinishChange))
+        editWorld(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, robot))))
+        editWorld(WorldEditEvent.Edited(WorldEdit.FinishChange))
         val description = place.draft ?: place.description
         val editing = latest?.takeIf { it.robot == description } ?: RobotEditing.of(description)
         state = RobotEditState(
@@ -125,7 +125,7 @@ internal class RobotEditStateHolder(
         val changed = place.with(editing.robot, editing.isPossible)
         if (changed == place) return
         val element = Element.OfRobot(changed)
-        editWorld(WorldEditEvent.Edited(Edit.Change(ElementRef(ElementKind.ROBOT, robot), element)))
+        editWorld(WorldEditEvent.Edited(WorldEdit.Change(ElementRef(ElementKind.ROBOT, robot), element)))
     }
 
     /** An impossible robot does not replace the one that drives. */
@@ -137,7 +137,7 @@ internal class RobotEditStateHolder(
         edit(RobotEdit.Drop)
         latest = state?.editing ?: now.editing
         state = null
-        editWorld(WorldEditEvent.Edited(Edit.FinishChange))
+        editWorld(WorldEditEvent.Edited(WorldEdit.FinishChange))
         val draft = worldEdit()?.world?.let { draftError(it, now.robot) }
         if (closesWorld) editWorld(WorldEditEvent.EditorClosed)
         draft?.let { notices.show(Notice.RobotKeptAsDraft(it)) }
@@ -151,12 +151,12 @@ internal class RobotEditStateHolder(
     private suspend fun openFile() {
         val file = platform.files.open(listOf(FileKind.ROBOT)).firstOrNull() ?: return
         when (val result = readRobot(file.bytes, preferences.language)) {
-            is RobotFileResult.Loaded -> {
+            is RobotFileResult.Success -> {
                 edit(RobotEdit.Replace(result.robot))
                 notices.add(result.warnings.map { "${file.name}: ${it.message}" })
             }
 
-            is RobotFileResult.Rejected -> state = state?.copy(fileError = result.message, hintsShown = true)
+            is RobotFileResult.Failure -> state = state?.copy(fileError = result.message, hintsShown = true)
         }
     }
 

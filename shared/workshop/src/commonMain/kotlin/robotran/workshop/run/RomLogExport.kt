@@ -36,7 +36,7 @@ internal class RomLogExport(
     private fun save(name: String, kind: FileKind, text: String) {
         scope.launch {
             val saving = platform.files.save("$name${kind.extension}", kind, text.encodeToByteArray())
-            if (saving is Saving.Failed) notices.show(Notice.ForeignError(saving.reason))
+            if (saving is Saving.Failed) notices.show(Notice.ExternalError(saving.reason))
         }
     }
 }

@@ -33,7 +33,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
-import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.Snippet
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
@@ -64,7 +64,7 @@ class RunStateHolder(
     private var recording: List<RecordedInput> = emptyList(),
     private val filesChanged: () -> Unit = {},
 ) {
-    private val run = WatchedRun(world, physics, programs, platform.speaker, preferences, notices)
+    private val run = DebuggedRun(world, physics, programs, platform.speaker, preferences, notices)
     private val idleDetector = IdleDetector()
     private val drawer = DrawerStateHolder(platform, scope, notices, navigator, run.player.watchedBrick) {
         programs.state.program.name
@@ -73,7 +73,7 @@ class RunStateHolder(
     private var pendingStart: PendingStart? = null
     private var seenStop: StopReason? = null
 
-    private val tries = TryRecorder(run)
+    private val tries = AttemptRecorder(run)
     private val escape = LoneEscape()
 
     /** The programs that were started in the [recording], whichever are shown since. */
@@ -97,7 +97,7 @@ class RunStateHolder(
     val inputs: List<RecordedInput> get() = player.inputs
 
     /** The run that Run has started, once it is over; null for any other run. */
-    internal val endedTry: EndedTry? get() = tries.ended()
+    internal val endedTry: EndedAttempt? get() = tries.ended()
 
     fun handle(event: RunEvent) {
         when (event) {
@@ -110,7 +110,7 @@ class RunStateHolder(
             is RunEvent.SpeedChosen -> choose(event.speed)
             is RunEvent.Scrubbed -> player.seek(event.milliseconds)
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
-            is RunEvent.RobotWatched -> choose(event.robot)
+            is RunEvent.DebuggedRobotChosen -> choose(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
             is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
             is RunEvent.ButtonPressed -> press(event.button)
@@ -127,13 +127,13 @@ class RunStateHolder(
      * Runs [program] from where its robot stands, and shows the sheet. First ends the program that its robot runs. The
      * goals keep their progress until the run starts over.
      */
-    internal fun runNow(program: ImmediateProgram) {
+    internal fun runSnippet(program: Snippet) {
         val robot = run.world.robots.indexOfFirst { it.name == program.robot }
         if (robot < 0 || isRefused()) return
         pendingStart = null
         state = state.copy(untouched = false)
         tries.leave()
-        player.apply(SessionInput.RunNow(program, robot))
+        player.apply(SessionInput.RunSnippet(program, robot))
         player.play()
         navigator.show(Pane.WORLD)
         idleDetector.disturb()
@@ -406,7 +406,7 @@ class RunStateHolder(
             outcome = player.outcome,
             drawer = drawer.state,
             frame = frame,
-            immediate = run.world.robots.indices.map(run::immediateProgram),
+            immediate = run.world.robots.indices.map(run::snippet),
             awake = isAwake(),
         )
     }

@@ -21,10 +21,10 @@ sealed interface BuiltProgram {
 
 /** The result of building an image. */
 sealed interface ProgramImageResult {
-    data class Ready(val program: BuiltProgram) : ProgramImageResult
+    data class Success(val program: BuiltProgram) : ProgramImageResult
 
     /** The program has mistakes, or is more than a brick can take. [diagnostics] are never empty. */
-    data class HasErrors(val diagnostics: List<Diagnostic>) : ProgramImageResult
+    data class Failure(val diagnostics: List<Diagnostic>) : ProgramImageResult
 
     /** The Java compiler could not be loaded. */
     data object NoCompiler : ProgramImageResult

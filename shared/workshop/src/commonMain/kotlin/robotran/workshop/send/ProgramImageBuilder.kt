@@ -37,18 +37,18 @@ internal class ProgramImageBuilder(
 
     private suspend fun ProgramCompiler.forLejos(source: ProgramSource) =
         when (val built = buildImage(listOf(source))) {
-            is ImageBuildResult.Built -> ProgramImageResult.Ready(BuiltProgram.Lejos(built.image.bytes, maxBytes()))
-            is ImageBuildResult.HasErrors -> ProgramImageResult.HasErrors(built.diagnostics)
+            is ImageBuildResult.Success -> ProgramImageResult.Success(BuiltProgram.Lejos(built.image.bytes, maxBytes()))
+            is ImageBuildResult.Failure -> ProgramImageResult.Failure(built.diagnostics)
             is ImageBuildResult.NotLoaded -> ProgramImageResult.NoCompiler
         }
 
     private fun ProgramCompiler.forLego(source: ProgramSource) = when (val compiled = compileNow(source)) {
-        is ProgramResult.Ready -> {
+        is ProgramResult.Success -> {
             val image = checkNotNull(compiled.firmwareImage) { "${source.name} is not for LEGO's firmware." }
-            ProgramImageResult.Ready(BuiltProgram.Lego(image))
+            ProgramImageResult.Success(BuiltProgram.Lego(image))
         }
 
-        is ProgramResult.HasErrors -> ProgramImageResult.HasErrors(compiled.diagnostics)
+        is ProgramResult.Failure -> ProgramImageResult.Failure(compiled.diagnostics)
     }
 
     private fun maxBytes(): Int = BrickRoom.of(current.project.settings.java.version).maxImageBytes

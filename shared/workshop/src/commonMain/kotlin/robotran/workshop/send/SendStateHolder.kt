@@ -102,11 +102,11 @@ class SendStateHolder(
         program = null
         slot = null
         when (val result = images.build(current.shownProgram)) {
-            is ProgramImageResult.HasErrors -> show(SendStep.HasErrors(result.diagnostics.first()))
+            is ProgramImageResult.Failure -> show(SendStep.HasErrors(result.diagnostics.first()))
             ProgramImageResult.NoCompiler -> show(SendStep.NoCompiler)
             ProgramImageResult.CompilerFailed -> show(SendStep.CompilerFailed)
 
-            is ProgramImageResult.Ready -> {
+            is ProgramImageResult.Success -> {
                 program = result.program
                 lookForTowers(findsAlone = true)
             }
@@ -171,15 +171,15 @@ class SendStateHolder(
 
     /** @param failedSlot the only slot that may be changed if it has failed; null for leJOS, and if all are. */
     private suspend fun end(result: TransferResult, failedSlot: Int? = null) = when (result) {
-        is TransferResult.Complete -> show(SendStep.Done(result.bytes, slot))
-        is TransferResult.Failed -> fail(result.error, result.remains, failedSlot)
+        is TransferResult.Success -> show(SendStep.Done(result.bytes, slot))
+        is TransferResult.Failure -> fail(result.error, result.remains, failedSlot)
     }
 
     private suspend fun sendFirmware() {
         val image = (state?.step as? SendStep.NeedsFirmware)?.usable ?: return
         when (val result = transfer(Transfer.FIRMWARE) { link().sendFirmware(image, it) }) {
-            is TransferResult.Complete -> check()
-            is TransferResult.Failed -> fail(result.error, result.remains)
+            is TransferResult.Success -> check()
+            is TransferResult.Failure -> fail(result.error, result.remains)
         }
     }
 
@@ -196,7 +196,7 @@ class SendStateHolder(
         show(SendStep.ReadingDatalog(null))
         when (val read = link.readDatalog { show(SendStep.ReadingDatalog(it)) }) {
             is TowerResult.Success -> show(SendStep.Datalog(read.value))
-            is TowerResult.Failed -> fail(read.error)
+            is TowerResult.Failure -> fail(read.error)
         }
     }
 

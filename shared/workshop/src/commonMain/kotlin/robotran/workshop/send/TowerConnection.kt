@@ -20,14 +20,14 @@ internal class TowerConnection(private val ports: TowerPorts, private val robots
     private var port: TowerPort? = null
 
     /** Opens [device] unless it is open; returns why that has failed. */
-    suspend fun open(device: TowerDevice): OpenedTower.Failed? {
+    suspend fun open(device: TowerDevice): OpenedTower.Failure? {
         if (port != null && device == this.device) return null
         close()
         this.device = device
         return when (val opened = ports.open(device)) {
-            is OpenedTower.Failed -> opened
+            is OpenedTower.Failure -> opened
 
-            is OpenedTower.Open -> {
+            is OpenedTower.Success -> {
                 port = opened.port
                 link = robots.over(opened.port)
                 null

@@ -22,7 +22,7 @@ internal class TowerRobotLink(port: TowerPort) : RobotLink {
 
     override suspend fun check(program: BuiltProgram): TowerError? = when (val status = tower.status()) {
         // A brick that was heard at all is worth a transfer, which tries harder.
-        is TowerResult.Failed -> status.error.takeIf { it != TowerError.BadConnection }
+        is TowerResult.Failure -> status.error.takeIf { it != TowerError.BadConnection }
 
         is TowerResult.Success -> when (program) {
             is BuiltProgram.Lejos -> missingLejos(status.value)
@@ -55,7 +55,7 @@ internal class TowerRobotLink(port: TowerPort) : RobotLink {
         if (emptiesOthers) {
             for (other in 1..LegoLimits.SLOTS) {
                 val deleted = tower.deleteLegoProgram(other)
-                if (deleted is TowerResult.Failed) return TransferResult.Failed(deleted.error, Remains.UNKNOWN)
+                if (deleted is TowerResult.Failure) return TransferResult.Failure(deleted.error, Remains.UNKNOWN)
             }
         }
         return tower.sendLegoProgram(slot, program.image, progress)

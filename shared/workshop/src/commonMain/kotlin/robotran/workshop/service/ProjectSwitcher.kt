@@ -25,7 +25,7 @@ interface ProjectSwitcher {
      * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept;
      * [SwitchResult.Switched.opened] is null only if the project cannot be saved.
      */
-    suspend fun visitProject(name: String, project: Project): SwitchResult
+    suspend fun previewProject(name: String, project: Project): SwitchResult
 
     /** Opens the saved project [id] again after a visit, or [project] as a new project [name] if it was not kept. */
     suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult

@@ -79,8 +79,8 @@ fun noteOf(failure: ProgramFailure, file: String): InlineDiagnostic {
 
 /** The diagnostics of a compile result, up to a max number, since every keystroke moves them. */
 internal fun notesOf(result: ProgramResult): List<InlineDiagnostic> = when (result) {
-    is ProgramResult.Ready -> result.warnings.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.DOUBT) }
-    is ProgramResult.HasErrors -> result.diagnostics.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.ERROR) }
+    is ProgramResult.Success -> result.warnings.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.DOUBT) }
+    is ProgramResult.Failure -> result.diagnostics.take(MAX_NOTES).map { InlineDiagnostic(it, NoteKind.ERROR) }
 }
 
 private const val MAX_NOTES = 300

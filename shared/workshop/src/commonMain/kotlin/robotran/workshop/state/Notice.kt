@@ -17,7 +17,7 @@ sealed interface Notice {
     val isOfProject: Boolean get() = false
 
     /** A localised message from another source, such as the operating system. */
-    data class ForeignError(val sentence: String) :
+    data class ExternalError(val sentence: String) :
         Notice,
         Error
 

@@ -10,7 +10,7 @@ import robotran.programs.Program
 import robotran.programs.ProgramTranslation
 import robotran.programs.support
 import robotran.projects.ProgramView
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.blocks.BlocksState
 import robotran.world.RobotPlacement
 
@@ -50,7 +50,7 @@ data class ProgramsState(
     val programs: List<Program>,
     val shownProgram: Int,
     val shownFile: Int,
-    val draft: Draft,
+    val draft: TextDocument,
     val canUndo: Boolean,
     val canRedo: Boolean,
     val breakpoints: Set<Int>,

@@ -7,7 +7,7 @@ import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
 import robotran.runcontrol.PlaybackState
-import robotran.runcontrol.RomCallLine
+import robotran.runcontrol.CallCountLine
 import robotran.runcontrol.RunOutcome
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark
@@ -51,12 +51,12 @@ data class RunPaneState(
     val time: Long = 0,
     val length: Long = 0,
     val marks: List<TimelineMark> = emptyList(),
-    val calls: RomCallLine? = null,
+    val calls: CallCountLine? = null,
     val watched: Int = 0,
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
     val frame: CallFrame? = null,
-    val immediate: List<ImmediateProgram?> = emptyList(),
+    val immediate: List<Snippet?> = emptyList(),
     val outcome: RunOutcome = RunOutcome(),
 ) {
     /** What was missing for the goals, as far as the run is known. */

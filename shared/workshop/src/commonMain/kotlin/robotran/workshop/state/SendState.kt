@@ -149,7 +149,7 @@ enum class Transfer { PROGRAM, FIRMWARE }
 data class ChosenFirmware(val name: String, val file: FirmwareFile) {
     /** What can be sent; null if it is no firmware, or one that runs no programs of the kind that is sent. */
     fun usable(needsLego: Boolean): FirmwareImage? {
-        val firmware = (file as? FirmwareFile.Read)?.firmware ?: return null
+        val firmware = (file as? FirmwareFile.Success)?.firmware ?: return null
         val isRight = when (firmware.kind) {
             FirmwareKind.LEGO -> needsLego && !isTooOld(firmware)
             FirmwareKind.LEJOS_2_1, FirmwareKind.LEJOS_3_0 -> !needsLego

@@ -48,11 +48,11 @@ data class ShownProgramRun(
         }
 
         private fun isShown(
-            immediate: ImmediateProgram?,
+            immediate: Snippet?,
             brick: BrickState,
             programs: ProgramsState,
             run: RunPaneState,
-        ): Boolean = if (brick.isImmediate) {
+        ): Boolean = if (brick.isSnippet) {
             immediate?.slot == programs.shownProgram && immediate.source == programs.draft.text
         } else {
             !run.changed && brick.selectedSlot == programs.shownProgram

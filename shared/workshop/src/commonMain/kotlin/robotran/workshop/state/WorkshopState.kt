@@ -53,7 +53,7 @@ data class WorkshopState(
     val handIns: HandInsState? = null,
     val assignment: AssignmentState? = null,
     val handIn: HandInStep? = null,
-    val making: MakingState? = null,
+    val making: AssignmentEditorState? = null,
     val course: CourseState = CourseState(),
     val hasPage: Boolean = false,
     val fullPane: Pane? = null,
@@ -140,7 +140,7 @@ data class WorkshopState(
         }
 
         is RunState.Ended -> {
-            WorkshopStatus.Ended(now.stopped, if (isImmediate) GoalCount() else GoalCount.of(session.goals))
+            WorkshopStatus.Ended(now.stopped, if (isSnippet) GoalCount() else GoalCount.of(session.goals))
         }
 
         is RunState.Failed -> with(now.failure) { WorkshopStatus.Failed(lineOf(sourceLine), message, sourceFile) }
@@ -153,10 +153,10 @@ data class WorkshopState(
         }
 
     /** Whether the status is about a program that was sent to run at once. It is no attempt at the goals. */
-    private val isImmediate: Boolean get() = run.brick.isImmediate
+    private val isSnippet: Boolean get() = run.brick.isSnippet
 
-    private val hasImmediateFailed: Boolean get() = isImmediate && run.brick.run is RunState.Failed
+    private val hasImmediateFailed: Boolean get() = isSnippet && run.brick.run is RunState.Failed
 
     /** Such a program may have lines that the shown one does not have. */
-    private fun lineOf(line: Int): Int = if (isImmediate) 0 else line
+    private fun lineOf(line: Int): Int = if (isSnippet) 0 else line
 }

@@ -8,7 +8,7 @@ import robotran.world.World
 import robotran.world.pluggedSensors
 import robotran.world.robot.withSensor
 import robotran.world.withPlugged
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -22,13 +22,13 @@ internal class PlugChange(private val robot: RobotPlacement, private val missing
     private val ports = missing.map { it.port }.toSet()
 
     /** Plugs the sensors in; null if [world] does not have the robot. */
-    fun editOf(world: World): Edit? = edit(world) { it.plugged() }
+    fun editOf(world: World): WorldEdit? = edit(world) { it.plugged() }
 
     /**
      * Restores the ports and nothing else, whatever has changed besides them; null if [world] does not have the robot
      * or the plugged sensors any more.
      */
-    fun undoOf(world: World): Edit? {
+    fun undoOf(world: World): WorldEdit? {
         val now = robotIn(world)?.value?.description ?: return null
         if (now.plugs() != robot.description.plugged().plugs()) return null
         return edit(world) { it.unplugged() }
@@ -50,10 +50,10 @@ internal class PlugChange(private val robot: RobotPlacement, private val missing
     /** What is on the ports of the missing sensors. */
     private fun RobotDescription.plugs(): List<RobotPart> = parts.filter { it.port in ports }
 
-    private fun edit(world: World, change: (RobotDescription) -> RobotDescription): Edit? {
+    private fun edit(world: World, change: (RobotDescription) -> RobotDescription): WorldEdit? {
         val (index, place) = robotIn(world) ?: return null
         val changed = place.copy(description = change(place.description))
-        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(changed))
+        return WorldEdit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(changed))
     }
 
     private fun robotIn(world: World): IndexedValue<RobotPlacement>? =

@@ -3,7 +3,7 @@ package robotran.workshop.worldedit
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.World
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -16,18 +16,18 @@ import robotran.worldediting.ElementRef
  */
 internal class RobotChange(private val before: RobotPlacement, private val after: RobotDescription) {
     /** Replaces the robot where it stands; null if [world] does not have it. */
-    fun editOf(world: World): Edit? = edit(world) { it.copy(description = after, draft = null) }
+    fun editOf(world: World): WorldEdit? = edit(world) { it.copy(description = after, draft = null) }
 
     /** Brings it back where it stands now; null if [world] does not have the other one any more. */
-    fun undoOf(world: World): Edit? {
+    fun undoOf(world: World): WorldEdit? {
         val now = robotIn(world)?.value ?: return null
         if (now.description != after || now.draft != null) return null
         return edit(world) { it.copy(description = before.description, draft = before.draft) }
     }
 
-    private fun edit(world: World, change: (RobotPlacement) -> RobotPlacement): Edit? {
+    private fun edit(world: World, change: (RobotPlacement) -> RobotPlacement): WorldEdit? {
         val (index, place) = robotIn(world) ?: return null
-        return Edit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(change(place)))
+        return WorldEdit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(change(place)))
     }
 
     private fun robotIn(world: World): IndexedValue<RobotPlacement>? =

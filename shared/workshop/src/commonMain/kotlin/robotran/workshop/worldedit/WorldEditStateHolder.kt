@@ -14,7 +14,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
 
@@ -66,7 +66,7 @@ class WorldEditStateHolder(
     private fun open() {
         if (state != null) return
         val editing = lastEditing()
-        state = WorldEditState(editing.after(Edit.Select(null)).after(Edit.FinishChange), editing.world, origin())
+        state = WorldEditState(editing.after(WorldEdit.Select(null)).after(WorldEdit.FinishChange), editing.world, origin())
     }
 
     /** The state to edit from: with groups and undo history if the world has not changed since the last edit. */
@@ -88,8 +88,8 @@ class WorldEditStateHolder(
     private fun bringBack() {
         val edit = replaced?.undoOf(now.world) ?: return
         replaced = null
-        val isLastStep = now.after(Edit.Undo).world == now.after(edit).world
-        changeAtOnce(if (isLastStep) Edit.Undo else edit)
+        val isLastStep = now.after(WorldEdit.Undo).world == now.after(edit).world
+        changeAtOnce(if (isLastStep) WorldEdit.Undo else edit)
     }
 
     private fun plugIn(robot: String, missing: MissingSensors) {
@@ -104,8 +104,8 @@ class WorldEditStateHolder(
     /** A step back in the history if that takes out the sensors and nothing else; otherwise a new step. */
     private fun undoPlug() {
         val edit = plugged?.undoOf(now.world) ?: return
-        val isLastStep = now.after(Edit.Undo).world == now.after(edit).world
-        changeAtOnce(if (isLastStep) Edit.Undo else edit)
+        val isLastStep = now.after(WorldEdit.Undo).world == now.after(edit).world
+        changeAtOnce(if (isLastStep) WorldEdit.Undo else edit)
         plugged = null
     }
 
@@ -113,9 +113,9 @@ class WorldEditStateHolder(
      * Changes the world by a step of its own. While the editor is closed, this starts a new run, or opens the editor if
      * the world is invalid now, such as with a robot that has no room. Returns whether the world has changed.
      */
-    private fun changeAtOnce(edit: Edit): Boolean {
+    private fun changeAtOnce(edit: WorldEdit): Boolean {
         val before = now
-        val steps = listOf(Edit.Drop, Edit.FinishChange, edit, Edit.FinishChange)
+        val steps = listOf(WorldEdit.Drop, WorldEdit.FinishChange, edit, WorldEdit.FinishChange)
         if (state != null) {
             steps.forEach(::edit)
             return now.world != before.world
@@ -134,11 +134,11 @@ class WorldEditStateHolder(
     /** The same with the first error of [editing] in sight. */
     private fun WorldEditState.pointingOut(editing: WorldEditing): WorldEditState {
         val thing = editing.errors.firstOrNull()?.thing
-        val shown = thing?.let { editing.after(Edit.Select(it)) } ?: editing
+        val shown = thing?.let { editing.after(WorldEdit.Select(it)) } ?: editing
         return copy(editing = shown, hasFailedToClose = true, hintsShown = true)
     }
 
-    private fun edit(edit: Edit) {
+    private fun edit(edit: WorldEdit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
         val hasNews = editing.error != null || editing.errors != now.editing.errors
@@ -154,7 +154,7 @@ class WorldEditStateHolder(
     /** Closes the editor. Returns whether it is closed. */
     private fun close(): Boolean {
         val now = state ?: return false
-        val editing = now.editing.after(Edit.Drop)
+        val editing = now.editing.after(WorldEdit.Drop)
         if (editing.errors.isNotEmpty()) {
             state = now.pointingOut(editing)
             return false

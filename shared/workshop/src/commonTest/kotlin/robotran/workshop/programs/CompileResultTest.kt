@@ -11,12 +11,12 @@ import kotlin.test.assertFailsWith
 class CompileResultTest {
     @Test
     fun `compiled programs are done`() = runTest {
-        assertEquals(CompileStatus.DONE, resultOf { CompilerLoading.Loaded })
+        assertEquals(CompileStatus.DONE, resultOf { CompilerLoading.Success })
     }
 
     @Test
     fun `a compiler that cannot be loaded is reported as missing`() = runTest {
-        val loading = CompilerLoading.Failed(IllegalStateException("offline"))
+        val loading = CompilerLoading.Failure(IllegalStateException("offline"))
         assertEquals(CompileStatus.NO_COMPILER, resultOf { loading })
     }
 

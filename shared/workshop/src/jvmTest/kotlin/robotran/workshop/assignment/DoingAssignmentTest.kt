@@ -14,7 +14,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
 import robotran.workshop.documents.projects
@@ -98,7 +98,7 @@ class DoingAssignmentTest {
         val workshop = window()
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         workshop.handle(ProgramEvent.ProgramEdited("forward 20\n"))
-        workshop.handle(BlockEvent.DoneNow(BlockLoad.New(Palette.blocks.first { it.id == "move" })))
+        workshop.handle(BlockEvent.SnippetRequested(DragPayload.New(Palette.blocks.first { it.id == "move" })))
         workshop.advance(20_000)
         assertEquals(0, workshop.doing.tries.tries)
     }

@@ -14,7 +14,7 @@ import kotlin.test.assertTrue
 class FittedPictureTest {
     @Test
     fun `a photo of a phone is made as much smaller as it must be`() = runBlocking {
-        val fitted = assertIs<FittedPicture.Fits>(fitPicture(ofPhone, FakeReader(4_000, 3_000, bytesPerPixel = 0.2)))
+        val fitted = assertIs<FittedPicture.Success>(fitPicture(ofPhone, FakeReader(4_000, 3_000, bytesPerPixel = 0.2)))
         assertEquals(PictureSize(1_000, 750), fitted.madeSmaller)
         assertTrue(fitted.bytes.size in 100_000..150_000)
     }
@@ -22,23 +22,23 @@ class FittedPictureTest {
     @Test
     fun `it loses quality before it loses pixels`() = runBlocking {
         val reader = FakeReader(3_000, 4_000, bytesPerPixel = 0.082)
-        assertEquals(PictureSize(1_200, 1_600), (fitPicture(ofPhone, reader) as FittedPicture.Fits).madeSmaller)
+        assertEquals(PictureSize(1_200, 1_600), (fitPicture(ofPhone, reader) as FittedPicture.Success).madeSmaller)
         assertEquals(listOf(85, 75), reader.qualities)
     }
 
     @Test
     fun `a small picture with a large file keeps its pixels`() = runBlocking {
         val fitted = fitPicture(ofPhone, FakeReader(500, 400, bytesPerPixel = 0.3))
-        assertEquals(PictureSize(500, 400), assertIs<FittedPicture.Fits>(fitted).madeSmaller)
+        assertEquals(PictureSize(500, 400), assertIs<FittedPicture.Success>(fitted).madeSmaller)
     }
 
     @Test
     fun `a photo that cannot be read is told by its kind`() = runBlocking {
         val heic = ByteArray(4) + "ftypheic".encodeToByteArray() + ByteArray(300_000)
-        assertEquals(FittedPicture.Refused(PictureError.HEIC), fitPicture(heic, NoPhotoReader))
+        assertEquals(FittedPicture.Failure(PictureError.HEIC), fitPicture(heic, NoPhotoReader))
         val text = "ftyp".encodeToByteArray()
-        assertEquals(FittedPicture.Refused(PictureError.NOT_A_PICTURE), fitPicture(text, NoPhotoReader))
-        assertEquals(FittedPicture.Refused(PictureError.TOO_LARGE), fitPicture(ofPhone, NoPhotoReader))
+        assertEquals(FittedPicture.Failure(PictureError.NOT_A_PICTURE), fitPicture(text, NoPhotoReader))
+        assertEquals(FittedPicture.Failure(PictureError.TOO_LARGE), fitPicture(ofPhone, NoPhotoReader))
     }
 
     /** The beginning of a JPEG picture of 3 by 2 pixels, in a file of 4 MB. */

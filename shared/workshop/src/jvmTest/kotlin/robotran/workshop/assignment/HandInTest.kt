@@ -52,7 +52,7 @@ class HandInTest {
     }
 
     private fun saved(): Project =
-        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
+        assertIs<ProjectFileResult.Success>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
 
     @Test
     fun `the best try is handed in as a file with name, result and intact hash`() {

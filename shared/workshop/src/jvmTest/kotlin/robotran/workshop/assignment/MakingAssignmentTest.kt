@@ -21,12 +21,12 @@ import robotran.workshop.examples.firstProgram
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.EditOrigin
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.MissingPart
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.SolutionCheck
 import robotran.workshop.state.SolutionProgram
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -41,13 +41,13 @@ import kotlin.test.assertTrue
 class MakingAssignmentTest {
     private val machine = Machine().apply { files.location = "/home/made.robotran" }
 
-    private val Workshop.making: MakingState get() = checkNotNull(state.making)
+    private val Workshop.making: AssignmentEditorState get() = checkNotNull(state.making)
 
     private fun making(project: Project = AnyAssignment.teachers.copy(assignment = null)): Workshop =
         machine.window(AnyAssignment.request(project)).also { it.handle(AssignmentEvent.MakingRequested) }
 
     private fun saved(): Project =
-        assertIs<ProjectFileResult.Loaded>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
+        assertIs<ProjectFileResult.Success>(readProject(machine.files.disk.values.last(), Language.ENGLISH)).project
 
     private val Workshop.solutionText: String get() = making.assignment.solution.single().files.single().text
 
@@ -334,7 +334,7 @@ class MakingAssignmentTest {
         val robot = edited.robots.first()
         val moved = robot.copy(start = robot.start.copy(x = robot.start.x + 5))
         workshop.handle(
-            WorldEditEvent.Edited(Edit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(moved))),
+            WorldEditEvent.Edited(WorldEdit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(moved))),
         )
         workshop.handle(WorldEditEvent.TriedOut)
         assertEquals(world, workshop.project.world)

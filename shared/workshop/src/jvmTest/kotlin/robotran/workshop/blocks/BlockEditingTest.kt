@@ -5,7 +5,7 @@ import robotran.blockediting.BlockEditError
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
@@ -59,7 +59,7 @@ class BlockEditingTest {
         assertNotEquals(first, state.said)
         send(ProgramEvent.Redone)
         assertEquals("Redone. Now: beep, 2 of 2", state.said)
-        send(ProgramEvent.DraftChanged(Draft("beep\nbuzz\n"), EditKind.OTHER))
+        send(ProgramEvent.DraftChanged(TextDocument("beep\nbuzz\n"), EditKind.OTHER))
         assertNull(state.said)
     }
 
@@ -79,7 +79,7 @@ class BlockEditingTest {
         open("forward 20", "20")
         for (number in listOf("2", "25", "250")) send(BlockEvent.Put(number))
         assertEquals("forward 250\n", text)
-        assertEquals("250", (state.sheet as BlockSheet.Part).span.textIn(text))
+        assertEquals("250", (state.sheet as BlockDialog.Part).span.textIn(text))
         send(BlockEvent.SheetShown(null))
         send(ProgramEvent.Undone)
         assertEquals("forward 20\n", text)
@@ -116,7 +116,7 @@ class BlockEditingTest {
 
     @Test
     fun `a block that is carried lands where it was last`() = onBlocks("beep\nrepeat 4 times\nend\n") {
-        val load = BlockLoad.Blocks(state.runOf(block("beep")))
+        val load = DragPayload.Blocks(state.runOf(block("beep")))
         val inside = checkNotNull(state.program.endOf(block("repeat 4 times")))
         send(BlockEvent.Dragged(BlockDrag(load, BlockTarget.Between(inside))))
         assertEquals("beep\nrepeat 4 times\nend\n", text)
@@ -127,7 +127,7 @@ class BlockEditingTest {
 
     @Test
     fun `a block that lands nowhere stays where it was`() = onBlocks("beep\nbuzz\n") {
-        send(BlockEvent.Dragged(BlockDrag(BlockLoad.Blocks(state.runOf(block("beep"))), null)))
+        send(BlockEvent.Dragged(BlockDrag(DragPayload.Blocks(state.runOf(block("beep"))), null)))
         send(BlockEvent.Dropped)
         assertEquals("beep\nbuzz\n", text)
         assertNull(state.drag)
@@ -151,9 +151,9 @@ class BlockEditingTest {
     @Test
     fun `beside the text, the row is that of the caret, also after undo`() = onBlocks("beep\nbuzz\nstop\n") {
         send(BlockEvent.ViewChosen(ProgramView.BOTH))
-        send(ProgramEvent.DraftChanged(Draft(text).withCaret(text.indexOf("uzz")), EditKind.OTHER))
+        send(ProgramEvent.DraftChanged(TextDocument(text).withCaret(text.indexOf("uzz")), EditKind.OTHER))
         assertEquals("buzz", row)
-        send(ProgramEvent.DraftChanged(Draft("beep\nbuzz\nhalt\n").withCaret(12), EditKind.OTHER))
+        send(ProgramEvent.DraftChanged(TextDocument("beep\nbuzz\nhalt\n").withCaret(12), EditKind.OTHER))
         assertEquals("halt", row)
         goTo("beep")
         send(ProgramEvent.Undone)

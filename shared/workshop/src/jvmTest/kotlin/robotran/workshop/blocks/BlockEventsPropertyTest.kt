@@ -36,7 +36,7 @@ class BlockEventsPropertyTest {
         assertEquals(text, state.program.text)
         state.cursor?.let { assertTrue(state.program[it.block] != null, "the cursor is at no block") }
         assertTrue(state.selected.all { state.program[it] != null }, "a block is selected that is not there")
-        val part = (state.sheet as? BlockSheet.Part)?.span
+        val part = (state.sheet as? BlockDialog.Part)?.span
         if (part != null) assertTrue(state.program.partAt(part) != null, "the sheet is about nothing")
     }
 
@@ -50,7 +50,7 @@ class BlockEventsPropertyTest {
             0 -> BlockEvent.CursorPut(row?.cursor)
             1 -> BlockEvent.Taken(palette[random % palette.size])
             2 -> BlockEvent.Moved(isUp = random % 2 == 0)
-            3 -> BlockEvent.SheetShown(parts.getOrNull(random % (parts.size + 1))?.let { BlockSheet.Part(it.span) })
+            3 -> BlockEvent.SheetShown(parts.getOrNull(random % (parts.size + 1))?.let { BlockDialog.Part(it.span) })
             4 -> BlockEvent.Put(TEXTS[random % TEXTS.size])
             5 -> BlockEvent.Edited(BlockEdit.Delete(state.selected.toSet()))
             6 -> row?.let { BlockEvent.Folded(it.block.id) } ?: BlockEvent.ErrorDismissed
@@ -61,7 +61,7 @@ class BlockEventsPropertyTest {
             11 -> dragIntoBin(row)
             12 -> BlockEvent.Nested(isOut = random % 2 == 0)
             13 -> BlockEvent.Pasted(PASTED[random % PASTED.size])
-            14 -> row?.let { BlockEvent.StackSelected(it.block.id) } ?: BlockEvent.ChoosingSet(random % 2 == 0)
+            14 -> row?.let { BlockEvent.StackSelected(it.block.id) } ?: BlockEvent.MultiSelectChanged(random % 2 == 0)
             else -> BlockEvent.Dropped
         }
     }
@@ -73,22 +73,22 @@ class BlockEventsPropertyTest {
         val to = BlockTarget.Socket(values[random % values.size].span)
         val fresh = Palette.blocks.filter { it.isValue }
         val load = if (random % 3 == 0) {
-            BlockLoad.New(fresh[random % fresh.size])
+            DragPayload.New(fresh[random % fresh.size])
         } else {
-            BlockLoad.Value(values[random / 7 % values.size].span)
+            DragPayload.Value(values[random / 7 % values.size].span)
         }
         return BlockEvent.Dragged(BlockDrag(load, if (random % 5 == 0) BlockTarget.Bin else to))
     }
 
     private fun OnBlocks.dragIntoBin(row: BlockRow?): BlockEvent {
         val run = row?.let { state.runOf(it.block.id) } ?: return BlockEvent.DragCancelled
-        return BlockEvent.Dragged(BlockDrag(BlockLoad.Blocks(run), BlockTarget.Bin))
+        return BlockEvent.Dragged(BlockDrag(DragPayload.Blocks(run), BlockTarget.Bin))
     }
 
     private fun OnBlocks.dragTo(row: BlockRow?): BlockEvent {
         val run = state.run ?: return BlockEvent.DragCancelled
         return BlockEvent.Dragged(
-            BlockDrag(BlockLoad.Blocks(run), row?.placeBelow(state.program)?.let(BlockTarget::Between)),
+            BlockDrag(DragPayload.Blocks(run), row?.placeBelow(state.program)?.let(BlockTarget::Between)),
         )
     }
 

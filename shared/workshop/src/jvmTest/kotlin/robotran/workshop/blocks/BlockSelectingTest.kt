@@ -23,17 +23,17 @@ class BlockSelectingTest {
     fun `a block with all below it is a stack`() = onBlocks("beep\nrepeat 2 times\n  buzz\n  stop\nend\n") {
         send(BlockEvent.StackSelected(block("buzz")))
         assertEquals(listOf("buzz", "stop"), chosen)
-        drag(BlockLoad.Blocks(state.runOf(block("buzz"))), BlockTarget.Between(checkNotNull(state.program.endOf(null))))
+        drag(DragPayload.Blocks(state.runOf(block("buzz"))), BlockTarget.Between(checkNotNull(state.program.endOf(null))))
         assertEquals("beep\nrepeat 2 times\nend\nbuzz\nstop\n", text)
     }
 
     @Test
     fun `choosing several ends when they are deleted`() = onBlocks("beep\nbuzz\nstop\n") {
         goTo("beep")
-        send(BlockEvent.ChoosingSet(true))
+        send(BlockEvent.MultiSelectChanged(true))
         send(BlockEvent.SelectedTo(block("buzz")))
         assertTrue(state.isChoosing)
-        drag(BlockLoad.Blocks(state.runOf(block("beep"))), BlockTarget.Bin)
+        drag(DragPayload.Blocks(state.runOf(block("beep"))), BlockTarget.Bin)
         assertFalse(state.isChoosing)
     }
 

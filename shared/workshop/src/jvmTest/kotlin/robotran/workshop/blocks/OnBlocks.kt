@@ -7,7 +7,7 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
@@ -37,7 +37,7 @@ internal class OnBlocks(val workshop: Workshop) {
     /** The words of the part of that row that the keyboard is at. */
     val part: String? get() = state.part?.textIn(text)
 
-    fun write(text: String) = send(ProgramEvent.DraftChanged(Draft(text), EditKind.OTHER))
+    fun write(text: String) = send(ProgramEvent.DraftChanged(TextDocument(text), EditKind.OTHER))
 
     fun send(event: ProgramEvent) = workshop.handle(event)
 
@@ -63,7 +63,7 @@ internal class OnBlocks(val workshop: Workshop) {
     }
 
     /** Carries [load] to [target] and lets go. */
-    fun drag(load: BlockLoad, target: BlockTarget?) {
+    fun drag(load: DragPayload, target: BlockTarget?) {
         send(BlockEvent.Dragged(BlockDrag(load, target)))
         send(BlockEvent.Dropped)
     }
@@ -72,6 +72,6 @@ internal class OnBlocks(val workshop: Workshop) {
     fun open(line: String, words: String) {
         goTo(line)
         val parts = checkNotNull(state.program.lineOf(checkNotNull(state.cursor))).editableParts
-        send(BlockEvent.SheetShown(BlockSheet.Part(parts.first { it.span.textIn(text) == words }.span)))
+        send(BlockEvent.SheetShown(BlockDialog.Part(parts.first { it.span.textIn(text) == words }.span)))
     }
 }

@@ -148,7 +148,7 @@ private class Pupil(private val blocks: OnBlocks, private val introduced: Set<St
     fun changeLast(new: String) = put(line.editableParts.lastIndex, new)
 
     private fun put(part: Int, new: String) {
-        blocks.send(BlockEvent.SheetShown(BlockSheet.Part(line.editableParts[part].span)))
+        blocks.send(BlockEvent.SheetShown(BlockDialog.Part(line.editableParts[part].span)))
         blocks.send(BlockEvent.Put(new))
         blocks.send(BlockEvent.SheetShown(null))
         assertNull(blocks.state.error)

@@ -234,12 +234,12 @@ class DoingCourseTest {
         workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(pupils.copy(id = "other")))))
         assertIs<Notice.FileNotSaved>(workshop.state.notice)
         machine.store.full = false
-        repeat(CourseShelf.MAXIMUM_COURSES) {
+        repeat(CourseRepository.MAXIMUM_COURSES) {
             workshop.handle(DocumentEvent.FilesBrought(listOf(AnyCourse.file(pupils.copy(id = "c$it")))))
         }
-        assertEquals<Notice?>(Notice.TooManyCourses(CourseShelf.MAXIMUM_COURSES), workshop.state.notice)
+        assertEquals<Notice?>(Notice.TooManyCourses(CourseRepository.MAXIMUM_COURSES), workshop.state.notice)
         workshop.handle(CourseEvent.ListRequested)
-        assertEquals(CourseShelf.MAXIMUM_COURSES, workshop.list.courses.size)
+        assertEquals(CourseRepository.MAXIMUM_COURSES, workshop.list.courses.size)
     }
 
     @Test

@@ -51,7 +51,7 @@ class MakingCourseTest {
     private fun saved(event: CourseEvent): Course {
         machine.files.location = "/home/out.course.json"
         workshop.handle(event)
-        return assertIs<CourseFileResult.Loaded>(
+        return assertIs<CourseFileResult.Success>(
             readCourse(machine.files.disk.getValue("/home/out.course.json"), Language.ENGLISH),
         ).course
     }

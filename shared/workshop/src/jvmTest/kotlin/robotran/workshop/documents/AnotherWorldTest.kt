@@ -22,7 +22,7 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeWorld
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.piece
 import kotlin.test.Test
@@ -234,7 +234,7 @@ class AnotherWorldTest {
 
     private fun Workshop.putBlock() {
         handle(WorldEditEvent.EditorOpened)
-        handle(WorldEditEvent.Edited(Edit.Put(PaletteItem.BLOCK.piece(state.world), Point(30.0, 30.0))))
+        handle(WorldEditEvent.Edited(WorldEdit.Put(PaletteItem.BLOCK.piece(state.world), Point(30.0, 30.0))))
     }
 
     private fun linkTo(world: World): String = (

@@ -347,7 +347,7 @@ class DocumentStateHolderTest {
         workshop.advance(500)
         machine.files.location = "replay.robotran"
         workshop.handle(DocumentEvent.ReplayRequested)
-        val project = assertIs<ProjectFileResult.Loaded>(
+        val project = assertIs<ProjectFileResult.Success>(
             readProject(machine.files.disk.getValue("replay.robotran"), Language.ENGLISH),
         ).project
         assertTrue(project.inputs.isNotEmpty())

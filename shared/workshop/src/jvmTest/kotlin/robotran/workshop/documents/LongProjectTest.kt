@@ -9,7 +9,7 @@ import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
 import robotran.projects.writeProject
 import robotran.textediting.EditKind
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
@@ -79,7 +79,7 @@ class LongProjectTest {
     }
 
     private fun Workshop.edit(text: String) =
-        handle(ProgramEvent.DraftChanged(Draft(text).withCaret(text.length), EditKind.OTHER))
+        handle(ProgramEvent.DraftChanged(TextDocument(text).withCaret(text.length), EditKind.OTHER))
 
     private fun fileOf(text: String): ByteArray {
         val world = BuiltInWorlds.plain

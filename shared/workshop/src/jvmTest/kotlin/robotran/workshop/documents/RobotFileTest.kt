@@ -21,7 +21,7 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeRobot
 import robotran.world.file.writeWorld
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import kotlin.test.AfterTest
@@ -107,7 +107,7 @@ class RobotFileTest {
     fun `the change is one step of the world editor`() {
         bring(file())
         workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Undo))
         workshop.handle(WorldEditEvent.EditorClosed)
         assertEquals(ReadyRobots.RCX_PENBOT, robot)
         assertNull(workshop.state.notice)
@@ -119,10 +119,10 @@ class RobotFileTest {
         val second = RobotPlacement(world.start.copy(y = world.start.y + 30), "blue")
         workshop.changeWorld(world.copy(robots = world.robots + second))
         workshop.handle(WorldEditEvent.EditorOpened)
-        workshop.handle(WorldEditEvent.Edited(Edit.Select(ElementRef(ElementKind.ROBOT, 1))))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 1))))
         bring(file())
         assertEquals(listOf(ReadyRobots.RCX_PENBOT, ReadyRobots.SUMO), robots.map { it.description })
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Undo))
         assertEquals(listOf(ReadyRobots.RCX_PENBOT, ReadyRobots.RCX_PENBOT), robots.map { it.description })
     }
 
@@ -154,7 +154,7 @@ class RobotFileTest {
         assertTrue(editor.hasFailedToClose && editor.editing.errors.isNotEmpty())
         assertEquals(ReadyRobots.SUMO, editor.world.robots.first().description)
         assertEquals(before, workshop.project.world)
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Undo))
         workshop.handle(WorldEditEvent.EditorClosed)
         assertNull(workshop.state.worldEdit)
         assertEquals(before, workshop.state.world)

@@ -11,7 +11,7 @@ import robotran.language.Language
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
 import robotran.projects.Project
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
@@ -198,7 +198,7 @@ internal class GradingHandInsTest : HandInsTesting() {
                     },
                 ),
             )
-        val session = Session(world, assertIs<RobotLoads.Ready>(loads).loads, loadPhysicsEngine(), Language.ENGLISH)
+        val session = Session(world, assertIs<RobotProgramSets.Success>(loads).loads, loadPhysicsEngine(), Language.ENGLISH)
         return session.runForGoals().report.toJson().also { session.close() }
     }
 

@@ -104,7 +104,7 @@ internal class HandInsStateHolderTest : HandInsTesting() {
         val zip = workshop.save(HandInsEvent.FeedbackRequested, "/home/class.zip")
         assertContains(zip.decodeToString(), "Ben - feedback - ")
         val file = workshop.save(HandInsEvent.FeedbackFileRequested("Ben"), "/home/Ben.robotran").decodeToString()
-        val project = assertIs<ProjectFileResult.Loaded>(readProject(file, Language.ENGLISH)).project
+        val project = assertIs<ProjectFileResult.Success>(readProject(file, Language.ENGLISH)).project
         assertEquals("A little further.", project.feedback?.comment)
         files.full = true
         workshop.handle(HandInsEvent.CsvRequested)

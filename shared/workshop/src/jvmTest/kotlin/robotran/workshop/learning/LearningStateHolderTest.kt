@@ -9,7 +9,7 @@ import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.projects.ProgramView
 import robotran.workshop.Workshop
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
@@ -97,7 +97,7 @@ class LearningStateHolderTest {
         assertEquals(Notice.FirstProgramRuns, workshop.state.notice)
         workshop.handle(WorkshopEvent.NoticeTaken)
         val blocks = checkNotNull(workshop.state.programs.blocks)
-        val sheet = blocks.sheet as BlockSheet.Part
+        val sheet = blocks.sheet as BlockDialog.Part
         assertEquals("20", sheet.span.textIn(blocks.program.text))
         assertEquals(Pane.PROGRAM, workshop.state.pane)
         workshop.handle(BlockEvent.Put("30"))

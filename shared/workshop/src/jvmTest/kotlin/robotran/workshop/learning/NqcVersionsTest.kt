@@ -1,5 +1,10 @@
 package robotran.workshop.learning
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -8,19 +13,15 @@ import robotran.learning.Lesson
 import robotran.learning.WorldGallery
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
+import robotran.nqc.messages.NqcMessages
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.projects.PENBOT_TARGET
-import robotran.projects.RobotLoads
+import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 
 class NqcVersionsTest {
     private val versions = NqcVersions()
@@ -38,8 +39,8 @@ class NqcVersionsTest {
     fun `translated programs have no mistakes and nothing to warn of`() {
         for (task in tasks) {
             for (program in listOfNotNull(versions.start(task), versions.solution(task))) {
-                val result = compileNqc(program.name, program.files.single().text)
-                assertEquals(emptyList(), assertIs<NqcResult.Ready>(result, task.name).warnings, task.name)
+                val result = compileNqc(program.name, program.files.single().text, messages = NqcMessages.of(Language.ENGLISH))
+                assertEquals(emptyList(), assertIs<NqcResult.Success>(result, task.name).warnings, task.name)
                 assertTrue(versions.has(program), task.name)
             }
         }
@@ -62,7 +63,7 @@ class NqcVersionsTest {
         val files = listOf(SourceFile(program.name, program.files.single().text))
         val project = task.project(Language.ENGLISH, files)
         val loads =
-            assertIs<RobotLoads.Ready>(
+            assertIs<RobotProgramSets.Success>(
                 readRobotLoads(project, ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)),
             )
         val session = Session(project.worldToRun.copy(seed = seed), loads.loads, loadPhysicsEngine(), Language.ENGLISH)

@@ -7,7 +7,7 @@ import robotran.learning.HintStage
 import robotran.learning.WorldGallery
 import robotran.projects.ProgramView
 import robotran.simulation.state.GoalStatus
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -121,8 +121,8 @@ class WorldTaskTest {
             listOf(RunEvent.ButtonPressed(brick)),
             listOf(
                 BlockEvent.ViewChosen(ProgramView.BLOCKS),
-                BlockEvent.DoneNow(
-                    BlockLoad.New(
+                BlockEvent.SnippetRequested(
+                    DragPayload.New(
                         Palette.blocks.first {
                             it.id == "move"
                         },

@@ -26,7 +26,7 @@ import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
 import robotran.world.geometry.Point
 import robotran.world.robot.RobotError
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -80,7 +80,7 @@ class RobotEditTest {
         done()
         val editor = assertNotNull(workshop.state.worldEdit)
         assertEquals(4, editor.world.robots.first().description.parts.size)
-        workshop.handle(WorldEditEvent.Edited(Edit.Undo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Undo))
         assertEquals(ReadyRobots.RCX_PENBOT, robot.description)
     }
 
@@ -230,7 +230,7 @@ class RobotEditTest {
         assertEquals(Notice.FileSaved("sumo.robot.json"), workshop.state.notice)
         assertEquals("Sumo robot 2.robot.json", machine.files.suggestion)
         val bytes = machine.files.disk.getValue("/home/sumo.robot.json")
-        assertEquals(RobotFileResult.Loaded(built), readRobot(bytes, Language.ENGLISH))
+        assertEquals(RobotFileResult.Success(built), readRobot(bytes, Language.ENGLISH))
         make(RobotEdit.Replace(ReadyRobots.RCX_PENBOT))
         machine.files.chosen = listOf(OpenedFile("sumo.robot.json", bytes))
         workshop.handle(RobotEditEvent.OpenRequested)

@@ -262,7 +262,7 @@ class RunStateHolderTest {
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
         val mine = ProjectRobot(first.name, listOf(Program.of("way.robo", WAY).asProject()))
         workshop.openProject(Project(world, listOf(mine)))
-        did(RunEvent.RobotWatched(1), RunEvent.DrawerChosen(DrawerTab.VARIABLES), RunEvent.RunPressed)
+        did(RunEvent.DebuggedRobotChosen(1), RunEvent.DrawerChosen(DrawerTab.VARIABLES), RunEvent.RunPressed)
         frames(500)
         assertTrue(workshop.state.session.robots.all { it.robot.pose != first.start && it.robot.pose != other.start })
         did(RunEvent.PausePressed)
@@ -290,7 +290,7 @@ class RunStateHolderTest {
         assertEquals(WorkshopStatus.Paused(4), workshop.state.status)
         assertEquals(first.name to 0, workshop.state.programs.shownRobot to run.watched)
         assertEquals(4, workshop.state.shownProgramRun.runningLine)
-        did(RunEvent.RobotWatched(1))
+        did(RunEvent.DebuggedRobotChosen(1))
         assertEquals("other", workshop.state.programs.shownRobot)
         assertEquals(WorkshopStatus.Paused(1), workshop.state.status)
     }

@@ -115,7 +115,7 @@ class SendStateHolderTest {
     @Test
     fun `a program with a mistake is not sent, and its mistake can be shown`() {
         val mistake = Diagnostic(Severity.ERROR, "square.robo", null, "This is too long for a brick.")
-        images.result = ProgramImageResult.HasErrors(listOf(mistake))
+        images.result = ProgramImageResult.Failure(listOf(mistake))
         request()
         assertEquals(SendStep.HasErrors(mistake), step)
         holder.handle(SendEvent.MistakeShown)
@@ -182,7 +182,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a tower unplugged in the middle is opened anew at the next try`() {
-        robot.transfers += TransferResult.Failed(TowerError.TowerGone)
+        robot.transfers += TransferResult.Failure(TowerError.TowerGone)
         request()
         assertEquals(SendStep.Failed(SendError.OfTower(TowerError.TowerGone)), step)
         assertTrue(towers.opened.single().isClosed)
@@ -193,7 +193,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a brick without leJOS gets the firmware that the pupil chooses, and then the program`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
+        robot.transfers += TransferResult.Failure(TowerError.NoLejos())
         request()
         assertEquals(SendStep.NeedsFirmware(), step)
         files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
@@ -210,7 +210,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a firmware whose transfer was cancelled need not be chosen again`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
+        robot.transfers += TransferResult.Failure(TowerError.NoLejos())
         request()
         files.chosen = listOf(OpenedFile("lejos.srec", firmwareFile()))
         holder.handle(SendEvent.FirmwareFileRequested)
@@ -219,7 +219,7 @@ class SendStateHolderTest {
         holder.handle(SendEvent.Cancelled)
         assertEquals(SendStep.Cancelled(Transfer.FIRMWARE), step)
         robot.hold = null
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
+        robot.transfers += TransferResult.Failure(TowerError.NoLejos())
         holder.handle(SendEvent.Retried)
         assertNotNull(assertIs<SendStep.NeedsFirmware>(step).usable)
     }
@@ -228,7 +228,7 @@ class SendStateHolderTest {
     fun `a file that is no firmware, and the firmware of LEGO, are not sent`() {
         val useless = mapOf("square.robo" to "forward 20".encodeToByteArray(), "f.lgo" to firmwareFile("FIRM0328.LGO"))
         for ((name, bytes) in useless) {
-            robot.transfers += TransferResult.Failed(TowerError.NoLejos())
+            robot.transfers += TransferResult.Failure(TowerError.NoLejos())
             request()
             files.chosen = listOf(OpenedFile(name, bytes))
             holder.handle(SendEvent.FirmwareFileRequested)
@@ -243,7 +243,7 @@ class SendStateHolderTest {
 
     @Test
     fun `whoever chooses no file is where they were`() {
-        robot.transfers += TransferResult.Failed(TowerError.NoLejos())
+        robot.transfers += TransferResult.Failure(TowerError.NoLejos())
         request()
         holder.handle(SendEvent.FirmwareFileRequested)
         assertEquals(SendStep.NeedsFirmware(), step)
@@ -251,7 +251,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a program for LEGO's firmware asks for its slot, and the next one too, naming the last`() {
-        images.result = ProgramImageResult.Ready(LEGO)
+        images.result = ProgramImageResult.Success(LEGO)
         request()
         assertEquals(SendStep.ChoosingSlot(last = null), step)
         holder.handle(SendEvent.SlotChosen(3))
@@ -264,8 +264,8 @@ class SendStateHolderTest {
 
     @Test
     fun `another try takes the slot that was chosen, and whoever cancels is told which slot is empty`() {
-        images.result = ProgramImageResult.Ready(LEGO)
-        robot.transfers += TransferResult.Failed(TowerError.BadConnection, Remains.NO_PROGRAM)
+        images.result = ProgramImageResult.Success(LEGO)
+        robot.transfers += TransferResult.Failure(TowerError.BadConnection, Remains.NO_PROGRAM)
         request()
         holder.handle(SendEvent.SlotChosen(2))
         val failed = SendStep.Failed(SendError.OfTower(TowerError.BadConnection), Remains.NO_PROGRAM, slot = 2)
@@ -282,8 +282,8 @@ class SendStateHolderTest {
 
     @Test
     fun `a brick without room can be emptied`() {
-        images.result = ProgramImageResult.Ready(LEGO)
-        robot.transfers += TransferResult.Failed(TowerError.TooLarge(900, null), Remains.NO_PROGRAM)
+        images.result = ProgramImageResult.Success(LEGO)
+        robot.transfers += TransferResult.Failure(TowerError.TooLarge(900, null), Remains.NO_PROGRAM)
         request()
         holder.handle(SendEvent.SlotChosen(1))
         assertIs<SendStep.Failed>(step)
@@ -294,7 +294,7 @@ class SendStateHolderTest {
 
     @Test
     fun `a program for LEGO's firmware needs it, and version 2_0 of it`() {
-        images.result = ProgramImageResult.Ready(LEGO)
+        images.result = ProgramImageResult.Success(LEGO)
         for (why in listOf(TowerError.NoLegoFirmware, TowerError.LegoFirmwareTooOld(RcxVersion(3, 9)))) {
             robot.checks += why
             request()
@@ -316,7 +316,7 @@ class SendStateHolderTest {
 
     @Test
     fun `the datalog is read before a slot is chosen, saved, and a slot can be chosen afterwards`() {
-        images.result = ProgramImageResult.Ready(LEGO)
+        images.result = ProgramImageResult.Success(LEGO)
         val entries = listOf(DatalogEntry(0x40, 55), DatalogEntry(3, -1))
         robot.datalog = TowerResult.Success(entries)
         request()
@@ -335,7 +335,7 @@ class SendStateHolderTest {
         assertEquals(csv, files.disk.getValue("/home/log.csv").decodeToString())
         holder.handle(SendEvent.Retried)
         assertEquals(SendStep.ChoosingSlot(last = null), step)
-        robot.datalog = TowerResult.Failed(TowerError.BadConnection)
+        robot.datalog = TowerResult.Failure(TowerError.BadConnection)
         holder.handle(SendEvent.DatalogRequested)
         assertEquals(SendStep.Failed(SendError.OfTower(TowerError.BadConnection)), step)
         assertEquals(emptyList(), robot.slots)

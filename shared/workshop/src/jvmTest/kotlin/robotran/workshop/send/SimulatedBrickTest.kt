@@ -54,7 +54,7 @@ class SimulatedBrickTest {
             workshop.handle(ProgramEvent.ProgramAdded(program))
             assertSent(send(workshop))
             val built = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH).buildImage(listOf(source))
-            assertContentEquals(assertIs<ImageBuildResult.Built>(built).image.bytes, brick.program)
+            assertContentEquals(assertIs<ImageBuildResult.Success>(built).image.bytes, brick.program)
             workshop.handle(SendEvent.Cancelled)
         }
         workshop.close()
@@ -178,7 +178,7 @@ class SimulatedBrickTest {
         override suspend fun choose(kind: TowerKind): TowerDevice = SERIAL_TOWER
 
         override suspend fun open(device: TowerDevice): OpenedTower =
-            OpenedTower.Open(SimulatedTower(scope, brick, faults = faults))
+            OpenedTower.Success(SimulatedTower(scope, brick, faults = faults))
     }
 
     private companion object {

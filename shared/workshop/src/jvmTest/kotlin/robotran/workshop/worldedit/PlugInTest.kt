@@ -12,7 +12,7 @@ import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -88,13 +88,13 @@ class PlugInTest {
         runWithoutLeftBumper()
         plugIn()
         val walls = workshop.project.world.walls.size
-        edit(Edit.Put(PaletteItem.WALL.piece(workshop.project.world), Point(60.0, 45.0)))
+        edit(WorldEdit.Put(PaletteItem.WALL.piece(workshop.project.world), Point(60.0, 45.0)))
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(emptyList(), workshop.ports.first())
         assertEquals(walls + 1, workshop.project.world.walls.size)
-        edit(Edit.Undo)
+        edit(WorldEdit.Undo)
         assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first(), "The editor can undo the undoing.")
-        edit(Edit.Undo)
+        edit(WorldEdit.Undo)
         assertEquals(walls, workshop.project.world.walls.size)
     }
 
@@ -111,10 +111,10 @@ class PlugInTest {
     fun `the notice goes when the world editor undoes it, and Redo there plugs in again`() {
         runWithoutLeftBumper()
         plugIn()
-        edit(Edit.Undo)
+        edit(WorldEdit.Undo)
         assertEquals(emptyList(), workshop.ports.first())
         assertNull(workshop.state.notice)
-        edit(Edit.Redo)
+        edit(WorldEdit.Redo)
         assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
     }
 
@@ -147,7 +147,7 @@ class PlugInTest {
         assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(emptyList(), workshop.ports.first())
-        workshop.handle(WorldEditEvent.Edited(Edit.Redo))
+        workshop.handle(WorldEditEvent.Edited(WorldEdit.Redo))
         workshop.handle(WorldEditEvent.EditorClosed)
         assertEquals(listOf(PortSensor.LEFT_BUMPER), workshop.ports.first())
         assertTrue(workshop.state.session.robots.first().missingSensors == null)
@@ -166,7 +166,7 @@ class PlugInTest {
         assertEquals(listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList()), workshop.ports)
     }
 
-    private fun edit(edit: Edit) {
+    private fun edit(edit: WorldEdit) {
         workshop.handle(WorldEditEvent.EditorOpened)
         workshop.handle(WorldEditEvent.Edited(edit))
         workshop.handle(WorldEditEvent.EditorClosed)
@@ -174,7 +174,7 @@ class PlugInTest {
 
     private fun change(how: RobotPlacement.() -> RobotPlacement) {
         val robot = workshop.project.world.robots.first().how()
-        edit(Edit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(robot)))
+        edit(WorldEdit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(robot)))
     }
 
     private companion object {

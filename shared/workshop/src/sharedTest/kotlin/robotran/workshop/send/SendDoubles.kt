@@ -42,10 +42,10 @@ internal class PluggedTowers(
     }
 
     override suspend fun open(device: TowerDevice): OpenedTower {
-        failure?.let { return OpenedTower.Failed(it) }
+        failure?.let { return OpenedTower.Failure(it) }
         val port = SilentPort(device)
         opened += port
-        return OpenedTower.Open(port)
+        return OpenedTower.Success(port)
     }
 }
 
@@ -133,7 +133,7 @@ internal class ScriptedRobot : RobotLinks {
     private suspend fun transfer(bytes: ByteArray, progress: (TransferProgress) -> Unit): TransferResult {
         progress(TransferProgress(confirmedBlocks = 3, totalBlocks = 12, repeats = 1, secondsLeft = 20))
         hold?.await()
-        return transfers.removeFirstOrNull() ?: TransferResult.Complete(bytes.size, repeats = 0)
+        return transfers.removeFirstOrNull() ?: TransferResult.Success(bytes.size, repeats = 0)
     }
 }
 
@@ -141,7 +141,7 @@ internal class ScriptedRobot : RobotLinks {
 internal class TextImages : ImageBuilder {
     var result: ProgramImageResult? = null
 
-    override suspend fun build(program: Program): ProgramImageResult = result ?: ProgramImageResult.Ready(
+    override suspend fun build(program: Program): ProgramImageResult = result ?: ProgramImageResult.Success(
         BuiltProgram.Lejos(program.files.first().text.encodeToByteArray(), maxBytes = 10_000),
     )
 }

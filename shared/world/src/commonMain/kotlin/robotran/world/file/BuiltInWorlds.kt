@@ -13,8 +13,8 @@ object BuiltInWorlds {
     /** An empty sheet with four walls around it and no goals: the default world. */
     val plain: World by lazy(LazyThreadSafetyMode.PUBLICATION) {
         when (val result = readWorld(texts.getValue("plain.world.json"), Language.ENGLISH)) {
-            is WorldFileResult.Loaded -> result.world.copy(task = "", goals = emptyList())
-            is WorldFileResult.Rejected -> error(result.message)
+            is WorldFileResult.Success -> result.world.copy(task = "", goals = emptyList())
+            is WorldFileResult.Failure -> error(result.message)
         }
     }
 

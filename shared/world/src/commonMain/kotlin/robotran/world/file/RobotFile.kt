@@ -14,7 +14,7 @@ import robotran.world.messages.robotReason
 /** The result of reading a robot file. */
 sealed interface RobotFileResult {
     /** @property warnings about fields that are probably misspelt. */
-    data class Loaded(val robot: RobotDescription, val warnings: List<JsonWarning> = emptyList()) : RobotFileResult
+    data class Success(val robot: RobotDescription, val warnings: List<JsonWarning> = emptyList()) : RobotFileResult
 
     /**
      * The file is invalid.
@@ -23,7 +23,7 @@ sealed interface RobotFileResult {
      * @property line the line of the error, from 1; null if the error concerns the whole file.
      * @property path the value with the error, such as `parts[2]`; empty if none.
      */
-    data class Rejected(val message: String, val line: Int?, val path: String) : RobotFileResult
+    data class Failure(val message: String, val line: Int?, val path: String) : RobotFileResult
 }
 
 /**
@@ -56,8 +56,8 @@ private fun robotIn(cursor: JsonCursor): RobotDescription {
 }
 
 private fun resultOf(reading: JsonReading<RobotDescription>): RobotFileResult = when (reading) {
-    is JsonReading.Read -> RobotFileResult.Loaded(reading.value, reading.warnings)
-    is JsonReading.Rejected -> RobotFileResult.Rejected(reading.message, reading.line, reading.path)
+    is JsonReading.Success -> RobotFileResult.Success(reading.value, reading.warnings)
+    is JsonReading.Failure -> RobotFileResult.Failure(reading.message, reading.line, reading.path)
 }
 
 private const val ROBOT_FORMAT = "robotran-robot"

@@ -93,9 +93,9 @@ private fun elementOf(map: MarkFigure.GreyMap) = jsonObject {
     put("rows", JsonArray(map.rows.map(::JsonPrimitive)))
 }
 
-private fun ObjectBuilder.corner(place: Point) {
-    number("x", place.x)
-    number("y", place.y)
+private fun ObjectBuilder.corner(point: Point) {
+    number("x", point.x)
+    number("y", point.y)
 }
 
 private fun hexadecimal(part: Int): String = part.toString(radix = 16).padStart(2, '0')

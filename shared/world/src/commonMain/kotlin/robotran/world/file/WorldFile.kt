@@ -24,6 +24,6 @@ fun readWorld(bytes: ByteArray, language: Language): WorldFileResult = resultOf(
 fun writeWorld(world: World): String = writeJson(elementOf(world), MULTILINE_LISTS)
 
 private fun resultOf(reading: JsonReading<World>): WorldFileResult = when (reading) {
-    is JsonReading.Read -> WorldFileResult.Loaded(reading.value, reading.warnings)
-    is JsonReading.Rejected -> WorldFileResult.Rejected(reading.message, reading.line, reading.path)
+    is JsonReading.Success -> WorldFileResult.Success(reading.value, reading.warnings)
+    is JsonReading.Failure -> WorldFileResult.Failure(reading.message, reading.line, reading.path)
 }

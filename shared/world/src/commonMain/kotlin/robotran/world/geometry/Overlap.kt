@@ -61,7 +61,7 @@ private fun overlap(one: Outline.Angular, other: Outline.Angular): Boolean =
             edges(other.corners).any { (otherFrom, otherTo) -> cross(from, to, otherFrom, otherTo) }
         }
 
-private fun Outline.contains(place: Point) = contains(place.x, place.y)
+private fun Outline.contains(point: Point) = contains(point.x, point.y)
 
 private fun edges(corners: List<Point>): List<Pair<Point, Point>> = corners.indices.map {
     corners[it] to
@@ -78,6 +78,6 @@ private fun meet(from: Point, to: Point, otherFrom: Point, otherTo: Point): Bool
     cross(from, to, otherFrom, otherTo) || isOn(from, to, otherFrom) || isOn(from, to, otherTo) ||
         isOn(otherFrom, otherTo, from) || isOn(otherFrom, otherTo, to)
 
-private fun isOn(from: Point, to: Point, place: Point): Boolean =
-    side(from, to, place) == 0.0 && place.x in minOf(from.x, to.x)..maxOf(from.x, to.x) &&
-        place.y in minOf(from.y, to.y)..maxOf(from.y, to.y)
+private fun isOn(from: Point, to: Point, point: Point): Boolean =
+    side(from, to, point) == 0.0 && point.x in minOf(from.x, to.x)..maxOf(from.x, to.x) &&
+        point.y in minOf(from.y, to.y)..maxOf(from.y, to.y)

@@ -23,9 +23,9 @@ fun distance(point: Point, from: Point, to: Point): Double {
     return length(point.x - from.x - nearest * alongX, point.y - from.y - nearest * alongY)
 }
 
-/** Positive if [place] is to the left of the line from [from] to [to], zero if it is on it. */
-internal fun side(from: Point, to: Point, place: Point): Double =
-    (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x)
+/** Positive if [point] is to the left of the line from [from] to [to], zero if it is on it. */
+internal fun side(from: Point, to: Point, point: Point): Double =
+    (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x)
 
 /** Whether two segments cross at inner points. */
 fun cross(from: Point, to: Point, otherFrom: Point, otherTo: Point): Boolean =

@@ -14,7 +14,7 @@ class BrokenWorldTest {
         for (file in files) {
             for (length in 0..<file.indexOfLast { it == '}'.code.toByte() }) {
                 assertTrue(
-                    readWorld(file.copyOf(length), Language.ENGLISH) is WorldFileResult.Rejected,
+                    readWorld(file.copyOf(length), Language.ENGLISH) is WorldFileResult.Failure,
                     "cut off at $length",
                 )
             }

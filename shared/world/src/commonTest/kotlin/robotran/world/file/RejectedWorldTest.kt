@@ -43,7 +43,7 @@ class RejectedWorldTest {
     @Test
     fun `a refusal tells its line and its path by themselves too`() {
         assertEquals(
-            WorldFileResult.Rejected("Line 34: walls[0].thickness must be from 0.1 to 100.", 34, "walls[0].thickness"),
+            WorldFileResult.Failure("Line 34: walls[0].thickness must be from 0.1 to 100.", 34, "walls[0].thickness"),
             refusal(FULL_WORLD.replaceFirst("\"thickness\": 1.5", "\"thickness\": 0")),
         )
     }
@@ -83,11 +83,11 @@ class RejectedWorldTest {
     @Test
     fun `bytes are read as UTF-8 with or without a byte order mark, and in old encodings with a warning`() {
         val text = FULL_WORLD.replaceFirst("Everything", "Überall")
-        val world = WorldFileResult.Loaded(loaded(text))
+        val world = WorldFileResult.Success(loaded(text))
         assertEquals<WorldFileResult>(world, readWorld(text.encodeToByteArray(), Language.ENGLISH))
         assertEquals<WorldFileResult>(world, readWorld("\uFEFF$text".encodeToByteArray(), Language.ENGLISH))
         val old =
-            assertIs<WorldFileResult.Loaded>(
+            assertIs<WorldFileResult.Success>(
                 readWorld(
                     ByteArray(text.length) {
                         text[it].code.toByte()
@@ -99,11 +99,11 @@ class RejectedWorldTest {
         assertEquals("The file is in Windows-1252, not in UTF-8.", old.warnings.single().message)
         assertEquals(
             "The file is not a text.",
-            assertIs<WorldFileResult.Rejected>(readWorld(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
+            assertIs<WorldFileResult.Failure>(readWorld(byteArrayOf(0, -1, 3), Language.ENGLISH)).message,
         )
         assertEquals(
             "The file is too long: more than 1000000 characters.",
-            assertIs<WorldFileResult.Rejected>(
+            assertIs<WorldFileResult.Failure>(
                 readWorld(
                     ByteArray(10_000_000) {
                         ' '.code.toByte()

@@ -36,25 +36,25 @@ internal val FULL_ROBOT = """
 """.trimIndent()
 
 internal fun loadedRobot(text: String): RobotDescription = when (val result = readRobot(text, Language.ENGLISH)) {
-    is RobotFileResult.Loaded -> result.robot
-    is RobotFileResult.Rejected -> throw AssertionError(result.message)
+    is RobotFileResult.Success -> result.robot
+    is RobotFileResult.Failure -> throw AssertionError(result.message)
 }
 
 /** The error message for the full robot with [new] instead of the first [old]. */
 internal fun robotRefusal(old: String, new: String): String {
     assertTrue(old in FULL_ROBOT, "$old is in the file")
-    return assertIs<RobotFileResult.Rejected>(readRobot(FULL_ROBOT.replaceFirst(old, new), Language.ENGLISH)).message
+    return assertIs<RobotFileResult.Failure>(readRobot(FULL_ROBOT.replaceFirst(old, new), Language.ENGLISH)).message
 }
 
 /** Checks what holds for every result: a robot is restored after writing, a rejection has a sentence and a place. */
 internal fun holds(result: RobotFileResult) {
     when (result) {
-        is RobotFileResult.Loaded -> {
-            val again = assertIs<RobotFileResult.Loaded>(readRobot(writeRobot(result.robot), Language.ENGLISH))
+        is RobotFileResult.Success -> {
+            val again = assertIs<RobotFileResult.Success>(readRobot(writeRobot(result.robot), Language.ENGLISH))
             assertEquals(result.robot, again.robot)
         }
 
-        is RobotFileResult.Rejected -> {
+        is RobotFileResult.Failure -> {
             assertTrue(result.message.endsWith("."), result.message)
             assertTrue(result.path.isEmpty() || result.line != null, result.message)
             assertTrue(result.line == null || result.message.startsWith("Line ${result.line}"), result.message)

@@ -12,7 +12,7 @@ class WorldCountsTest {
             "\"robots\": [{\"start\": {\"x\": 900, \"y\": 900, \"heading\": 0}}]"
 
     private fun refused(fields: String): String =
-        assertIs<WorldFileResult.Rejected>(readWorld("{$start, $fields}", Language.ENGLISH)).message
+        assertIs<WorldFileResult.Failure>(readWorld("{$start, $fields}", Language.ENGLISH)).message
 
     private fun check(field: String, item: String, max: Int) {
         loaded("{$start, ${list(field, item, max)}}")

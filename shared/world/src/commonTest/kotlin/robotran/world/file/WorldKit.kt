@@ -82,12 +82,12 @@ internal val FULL_WORLD = """
 """.trimIndent()
 
 internal fun loaded(text: String): World = when (val result = readWorld(text, Language.ENGLISH)) {
-    is WorldFileResult.Loaded -> result.world
-    is WorldFileResult.Rejected -> throw AssertionError(result.message)
+    is WorldFileResult.Success -> result.world
+    is WorldFileResult.Failure -> throw AssertionError(result.message)
 }
 
-internal fun refusal(text: String): WorldFileResult.Rejected =
-    assertIs<WorldFileResult.Rejected>(readWorld(text, Language.ENGLISH))
+internal fun refusal(text: String): WorldFileResult.Failure =
+    assertIs<WorldFileResult.Failure>(readWorld(text, Language.ENGLISH))
 
 /** The error message for the full world with [new] instead of the first [old]. */
 internal fun refusalWith(old: String, new: String): String {
@@ -112,9 +112,9 @@ internal fun complaint(
  */
 internal fun holds(result: WorldFileResult) {
     when (result) {
-        is WorldFileResult.Loaded -> assertEquals(result.world, loaded(writeWorld(result.world)))
+        is WorldFileResult.Success -> assertEquals(result.world, loaded(writeWorld(result.world)))
 
-        is WorldFileResult.Rejected -> {
+        is WorldFileResult.Failure -> {
             assertTrue(result.message.endsWith("."), result.message)
             assertTrue(result.path.isEmpty() || result.line != null, result.message)
             assertTrue(result.line == null || result.message.startsWith("Line ${result.line}"), result.message)

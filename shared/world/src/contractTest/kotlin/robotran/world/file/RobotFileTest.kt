@@ -139,7 +139,7 @@ class RobotFileTest {
                 "\"line-follower\", \"sumo\" and \"both-sides\".",
             robotRefusal("\"sumo\"", "\"judo\""),
         )
-        val german = assertIs<RobotFileResult.Rejected>(
+        val german = assertIs<RobotFileResult.Failure>(
             readRobot(FULL_ROBOT.replace("\"massAt\": [0.6, 0]", "\"massAt\": [0.6, 1]"), Language.GERMAN),
         )
         assertEquals("Zeile 10: massAt: Der Schwerpunkt muss auf der Mittellinie liegen, bei y 0.", german.message)

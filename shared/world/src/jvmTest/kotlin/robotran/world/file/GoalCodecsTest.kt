@@ -14,7 +14,7 @@ class GoalCodecsTest {
 
     @Test
     fun `there is a codec for each kind of goal, each with a word of its own`() {
-        val world = assertIs<WorldFileResult.Loaded>(readWorld(FULL_WORLD, Language.ENGLISH)).world
+        val world = assertIs<WorldFileResult.Success>(readWorld(FULL_WORLD, Language.ENGLISH)).world
         assertEquals(kinds, world.goals.flatMap(::withParts).map { it.condition.javaClass }.toSet())
         assertEquals(kinds.size, GOAL_CODECS.map { it.kind }.toSet().size)
         assertEquals(kinds.size, GOAL_CODECS.size)

@@ -16,16 +16,16 @@ class MisspeltFieldTest {
         assertTrue(slips.size > 150, "${slips.size}")
         val silent = slips.filterNot { slip ->
             when (val result = readWorld(writeCompactJson(slip.file), Language.ENGLISH)) {
-                is WorldFileResult.Loaded -> {
+                is WorldFileResult.Success -> {
                     result.warnings.any {
                         slip.written in it.path && "\"${slip.name}\"" in it.message
                     }
                 }
 
                 // What needs the field may be refused for that alone.
-                is WorldFileResult.Rejected -> {
+                is WorldFileResult.Failure -> {
                     slip.name in result.message ||
-                        readWorld(writeCompactJson(slip.without), Language.ENGLISH) is WorldFileResult.Rejected
+                        readWorld(writeCompactJson(slip.without), Language.ENGLISH) is WorldFileResult.Failure
                 }
             }
         }
@@ -38,7 +38,7 @@ class MisspeltFieldTest {
             { "format": "robotran-robot", "version": 1, "title": "Wide",
               "wheels": { "trak": 20 } }
         """.trimIndent()
-        val loaded = assertIs<RobotFileResult.Loaded>(readRobot(text, Language.ENGLISH))
+        val loaded = assertIs<RobotFileResult.Success>(readRobot(text, Language.ENGLISH))
         assertEquals(
             listOf("Line 2: wheels.trak is not known and does nothing; perhaps \"track\" is meant."),
             loaded.warnings.map { it.message },
@@ -53,7 +53,7 @@ class MisspeltFieldTest {
               "start": { "x": 40, "y": 40, "heading": 0 }, "seed": 1,
               "tsk": "Drive." }
         """.trimIndent()
-        val loaded = assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH))
+        val loaded = assertIs<WorldFileResult.Success>(readWorld(text, Language.ENGLISH))
         assertEquals(
             listOf("Line 4: tsk is not known and does nothing; perhaps \"task\" is meant."),
             loaded.warnings.map { it.message },
@@ -65,7 +65,7 @@ class MisspeltFieldTest {
         BuiltInWorlds.texts.forEach { (name, text) ->
             assertEquals(
                 emptyList(),
-                assertIs<WorldFileResult.Loaded>(readWorld(text, Language.ENGLISH)).warnings,
+                assertIs<WorldFileResult.Success>(readWorld(text, Language.ENGLISH)).warnings,
                 name,
             )
         }

@@ -31,11 +31,11 @@ class RobotFileProperties :
                 val result = readRobot(writeRobot(robot), Language.ENGLISH)
                 if (errors.isEmpty()) {
                     possible++
-                    result shouldBe RobotFileResult.Loaded(robot)
+                    result shouldBe RobotFileResult.Success(robot)
                 } else {
                     impossible++
                     holds(result)
-                    (result is RobotFileResult.Rejected) shouldBe true
+                    (result is RobotFileResult.Failure) shouldBe true
                     errors.all { it.sentence(Language.ENGLISH).endsWith(".") } shouldBe true
                 }
             }
@@ -95,7 +95,7 @@ class RobotFileProperties :
             checkAll(500, Arb.element(valuesIn(FULL_ROBOT)), others) { range, other ->
                 val text = FULL_ROBOT.replaceRange(range, other)
                 val results = Language.entries.map { readRobot(text, it) }
-                val refused = results.filterIsInstance<RobotFileResult.Rejected>()
+                val refused = results.filterIsInstance<RobotFileResult.Failure>()
                 refused.map { it.path to it.line }.distinct().size shouldBe if (refused.isEmpty()) 0 else 1
                 refused.size shouldBe if (refused.isEmpty()) 0 else results.size
                 refused.all { it.message.endsWith(".") } shouldBe true
@@ -111,7 +111,7 @@ class RobotFileProperties :
                 val result = readWorld(world.replaceRange(range, other), Language.ENGLISH)
                 holds(result)
                 // Only a draft may be impossible.
-                val robots = (result as? WorldFileResult.Loaded)?.world?.robots ?: return@checkAll
+                val robots = (result as? WorldFileResult.Success)?.world?.robots ?: return@checkAll
                 read++
                 robots.all { robotErrors(it.description).isEmpty() } shouldBe true
             }

@@ -46,7 +46,7 @@ class RobotSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(schema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<RobotFileResult.Rejected>(
+            assertIs<RobotFileResult.Failure>(
                 readRobot(writeCompactJson(changed), Language.ENGLISH),
                 writeCompactJson(changed),
             )
@@ -64,7 +64,7 @@ class RobotSchemaTest {
             if (readRobot(
                     text,
                     Language.ENGLISH,
-                ) !is RobotFileResult.Rejected
+                ) !is RobotFileResult.Failure
             ) {
                 fail("${schema.mistakesIn(changed)}\n$text")
             }

@@ -24,7 +24,7 @@ internal fun countRefused(world: JsonElement): Int {
         if (readWorld(
                 text,
                 Language.ENGLISH,
-            ) !is WorldFileResult.Rejected
+            ) !is WorldFileResult.Failure
         ) {
             fail("${WorldSchema.mistakesIn(changed)}\n$text")
         }

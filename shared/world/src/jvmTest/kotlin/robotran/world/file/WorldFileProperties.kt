@@ -22,8 +22,8 @@ class WorldFileProperties :
 
         "a world is read as it was written" {
             checkAll(arbitraryWorlds()) { world ->
-                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
-                readWorld(writeCompactJson(elementOf(world)), Language.ENGLISH) shouldBe WorldFileResult.Loaded(world)
+                readWorld(writeWorld(world), Language.ENGLISH) shouldBe WorldFileResult.Success(world)
+                readWorld(writeCompactJson(elementOf(world)), Language.ENGLISH) shouldBe WorldFileResult.Success(world)
             }
         }
 

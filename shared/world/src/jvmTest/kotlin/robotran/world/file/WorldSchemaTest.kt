@@ -41,7 +41,7 @@ class WorldSchemaTest {
     fun `every field of the schema is read`() {
         assertEquals(WorldSchema.fields, fieldsOf(full))
         for (changed in changes(full) { listOf(JsonObject(mapOf("strange" to JsonNull))) }) {
-            assertIs<WorldFileResult.Rejected>(
+            assertIs<WorldFileResult.Failure>(
                 readWorld(writeCompactJson(changed), Language.ENGLISH),
                 writeCompactJson(changed),
             )

@@ -31,8 +31,8 @@ class GradingOrder private constructor(val assignment: Project, val plan: Gradin
         fun parse(text: String): GradingOrder {
             val order = Json.decodeFromString(OrderText.serializer(), text)
             val assignment = when (val result = readProject(order.assignment, Language.ENGLISH)) {
-                is ProjectFileResult.Loaded -> result.project
-                is ProjectFileResult.Rejected -> throw IllegalArgumentException(result.message)
+                is ProjectFileResult.Success -> result.project
+                is ProjectFileResult.Failure -> throw IllegalArgumentException(result.message)
             }
             val language = requireNotNull(Language.of(order.language)) { "There is no language ${order.language}." }
             return GradingOrder(assignment, GradingPlan.of(assignment, order.first..order.last), language)

@@ -28,8 +28,8 @@ internal fun readHandIn(text: String): Submission.Usable {
 }
 
 private fun attemptIn(text: String): Submission.Usable = when (val result = readProject(text, Language.ENGLISH)) {
-    is ProjectFileResult.Loaded -> Submission.Usable("", "", result.project.robots.single())
-    is ProjectFileResult.Rejected -> throw IllegalArgumentException(result.message)
+    is ProjectFileResult.Success -> Submission.Usable("", "", result.project.robots.single())
+    is ProjectFileResult.Failure -> throw IllegalArgumentException(result.message)
 }
 
 private val TEXTS = ListSerializer(String.serializer())

@@ -12,7 +12,7 @@ import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.finish
 import robotran.language.Language
 import robotran.projects.Project
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
@@ -51,7 +51,7 @@ class GradingWorkerTest {
     }
 
     private suspend fun start(plan: GradingPlan = this.plan): SessionState =
-        Session(plan.worlds.first().world, emptyList<RobotLoad>(), loadPhysicsEngine(), Language.ENGLISH).state
+        Session(plan.worlds.first().world, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH).state
 
     private suspend fun submission(name: String, text: String) = collect(file(name, text)).single() as Submission.Usable
 

@@ -38,8 +38,8 @@ class NxtTranslatedRunTest {
     fun `translations of programs made at random make the calls of the interpreter`() {
         val programs = (0 until RANDOM_PROGRAMS).associate { number ->
             val text = ProgramWriter(Random(number), isForNxt = true).write()
-            val result = compileRobolang("random", text, testNxt)
-            "program $number" to (result as RobolangResult.Ready).program as RobolangNxtProgram
+            val result = compileRobolang("random", text, testNxt, messages = RobolangMessages.of(Language.ENGLISH))
+            "program $number" to (result as RobolangResult.Success).program as RobolangNxtProgram
         }
         val nothing = Expectations("")
         val compared = compare(programs) { nothing }
@@ -51,7 +51,7 @@ class NxtTranslatedRunTest {
         for (pen in listOf(MotorPort.A, null)) {
             val robot = testNxt.copy(left = MotorPort.C, right = MotorPort.B, pen = pen, isReversed = true)
             val programs = examplePrograms.mapNotNull { (path, text) ->
-                val result = compileRobolang(path, text, robot) as? RobolangResult.Ready
+                val result = compileRobolang(path, text, robot, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success
                 result?.let { path to it.program as RobolangNxtProgram }
             }.toMap()
             val nothing = Expectations("")

@@ -51,9 +51,9 @@ internal fun hasPart(machine: VirtualMachine, thread: VmThread, array: Int, offs
     return isInside
 }
 
-/** The text at [place]; null, after throwing, if there is none. */
-internal fun textAt(machine: VirtualMachine, thread: VmThread, place: Int): String? {
-    val reference = thread.stack[place]
+/** The text at [index]; null, after throwing, if there is none. */
+internal fun textAt(machine: VirtualMachine, thread: VmThread, index: Int): String? {
+    val reference = thread.stack[index]
     if (reference == 0) machine.raise(thread, BuiltInException.NULL_POINTER)
     return if (reference == 0) null else machine.textOf(reference)
 }

@@ -74,8 +74,8 @@ internal val languageMethods: Map<String, NativeMethod> = mapOf(
         NativeMethod { machine, thread, first -> bothWords(machine, thread, first) },
 ) + listOf("notify()V", "notifyAll()V").associate { "$OBJECT.$it" to objectMethods.getValue("$OBJECT.$it") }
 
-private fun classAt(machine: VirtualMachine, thread: VmThread, place: Int): HeapType? =
-    machine.typeOfClassObject(thread.stack[place])
+private fun classAt(machine: VirtualMachine, thread: VmThread, index: Int): HeapType? =
+    machine.typeOfClassObject(thread.stack[index])
 
 private fun bothWords(machine: VirtualMachine, thread: VmThread, first: Int): Int {
     machine.highWord = thread.stack[first + 1]

@@ -42,7 +42,7 @@ class JdkCompilerTest {
         }
 
     private fun log(path: String, classes: Map<String, ByteArray>, expected: Expectations): List<String> {
-        val program = assertIs<TinyVmResult.Ready>(link(path, classes, expected.mode), path).program
+        val program = assertIs<TinyVmResult.Success>(link(path, classes, expected.mode), path).program
         return RecordingBrick(program, expected.events).apply {
             run(expected.runsOnAfter ?: LONGEST)
         }.log.map(::withoutNumbersOfMethods)

@@ -15,13 +15,13 @@ import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.MissingPart
 import robotran.workshop.state.SolutionCheck
 
 /** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
 @Composable
-internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun CheckSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makeCheck(spoken), "make-check-section") {
         if (state.missing.isEmpty()) {
             Explanation(
@@ -37,7 +37,7 @@ internal fun CheckSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) 
 }
 
 @Composable
-private fun CheckOfSolution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+private fun CheckOfSolution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     val check = state.check
     if (check is SolutionCheck.Running) {
         Explanation(SchoolTexts.makeTrying(spoken, check.done, check.all), Modifier.testTag("make-trying"))

@@ -24,12 +24,12 @@ import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.PupilLink
 
 /** Files, link and code. */
 @Composable
-internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun GiveSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makeGive(spoken), "make-give-section") {
         Quiet(SchoolTexts.makeGiveHelp(spoken), "make-give-help")
         Chips {
@@ -50,7 +50,7 @@ internal fun GiveSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
 }
 
 @Composable
-private fun GiveLink(link: PupilLink, state: MakingState, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
+private fun GiveLink(link: PupilLink, state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
     link,
     "make",
     SchoolTexts::makeQrHelp,
@@ -82,7 +82,7 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
 
 /** Packages, and the code for a frame. */
 @Composable
-internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun PlatformSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makePlatform(spoken), "make-platform-section") {
         Quiet(SchoolTexts.makePlatformHelp(spoken), "make-platform-help")
         Chips {
@@ -103,7 +103,7 @@ internal fun PlatformSection(state: MakingState, onEvent: (WorkshopEvent) -> Uni
 }
 
 @Composable
-private fun PlatformResult(state: MakingState) {
+private fun PlatformResult(state: AssignmentEditorState) {
     if (state.isPacking) {
         Explanation(
             SchoolTexts.makePacking(spoken),

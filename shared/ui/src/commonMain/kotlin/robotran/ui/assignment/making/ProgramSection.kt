@@ -30,11 +30,11 @@ import robotran.ui.texts.SchoolTexts
 import robotran.workshop.blocks.wordsOf
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 
 /** The goals, which the world editor edits, and whether the world is the pupils' to change. */
 @Composable
-internal fun GoalSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+internal fun GoalSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makeGoals(spoken), "make-goal-section") {
         Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag("make-goal-count"))
         SecondButton(SchoolTexts.makeGoalsEdit(spoken), "make-world", {
@@ -48,7 +48,7 @@ internal fun GoalSection(state: MakingState, change: (Assignment) -> Unit, onEve
 
 /** What pupils begin with, the solution, and what may be used. */
 @Composable
-internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+internal fun ProgramSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makePrograms(spoken), "make-program-section") {
         Start(state, onEvent)
         Solution(state, onEvent)
@@ -61,7 +61,7 @@ internal fun ProgramSection(state: MakingState, change: (Assignment) -> Unit, on
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Start(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     Subtitle(SchoolTexts.makeStart(spoken))
     Chips {
         state.programs.forEachIndexed { index, program ->

@@ -27,12 +27,12 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.SolutionProgram
 
 /** Which programs are the solution. */
 @Composable
-internal fun Solution(state: MakingState, onEvent: (WorkshopEvent) -> Unit) {
+internal fun Solution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     val hasSolution = state.assignment.solution.isNotEmpty()
     Subtitle(SchoolTexts.makeSolution(spoken))
     val words = if (hasSolution) SchoolTexts::makeSolutionHelp else SchoolTexts::makeSolutionNone

@@ -31,13 +31,13 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.PictureError
 import robotran.world.WorldLimits
 
 /** What to do: title, task, text and pictures, and how pupils read it. */
 @Composable
-internal fun TaskSection(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+internal fun TaskSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val assignment = state.assignment
     Section(SchoolTexts.makeTask(spoken), "make-task-section") {
         Field(
@@ -69,7 +69,7 @@ internal fun TaskSection(state: MakingState, change: (Assignment) -> Unit, onEve
 
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val assignment = state.assignment
     state.pictureError?.let { error ->
         Explanation(
@@ -99,7 +99,7 @@ private fun Pictures(state: MakingState, change: (Assignment) -> Unit, onEvent: 
 }
 
 @Composable
-private fun Preview(state: MakingState) {
+private fun Preview(state: AssignmentEditorState) {
     Subtitle(SchoolTexts.makePreview(spoken))
     Column(
         Modifier

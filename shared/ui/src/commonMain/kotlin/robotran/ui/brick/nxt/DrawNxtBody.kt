@@ -96,8 +96,8 @@ internal fun DrawScope.drawPlug(colour: Color, isAbove: Boolean, isPlugged: Bool
     drawRect(NxtColours.LABEL.copy(alpha = LATCH_ALPHA), Offset((size.width - latch.width) / 2, y), latch)
 }
 
-private fun DrawScope.block(place: Rect, colour: Color, corner: Float) =
-    drawRoundRect(colour, place.topLeft, place.size, CornerRadius(corner))
+private fun DrawScope.block(bounds: Rect, colour: Color, corner: Float) =
+    drawRoundRect(colour, bounds.topLeft, bounds.size, CornerRadius(corner))
 
 private const val FRAME_CORNER = 8f
 private const val WAVE_START = 130f

@@ -82,8 +82,8 @@ private val RobotDescription.motors: Set<MotorPort>
     get() = setOfNotNull(drive.left, drive.right, pen?.motor) +
         parts.filterIsInstance<SensorPart>().mapNotNull { it.turret }
 
-private fun Modifier.at(place: Rect, unit: Dp): Modifier =
-    offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)
+private fun Modifier.at(bounds: Rect, unit: Dp): Modifier =
+    offset(unit * bounds.left, unit * bounds.top).size(unit * bounds.width, unit * bounds.height)
 
 /** Of the glass around the dots, in units of the [NxtPlan]. */
 private const val GLASS_MARGIN = 7f

@@ -55,9 +55,9 @@ internal fun SensorPlug(
     val isForFingers = plugged is FingerTouchPart
     val isPressed = plugged?.kind == SensorKind.TOUCH && state.isPressed
     val value = if (isOn) valueText(state, plugged?.kind) else null
-    val lit = isOn && (isPressed || state.isActive)
+    val highlighted = isOn && (isPressed || state.isActive)
     Plug(
-        if (lit) NxtColours.READ else NxtColours.SENSOR_PLUG,
+        if (highlighted) NxtColours.READ else NxtColours.SENSOR_PLUG,
         isAbove = false,
         isPlugged = plugged != null,
         unit,

@@ -13,7 +13,7 @@ import robotran.ui.theme.RobotranColours
 /**
  * The yellow case with its studs, the infrared window and the grey plate below the display and the buttons.
  *
- * @param sending whether the infrared lamps are lit.
+ * @param sending whether the infrared lamps are highlighted.
  */
 internal fun DrawScope.drawBrickBody(sending: Boolean) {
     val unit = size.width / BrickPlan.WIDTH
@@ -36,5 +36,5 @@ private fun DrawScope.drawStud(middle: Offset) {
     drawCircle(BrickColours.EDGE.copy(alpha = 0.35f), BrickPlan.STUD_RADIUS - 0.5f, middle, style = Stroke(1f))
 }
 
-private fun DrawScope.block(place: Rect, colour: Color, corner: Float) =
-    drawRoundRect(colour, place.topLeft, Size(place.width, place.height), CornerRadius(corner))
+private fun DrawScope.block(bounds: Rect, colour: Color, corner: Float) =
+    drawRoundRect(colour, bounds.topLeft, Size(bounds.width, bounds.height), CornerRadius(corner))

@@ -4,18 +4,18 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 
-/** Seven segments in [place]. [mask] has the bits of [robotran.rcxrom.display.LcdGlass.digit]. */
-internal fun DrawScope.drawDigit(mask: Int, place: Rect) {
-    segments(place).forEachIndexed { bit, segment -> drawPath(segment, tone(mask shr bit and 1 == 1)) }
+/** Seven segments in [bounds]. [mask] has the bits of [robotran.rcxrom.display.LcdGlass.digit]. */
+internal fun DrawScope.drawDigit(mask: Int, bounds: Rect) {
+    segments(bounds).forEachIndexed { bit, segment -> drawPath(segment, tone(mask shr bit and 1 == 1)) }
 }
 
 /** In the order of the mask's bits: middle, top right, top, top left, bottom left, bottom, bottom right. */
-private fun segments(place: Rect): List<Path> {
-    val left = place.left + HALF
-    val right = place.right - HALF
-    val top = place.top + HALF
-    val bottom = place.bottom - HALF
-    val middle = place.center.y
+private fun segments(bounds: Rect): List<Path> {
+    val left = bounds.left + HALF
+    val right = bounds.right - HALF
+    val top = bounds.top + HALF
+    val bottom = bounds.bottom - HALF
+    val middle = bounds.center.y
     return listOf(
         horizontal(left, right, middle),
         vertical(right, top, middle),

@@ -57,7 +57,7 @@ private fun DrawScope.drawDigits(glass: LcdGlass) {
 }
 
 /** The colour of a segment on the glass. */
-internal fun tone(lit: Boolean): Color = if (lit) BrickColours.SEGMENT else BrickColours.GHOST
+internal fun tone(highlighted: Boolean): Color = if (highlighted) BrickColours.SEGMENT else BrickColours.GHOST
 
 /** From the minus sign to the program digit. */
 private val NUMBERS = Rect(LcdPlan.MINUS.left, LcdPlan.DIGITS[0].top, LcdPlan.DIGITS[0].right, LcdPlan.DIGITS[0].bottom)

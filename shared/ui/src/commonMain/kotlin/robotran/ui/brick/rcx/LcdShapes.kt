@@ -78,38 +78,38 @@ private fun quarterOfCircle(quarter: Int): Path = Path().apply {
 }
 
 /** A crossed-out battery with its pole on the right. */
-private fun battery(place: Rect): Path = Path().apply {
-    addPath(bar(place.copy(bottom = place.top + BATTERY_LINE)))
-    addPath(bar(place.copy(top = place.bottom - BATTERY_LINE)))
-    addPath(bar(place.copy(right = place.left + BATTERY_LINE)))
-    addPath(bar(place.copy(left = place.right - BATTERY_LINE)))
-    addPath(bar(Rect(place.right, place.center.y - 3.5f, place.right + 4f, place.center.y + 3.5f)))
-    val x = place.center.x
-    val (top, bottom) = place.top - 2f to place.bottom + 2f
+private fun battery(bounds: Rect): Path = Path().apply {
+    addPath(bar(bounds.copy(bottom = bounds.top + BATTERY_LINE)))
+    addPath(bar(bounds.copy(top = bounds.bottom - BATTERY_LINE)))
+    addPath(bar(bounds.copy(right = bounds.left + BATTERY_LINE)))
+    addPath(bar(bounds.copy(left = bounds.right - BATTERY_LINE)))
+    addPath(bar(Rect(bounds.right, bounds.center.y - 3.5f, bounds.right + 4f, bounds.center.y + 3.5f)))
+    val x = bounds.center.x
+    val (top, bottom) = bounds.top - 2f to bounds.bottom + 2f
     addPath(polygon(x - 11f, top, x - 7.5f, top, x + 11f, bottom, x + 7.5f, bottom))
     addPath(polygon(x + 7.5f, top, x + 11f, top, x - 7.5f, bottom, x - 11f, bottom))
 }
 
 /** Clockwise like the polygons: overlapping shapes of opposite direction in one path would leave a hole. */
-private fun bar(place: Rect): Path = with(place) { polygon(left, top, right, top, right, bottom, left, bottom) }
+private fun bar(bounds: Rect): Path = with(bounds) { polygon(left, top, right, top, right, bottom, left, bottom) }
 
 /** The lower part of the beam, shared by both ranges. */
-private fun nearBeam(place: Rect): Path {
-    val x = place.center.x
-    return polygon(x, place.bottom, x - 6f, place.center.y + 2f, x + 6f, place.center.y + 2f)
+private fun nearBeam(bounds: Rect): Path {
+    val x = bounds.center.x
+    return polygon(x, bounds.bottom, x - 6f, bounds.center.y + 2f, x + 6f, bounds.center.y + 2f)
 }
 
-private fun farBeam(place: Rect): Path {
-    val x = place.center.x
+private fun farBeam(bounds: Rect): Path {
+    val x = bounds.center.x
     return polygon(
         x - 6.8f,
-        place.center.y - 3f,
-        place.left,
-        place.top,
-        place.right,
-        place.top,
+        bounds.center.y - 3f,
+        bounds.left,
+        bounds.top,
+        bounds.right,
+        bounds.top,
         x + 6.8f,
-        place.center.y - 3f,
+        bounds.center.y - 3f,
     )
 }
 

@@ -51,9 +51,9 @@ internal fun InputPort(
     val name = plugged.words(spoken)
     val port = ScreenTexts.sensor(spoken, sensor.port, name)
     val description = if (on) ScreenTexts.sensorValue(spoken, port, "${sensor.value}") else port
-    val lit = on && (sensor.active || plugged.isPressed(sensor))
+    val highlighted = on && (sensor.active || plugged.isPressed(sensor))
     PortBlock(
-        if (lit) BrickColours.READ else BrickColours.INPUT,
+        if (highlighted) BrickColours.READ else BrickColours.INPUT,
         unit,
         modifier
             .testTag("port-${sensor.port}")

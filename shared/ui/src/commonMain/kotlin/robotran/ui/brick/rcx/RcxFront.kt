@@ -66,5 +66,5 @@ internal fun RcxFront(
     }
 }
 
-private fun Modifier.at(place: Rect, unit: Dp): Modifier =
-    offset(unit * place.left, unit * place.top).size(unit * place.width, unit * place.height)
+private fun Modifier.at(bounds: Rect, unit: Dp): Modifier =
+    offset(unit * bounds.left, unit * bounds.top).size(unit * bounds.width, unit * bounds.height)

@@ -50,7 +50,7 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 
 /** The button that opens the palette where there is no room for a rail. Without words, it has a plus. */
@@ -59,7 +59,7 @@ internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
     val words = BlockTexts.add(spoken)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
         Button(
-            { scope.show(BlockSheet.Palette) },
+            { scope.show(BlockDialog.Palette) },
             Modifier
                 .heightIn(min = Dimensions.TARGET)
                 .testTag("blocks-add")
@@ -90,7 +90,7 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
                 .fillMaxSize()
                 .testTag("blocks-add")
                 .focusRing()
-                .clickable(role = Role.Button) { scope.show(BlockSheet.Palette) }
+                .clickable(role = Role.Button) { scope.show(BlockDialog.Palette) }
                 .padding(4.dp),
             Arrangement.spacedBy(6.dp, Alignment.CenterVertically),
             Alignment.CenterHorizontally,

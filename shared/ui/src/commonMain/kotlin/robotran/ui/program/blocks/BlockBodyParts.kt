@@ -28,7 +28,7 @@ import robotran.ui.parts.Icon
 import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
 import robotran.workshop.blocks.BlockRow
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.group
 import robotran.workshop.event.BlockEvent
 
@@ -82,7 +82,7 @@ private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
             .testTag("block-more")
             .size(SLOT_WIDTH, HEIGHT)
             .focusProperties { canFocus = false }
-            .clickable(role = Role.Button) { scope.show(BlockSheet.Actions(row.block.id)) }
+            .clickable(role = Role.Button) { scope.show(BlockDialog.Actions(row.block.id)) }
             .semantics { contentDescription = words },
         Alignment.Center,
     ) {

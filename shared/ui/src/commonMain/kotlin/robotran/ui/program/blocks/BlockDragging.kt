@@ -14,7 +14,7 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.workshop.blocks.BlockDrag
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
@@ -72,7 +72,7 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     /** The value that is carried; null if none is. */
     var value: CarriedValue? by mutableStateOf(null)
         private set
-    private var load: BlockLoad? = null
+    private var load: DragPayload? = null
 
     override fun isGrip(position: Offset): Boolean = with(density) {
         val row = rowAt(position) as? BlockRow.First ?: return false
@@ -90,9 +90,9 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
         val part = sockets.at(position).map { it.first }.firstOrNull { it.value.form != ValueForm.NUMBER }
         val row = rowAt(position) ?: return false
         when {
-            part != null -> take(BlockLoad.Value(part.span), CarriedValue(part, state.program), position)
+            part != null -> take(DragPayload.Value(part.span), CarriedValue(part, state.program), position)
             row is BlockRow.Empty -> return false
-            else -> take(BlockLoad.Blocks(state.runOf(row.block.id)), null, position)
+            else -> take(DragPayload.Blocks(state.runOf(row.block.id)), null, position)
         }
         return true
     }
@@ -100,10 +100,10 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     /** Takes up a new [block] of the palette. */
     fun takeNew(block: PaletteBlock, position: Offset) {
         isNew = true
-        take(BlockLoad.New(block), if (block.isValue) CarriedValue(block) else null, position)
+        take(DragPayload.New(block), if (block.isValue) CarriedValue(block) else null, position)
     }
 
-    private fun take(load: BlockLoad, value: CarriedValue?, position: Offset) {
+    private fun take(load: DragPayload, value: CarriedValue?, position: Offset) {
         this.load = load
         this.value = value
         isCarrying = true

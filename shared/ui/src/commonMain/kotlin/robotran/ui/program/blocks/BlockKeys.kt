@@ -15,8 +15,8 @@ import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockLoad
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.DragPayload
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockStep
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.blocks.lineOf
@@ -64,7 +64,7 @@ internal class BlockKeys(
             key == Key.Enter || key == Key.NumPadEnter -> enter()
             key == Key.Spacebar -> fold()
             key == Key.Delete || key == Key.Backspace -> delete()
-            key == Key.Insert || event.utf16CodePoint == '/'.code -> scope.show(BlockSheet.Palette)
+            key == Key.Insert || event.utf16CodePoint == '/'.code -> scope.show(BlockDialog.Palette)
             key == Key.F2 || key == Key.Menu -> actions()
             key == Key.F9 -> lineNumber()?.let { onProgram(ProgramEvent.BreakpointToggled(it)) }
             key == Key.Escape -> return escape()
@@ -90,7 +90,7 @@ internal class BlockKeys(
             Key.DirectionDown -> send(BlockEvent.Moved(isUp = false))
             inwards -> send(BlockEvent.Nested(isOut = false))
             outwards -> send(BlockEvent.Nested(isOut = true))
-            Key.Enter, Key.NumPadEnter -> state.run?.let { scope.doNow(BlockLoad.Blocks(it)) }
+            Key.Enter, Key.NumPadEnter -> state.run?.let { scope.doNow(DragPayload.Blocks(it)) }
             else -> return false
         }
         return true
@@ -112,13 +112,13 @@ internal class BlockKeys(
 
     /** Opens the sheet of the part, or of the first part of the line, or what can be done to the block. */
     private fun enter() {
-        val cursor = state.cursor ?: return scope.show(BlockSheet.Palette)
+        val cursor = state.cursor ?: return scope.show(BlockDialog.Palette)
         val part = state.part ?: state.program.lineOf(cursor)?.editableParts?.firstOrNull()?.span
-        scope.show(part?.let { BlockSheet.Part(it) } ?: BlockSheet.Actions(cursor.block))
+        scope.show(part?.let { BlockDialog.Part(it) } ?: BlockDialog.Actions(cursor.block))
     }
 
     private fun actions() {
-        state.cursor?.let { scope.show(BlockSheet.Actions(it.block)) }
+        state.cursor?.let { scope.show(BlockDialog.Actions(it.block)) }
     }
 
     private fun fold() {
@@ -151,7 +151,7 @@ internal class BlockKeys(
     private fun escape(): Boolean {
         when {
             dragging.finger != null -> dragging.cancel()
-            state.isChoosing -> send(BlockEvent.ChoosingSet(false))
+            state.isChoosing -> send(BlockEvent.MultiSelectChanged(false))
             state.error != null -> send(BlockEvent.ErrorDismissed)
             state.sheet != null -> scope.show(null)
             state.selected.size > 1 -> state.cursor?.let { send(BlockEvent.CursorPut(it)) }

@@ -45,7 +45,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.ui.parts.isTree
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.blocksIn
 
@@ -118,7 +118,7 @@ internal fun BlockListView(
 
 /** The blocks that a finger carries, with those inside. */
 private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
-    val run = (scope.state.drag?.load as? BlockLoad.Blocks)?.run ?: return emptySet()
+    val run = (scope.state.drag?.load as? DragPayload.Blocks)?.run ?: return emptySet()
     val outer = scope.state.program.blocksIn(run)
     val lines = outer.firstOrNull()?.let { it.lines.first..outer.last().lines.last } ?: return emptySet()
     return scope.state.program.all.filter { it.head.index in lines }.mapTo(mutableSetOf()) { it.id }
@@ -130,19 +130,19 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
     val (words, look) = when (val load = scope.state.drag?.load) {
         null -> return
 
-        is BlockLoad.Blocks -> {
+        is DragPayload.Blocks -> {
             scope.state.program[load.run.first]?.let {
                 val count = scope.state.program.blocksIn(load.run).size
                 (if (count > 1) scope.messages.blocks(count) else scope.wordsOf(it.head)) to scope.looks.of(it)
             } ?: return
         }
 
-        is BlockLoad.Value -> {
+        is DragPayload.Value -> {
             val group = (scope.state.program.partAt(load.span) as? PhrasePart.Value)?.value?.form?.group ?: return
             scope.textOf(load.span) to scope.looks.of(group)
         }
 
-        is BlockLoad.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
+        is DragPayload.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
     }
     val shape = RoundedCornerShape(BlockSizes.CORNER)
     Text(

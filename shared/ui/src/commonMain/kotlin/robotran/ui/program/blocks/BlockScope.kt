@@ -13,7 +13,7 @@ import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.theme.Corners
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.event.BlockEvent
 
@@ -62,7 +62,7 @@ internal data class BlockScope(
     /** Puts [text] at the part whose sheet is open. */
     fun put(text: String) = onEvent(BlockEvent.Put(text))
 
-    fun show(sheet: BlockSheet?) = onEvent(BlockEvent.SheetShown(sheet))
+    fun show(sheet: BlockDialog?) = onEvent(BlockEvent.SheetShown(sheet))
 }
 
 private val NUMBER = Regex("-?\\d+(\\.\\d+)?")

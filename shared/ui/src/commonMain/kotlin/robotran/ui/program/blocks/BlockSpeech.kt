@@ -25,9 +25,9 @@ import robotran.ui.parts.TreePlace
 import robotran.ui.parts.treePlace
 import robotran.ui.texts.BlockTexts
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockRow
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 
@@ -106,12 +106,12 @@ private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): L
     }
     val fold = if (row.isCollapsed) said.unfold else said.fold
     return listOfNotNull(
-        part?.let { action(said.change) { scope.show(BlockSheet.Part(it.span)) } },
+        part?.let { action(said.change) { scope.show(BlockDialog.Part(it.span)) } },
         action(said.addBelow) {
             scope.onEvent(BlockEvent.CursorPut(BlockCursor.At(id)))
-            scope.show(BlockSheet.Palette)
+            scope.show(BlockDialog.Palette)
         },
-        action(said.doNow) { scope.doNow(BlockLoad.Blocks(scope.state.runOf(id))) },
+        action(said.doNow) { scope.doNow(DragPayload.Blocks(scope.state.runOf(id))) },
         action(said.up) {
             toHere()
             scope.onEvent(BlockEvent.Moved(isUp = true))
@@ -133,7 +133,7 @@ private fun actionsOn(row: BlockRow.First, scope: BlockScope, said: RowWords): L
         } else {
             null
         },
-        action(said.more) { scope.show(BlockSheet.Actions(id)) },
+        action(said.more) { scope.show(BlockDialog.Actions(id)) },
     )
 }
 

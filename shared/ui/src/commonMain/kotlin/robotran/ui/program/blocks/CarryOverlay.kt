@@ -64,8 +64,8 @@ internal fun BoxScope.CarryOverlay(dragging: BlockDragging, covered: Dp) {
     if (!dragging.isNew) Bin(dragging, Modifier.align(Alignment.BottomEnd).padding(12.dp).padding(bottom = covered))
 }
 
-private fun DrawScope.drawSocket(place: Rect, colour: Color, isTarget: Boolean) {
-    val wide = place.inflate(RING.toPx() / 2)
+private fun DrawScope.drawSocket(bounds: Rect, colour: Color, isTarget: Boolean) {
+    val wide = bounds.inflate(RING.toPx() / 2)
     val corner = CornerRadius(wide.height / 2)
     if (isTarget) drawRoundRect(colour, wide.topLeft, wide.size, corner, alpha = FILL)
     val ring = if (isTarget) RING * 2 else RING

@@ -22,11 +22,11 @@ import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.focusRing
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 
 /** Runs [load] at once, from where the robot stands. */
-internal fun BlockScope.doNow(load: BlockLoad) = onEvent(BlockEvent.DoneNow(load))
+internal fun BlockScope.doNow(load: DragPayload) = onEvent(BlockEvent.SnippetRequested(load))
 
 /** The button that runs [block] of the palette at once; nothing if nobody would see or hear what it does. */
 @Composable
@@ -41,7 +41,7 @@ internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
             .focusRing(Dimensions.TARGET / 2)
             .clip(CircleShape)
             .border(1.dp, colours.quiet, CircleShape)
-            .clickable(role = Role.Button) { scope.doNow(BlockLoad.New(block)) }
+            .clickable(role = Role.Button) { scope.doNow(DragPayload.New(block)) }
             .semantics { contentDescription = words },
         Alignment.Center,
     ) {

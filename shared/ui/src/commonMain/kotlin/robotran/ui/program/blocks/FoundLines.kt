@@ -2,7 +2,7 @@ package robotran.ui.program.blocks
 
 import androidx.compose.runtime.Immutable
 import robotran.language.source.SourceSpan
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 
 /**
  * The lines, from 1, in which the search has found something.
@@ -12,7 +12,7 @@ import robotran.textediting.text.Draft
 @Immutable
 internal data class FoundLines(val all: Set<Int> = emptySet(), val now: Int = 0) {
     companion object {
-        fun of(draft: Draft, matches: List<SourceSpan>): FoundLines {
+        fun of(draft: TextDocument, matches: List<SourceSpan>): FoundLines {
             if (matches.isEmpty()) return FoundLines()
             val selected = draft.selection
             val now = matches.firstOrNull { it.start == selected.start && it.end == selected.end }

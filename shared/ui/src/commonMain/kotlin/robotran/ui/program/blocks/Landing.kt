@@ -4,7 +4,7 @@ import androidx.compose.foundation.lazy.LazyListItemInfo
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.ui.geometry.Offset
 import robotran.blockediting.BlockPlace
-import robotran.workshop.blocks.BlockLoad
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeAbove
@@ -20,7 +20,7 @@ import robotran.workshop.blocks.placeBelow
 internal data class Landing(val place: BlockPlace, val row: Int, val isBelow: Boolean, val depth: Int)
 
 /** Where [load] lands at [position] of the list [rows], in pixels; null if it cannot. */
-internal fun landingAt(position: Offset, rows: LazyListState, state: BlocksState, load: BlockLoad?): Landing? {
+internal fun landingAt(position: Offset, rows: LazyListState, state: BlocksState, load: DragPayload?): Landing? {
     val item = rows.itemAt(position) ?: return landingAtEnd(state)
     val row = state.list.rows.getOrNull(item.index) ?: return landingAtEnd(state)
     val isBelow = position.y > item.offset + item.size / 2
@@ -34,8 +34,8 @@ internal fun LazyListState.itemAt(position: Offset): LazyListItemInfo? =
     layoutInfo.visibleItemsInfo.firstOrNull { position.y >= it.offset && position.y < it.offset + it.size }
 
 /** Blocks cannot land in themselves. */
-private fun isInside(load: BlockLoad?, place: BlockPlace, state: BlocksState): Boolean {
-    val carried = (load as? BlockLoad.Blocks)?.let { state.program.blocksIn(it.run) }.orEmpty().map { it.id }
+private fun isInside(load: DragPayload?, place: BlockPlace, state: BlocksState): Boolean {
+    val carried = (load as? DragPayload.Blocks)?.let { state.program.blocksIn(it.run) }.orEmpty().map { it.id }
     return generateSequence(place.parent) { state.program.placeOf(it)?.parent }.any { it in carried }
 }
 

@@ -34,7 +34,7 @@ import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.theme.Corners
 import robotran.ui.theme.RobotranColours
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 
 /**
  * A value, a name, a text or a choice. A touch opens its sheet. A value with others inside shows them in turn, and wraps
@@ -52,7 +52,7 @@ internal fun Socket(
     modifier: Modifier = Modifier,
     depth: Int = 0,
 ) {
-    val isOpen = (scope.state.sheet as? BlockSheet.Part)?.span == part.span
+    val isOpen = (scope.state.sheet as? BlockDialog.Part)?.span == part.span
     val isAt = scope.state.part == part.span
     val inner = innerParts(part, scope)
     val own = if (inner.isEmpty()) look else scope.looks.of((part as PhrasePart.Value).value.form.group)
@@ -73,7 +73,7 @@ internal fun Socket(
             // The list as a whole has the keyboard's focus.
             .focusProperties { canFocus = false }
             .clickable(role = if (part is PhrasePart.Choice) Role.DropdownList else Role.Button) {
-                scope.show(BlockSheet.Part(part.span))
+                scope.show(BlockDialog.Part(part.span))
             }
             .semantics { contentDescription = spoken }
             .padding(horizontal = if (isCondition(part)) CUT else BESIDE, vertical = SOCKET_INSET),

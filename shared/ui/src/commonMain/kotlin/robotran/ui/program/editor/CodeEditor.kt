@@ -27,7 +27,7 @@ import robotran.language.source.Diagnostic
 import robotran.language.source.SourceSpan
 import robotran.languagesupport.CodeTokens
 import robotran.languagesupport.TextLines
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.state.InlineDiagnostic
@@ -47,7 +47,7 @@ import robotran.workshop.state.InlineDiagnostic
 internal fun CodeEditor(
     control: EditorControl,
     view: EditorView,
-    draft: Draft,
+    draft: TextDocument,
     hint: String,
     marks: EditorMarks,
     notes: List<InlineDiagnostic>,
@@ -111,7 +111,7 @@ internal fun CodeEditor(
 @Composable
 private fun KeepInSight(
     view: EditorView,
-    draft: Draft,
+    draft: TextDocument,
     layouts: LineLayouts,
     pieces: CodeTokens,
     marks: EditorMarks,
@@ -158,7 +158,7 @@ private fun Hint(hint: String, size: Float, view: EditorView) {
 private fun Overlays(
     control: EditorControl,
     view: EditorView,
-    draft: Draft,
+    draft: TextDocument,
     layouts: LineLayouts,
     pieces: CodeTokens,
     codeSize: Float,
@@ -194,7 +194,7 @@ private fun Overlays(
 
 /** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */
 @Composable
-private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: Draft, isWriting: Boolean): List<InlineDiagnostic> {
+private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: TextDocument, isWriting: Boolean): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }
     LaunchedEffect(draft.text) {
         if (restingText != draft.text) {

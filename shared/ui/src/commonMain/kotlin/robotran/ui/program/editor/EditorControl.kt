@@ -21,7 +21,7 @@ import robotran.textediting.erasedBackwards
 import robotran.textediting.erasedForwards
 import robotran.textediting.indented
 import robotran.textediting.moved
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.withWordSelected
 import robotran.textediting.typed
@@ -46,12 +46,12 @@ internal class EditorControl(
     val language: ProgramLanguage,
     private val view: EditorView,
     var brick: BrickKind,
-    private val hasRoom: (Draft) -> Boolean = { true },
-    private val onWritten: (Draft, EditKind) -> Unit,
+    private val hasRoom: (TextDocument) -> Boolean = { true },
+    private val onWritten: (TextDocument, EditKind) -> Unit,
 ) {
     val syntax = language.support.code
     val link = InputLink(syntax)
-    var draft = Draft("")
+    var draft = TextDocument("")
         private set
     var help: CompletionHelp = CompletionHelp { null }
     lateinit var clipboard: ClipboardManager
@@ -85,13 +85,13 @@ internal class EditorControl(
     private var goal: Int? = null
 
     /** Sets the text to [draft] after a change from outside. */
-    fun follow(draft: Draft) {
+    fun follow(draft: TextDocument) {
         if (draft.text != this.draft.text) closeOffered()
         this.draft = draft
     }
 
     /** Called when the input field changes to [field]. */
-    fun received(field: Draft, isComposing: Boolean) {
+    fun received(field: TextDocument, isComposing: Boolean) {
         val before = draft
         val after = link.received(before, field, isComposing)
         if (after == before) return
@@ -104,7 +104,7 @@ internal class EditorControl(
         if (draft.text != before.text) offer(draft, kind == EditKind.TYPING)
     }
 
-    fun write(after: Draft, kind: EditKind = EditKind.OTHER) {
+    fun write(after: TextDocument, kind: EditKind = EditKind.OTHER) {
         isEditing = true
         goal = null
         closeOffered()
@@ -199,7 +199,7 @@ internal class EditorControl(
         }
     }
 
-    private fun erase(after: Draft) {
+    private fun erase(after: TextDocument) {
         if (after == draft) return
         val wasOffered = completions != null
         write(after, EditKind.ERASING)
@@ -224,7 +224,7 @@ internal class EditorControl(
         goal = if (isVertical) column else null
     }
 
-    private fun offer(after: Draft, isTyping: Boolean, isExplicit: Boolean = false) {
+    private fun offer(after: TextDocument, isTyping: Boolean, isExplicit: Boolean = false) {
         val list = if (isTyping) completionsAt(after, syntax, help, isExplicit, brick) else null
         val isMember = list != null && after.text.getOrNull(list.start - 1) == '.'
         completions = list?.takeIf { isMember || isExplicit || after.selection.caret - it.start >= MIN_TYPED }
@@ -242,7 +242,7 @@ internal class EditorControl(
         write(after)
     }
 
-    private fun Draft.withLineSelected(line: Int) = copy(selection = TextSelection(lines.start(line), lines.end(line)))
+    private fun TextDocument.withLineSelected(line: Int) = copy(selection = TextSelection(lines.start(line), lines.end(line)))
 
     private companion object {
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)

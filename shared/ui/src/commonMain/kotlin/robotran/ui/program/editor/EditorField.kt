@@ -19,7 +19,7 @@ import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.Constraints
 import robotran.language.source.SourceSpan
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 
 /**
@@ -30,7 +30,7 @@ import robotran.textediting.text.TextSelection
  */
 @Composable
 internal fun EditorField(
-    draft: Draft,
+    draft: TextDocument,
     control: EditorControl,
     view: EditorView,
     layouts: LineLayouts,
@@ -45,7 +45,7 @@ internal fun EditorField(
         value = shown,
         onValueChange = {
             last = it
-            val written = Draft(it.text, TextSelection(it.selection.start, it.selection.end))
+            val written = TextDocument(it.text, TextSelection(it.selection.start, it.selection.end))
             control.received(written, isComposing = it.composition != null)
             onComposing(
                 it.composition?.let { span ->
@@ -69,7 +69,7 @@ internal fun EditorField(
 }
 
 /** Places a field whose text starts at [start] of [draft] so that its caret matches the drawn one. */
-private fun Modifier.atCaret(draft: Draft, start: Int, view: EditorView) = layout { measurable, constraints ->
+private fun Modifier.atCaret(draft: TextDocument, start: Int, view: EditorView) = layout { measurable, constraints ->
     val placed = measurable.measure(Constraints())
     layout(constraints.maxWidth, constraints.maxHeight) {
         val line = draft.lines.lineOf(draft.selection.caret)

@@ -18,7 +18,7 @@ import androidx.compose.ui.semantics.CustomAccessibilityAction
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.ScreenTexts
@@ -28,7 +28,7 @@ import robotran.ui.texts.ScreenTexts
 internal fun Modifier.editorInput(
     control: EditorControl,
     focus: FocusRequester,
-    draft: Draft,
+    draft: TextDocument,
     onCommand: (EditorCommand) -> Unit,
     onBreakpoint: (Int) -> Unit,
     onFocus: (Boolean) -> Unit,

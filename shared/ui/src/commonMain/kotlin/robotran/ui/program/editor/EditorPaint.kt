@@ -3,7 +3,7 @@ package robotran.ui.program.editor
 import androidx.compose.runtime.Immutable
 import robotran.language.source.SourceRange
 import robotran.language.source.SourceSpan
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 
 /**
  * The markings of a text. Lines start at 1.
@@ -31,4 +31,4 @@ internal data class EditorMarks(
 
 /** Everything to draw of a text. */
 @Immutable
-internal class EditorPaint(val draft: Draft, val marks: EditorMarks, val hasFocus: Boolean)
+internal class EditorPaint(val draft: TextDocument, val marks: EditorMarks, val hasFocus: Boolean)

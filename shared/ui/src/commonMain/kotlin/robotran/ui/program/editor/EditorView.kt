@@ -9,7 +9,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
 import robotran.languagesupport.CodeTokens
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 
 /** The visible part of a text and its position on the screen. */
 @Stable
@@ -89,14 +89,14 @@ internal class EditorView {
     }
 
     /** The caret's rectangle at [column] of [line] on the screen. */
-    fun caretBounds(line: Int, column: Int, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Rect {
+    fun caretBounds(line: Int, column: Int, draft: TextDocument, layouts: LineLayouts, pieces: CodeTokens): Rect {
         val x = gutter + layouts.of(draft.lines.line(line), pieces.startsInComment(line)).x(column) - scrollX
         val top = geometry.top(line) - scrollY
         return Rect(x, top, x, top + geometry.lineHeight)
     }
 
     /** The text offset nearest to [position] on the screen. */
-    fun offsetAt(position: Offset, draft: Draft, layouts: LineLayouts, pieces: CodeTokens): Int {
+    fun offsetAt(position: Offset, draft: TextDocument, layouts: LineLayouts, pieces: CodeTokens): Int {
         val line = geometry.lineAt(position.y + scrollY).coerceIn(0, draft.lines.count - 1)
         val column = layouts.of(
             draft.lines.line(line),

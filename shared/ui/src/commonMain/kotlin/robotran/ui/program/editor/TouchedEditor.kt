@@ -12,7 +12,7 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.platform.LocalSoftwareKeyboardController
 import robotran.languagesupport.CodeTokens
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 
 /** Scrolls by touch or wheel. */
@@ -29,7 +29,7 @@ internal fun rememberTouch(
     view: EditorView,
     layouts: LineLayouts,
     pieces: CodeTokens,
-    draft: Draft,
+    draft: TextDocument,
     focus: FocusRequester,
     onBreakpoint: (Int) -> Unit,
     onZoom: (Float) -> Unit,

@@ -11,28 +11,28 @@ import kotlin.math.sqrt
 /** Writes lamps and their light. */
 internal class SvgLamps(private val svg: SvgWriter, private val shapes: SvgShapes) {
     /** Without shadows, which only the screen shows. */
-    fun glow(place: Point, brightness: Double, direction: Double, cone: Double) {
+    fun glow(point: Point, brightness: Double, direction: Double, cone: Double) {
         if (brightness <= 0) return
         val reach = REACH * sqrt(brightness)
-        val y = shapes.down(place.y)
+        val y = shapes.down(point.y)
         if (cone >= Lamp.ALL_ROUND) {
-            svg.element("circle", "cx" to place.x, "cy" to y, "r" to reach, "fill" to "url(#glow)")
+            svg.element("circle", "cx" to point.x, "cy" to y, "r" to reach, "fill" to "url(#glow)")
             return
         }
         // An arc of radius r/2 with line width r fills a sector, without trigonometry.
         val round = PI * reach
-        val lit = round * cone / Lamp.ALL_ROUND
+        val highlighted = round * cone / Lamp.ALL_ROUND
         svg.element(
             "circle",
-            "cx" to place.x,
+            "cx" to point.x,
             "cy" to y,
             "r" to reach / 2,
             "fill" to "none",
             "stroke" to hex(SheetColours.LAMP),
             "stroke-opacity" to CONE_OPACITY,
             "stroke-width" to reach,
-            "stroke-dasharray" to "${figure(lit)} ${figure(round - lit)}",
-            "transform" to "rotate(${figure(-direction - cone / 2)} ${figure(place.x)} ${figure(y)})",
+            "stroke-dasharray" to "${figure(highlighted)} ${figure(round - highlighted)}",
+            "transform" to "rotate(${figure(-direction - cone / 2)} ${figure(point.x)} ${figure(y)})",
         )
     }
 

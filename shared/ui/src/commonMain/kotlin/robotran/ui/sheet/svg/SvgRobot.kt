@@ -49,12 +49,12 @@ internal class SvgRobot(private val svg: SvgWriter) : RobotBrush {
         disc(middle + face.gaze * RobotPlan.GAZE, RobotPlan.PUPIL_RADIUS, RobotColours.PUPIL)
     }
 
-    override fun plate(place: Rect, colour: Color, corner: Float, edge: Color?) = svg.element(
+    override fun plate(bounds: Rect, colour: Color, corner: Float, edge: Color?) = svg.element(
         "rect",
-        "x" to place.left,
-        "y" to place.top,
-        "width" to place.width,
-        "height" to place.height,
+        "x" to bounds.left,
+        "y" to bounds.top,
+        "width" to bounds.width,
+        "height" to bounds.height,
         "rx" to corner,
         "fill" to hex(colour),
         "stroke" to edge?.let(::hex),

@@ -58,11 +58,11 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
     )
 
     /** Text centred on a place, with a paper-coloured outline for contrast. */
-    fun label(text: String, place: Point, size: Double) = svg.textElement(
+    fun label(text: String, point: Point, size: Double) = svg.textElement(
         "text",
         text,
-        "x" to place.x,
-        "y" to down(place.y),
+        "x" to point.x,
+        "y" to down(point.y),
         "font-size" to size,
         "text-anchor" to "middle",
         "font-weight" to "bold",

@@ -18,7 +18,7 @@ import robotran.workshop.documents.Machine
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SolutionCheck
-import robotran.worldediting.Edit
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -94,7 +94,7 @@ class TouchesTest {
             val robot = checkNotNull(workshop.state.worldEdit).world.robots.first()
             val turned = robot.copy(start = robot.start.copy(heading = robot.start.heading + 90))
             workshop.handle(
-                WorldEditEvent.Edited(Edit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(turned))),
+                WorldEditEvent.Edited(WorldEdit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(turned))),
             )
             touches++
             tap("edit-to-assignment", height)
@@ -108,7 +108,7 @@ class TouchesTest {
             tap("make-pupil-file", height)
         }
         val saved = machine.files.disk.values.last()
-        assertIs<ProjectFileResult.Loaded>(readProject(saved, Language.ENGLISH))
+        assertIs<ProjectFileResult.Success>(readProject(saved, Language.ENGLISH))
         return first to touches
     }
 

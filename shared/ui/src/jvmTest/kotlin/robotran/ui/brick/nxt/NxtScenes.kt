@@ -7,12 +7,14 @@ import robotran.brick.program.FailureFrame
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
+import robotran.language.Language
 import robotran.nxt.NxtBrick
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.hardware.I2cDevice
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SensorType
 import robotran.nxt.hardware.SonarDevice
+import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
@@ -32,10 +34,10 @@ internal object NxtScenes {
     val robot: RobotDescription = ReadyRobots.NXT_PENBOT
 
     /** Just switched on. */
-    val menu: NxtState = NxtBrick(listOf(Shown("Square"), Shown("Follow")), name = "yellow").state
+    val menu: NxtState = NxtBrick(listOf(Shown("Square"), Shown("Follow")), name = "yellow", messages = NxtMessages.of(Language.ENGLISH)).state
 
     /** The same with its sensors plugged in. The sonar is off. */
-    val idle: NxtState = NxtBrick(emptyList()).run {
+    val idle: NxtState = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).run {
         setAnalog(0, 183)
         setAnalog(2, 430)
         connect(3, SonarDevice({ doubleArrayOf(45.0) }, clock))
@@ -71,7 +73,7 @@ internal object NxtScenes {
 
     val failed: NxtState = started(Shown("Fail", FAILURE))
 
-    val off: NxtState = NxtBrick(emptyList()).apply {
+    val off: NxtState = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).apply {
         press(BrickButton.ESCAPE)
         repeat(400) { tick() }
     }.state
@@ -107,7 +109,7 @@ internal object NxtScenes {
     }
 
     private fun started(program: NxtProgram, prepare: NxtBrick.() -> Unit = { }): NxtState =
-        NxtBrick(listOf(program), name = "yellow").run {
+        NxtBrick(listOf(program), name = "yellow", messages = NxtMessages.of(Language.ENGLISH)).run {
             prepare()
             press(BrickButton.ENTER)
             release(BrickButton.ENTER)

@@ -2,12 +2,14 @@ package robotran.ui.brick.rcx
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.rcxrom.RcxBrick
-import robotran.world.RobotPlacement
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertTrue
+import robotran.language.Language
+import robotran.rcxrom.RcxBrick
+import robotran.rcxrom.messages.BrickMessages
+import robotran.world.RobotPlacement
 
 class BrickPictureTest {
     @Test
@@ -31,7 +33,7 @@ class BrickPictureTest {
 
     @Test
     fun `a bumper that is pushed in lights its port, a light sensor in the dark does not`() {
-        val brick = RcxBrick(emptyList())
+        val brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH))
         assertEquals(
             listOf(false, false, false),
             brick.state.sensors.map {

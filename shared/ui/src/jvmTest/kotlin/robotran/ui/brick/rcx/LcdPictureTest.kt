@@ -35,9 +35,9 @@ class LcdPictureTest {
     @Test
     fun `every segment of the digits and every icon has its own place on the glass`() {
         val alone = LCD_BITS.toSet() - MEN_BITS
-        assertEquals(35 + LcdIcon.entries.size - 2, lit.keys.count { it in alone })
+        assertEquals(35 + LcdIcon.entries.size - 2, highlighted.keys.count { it in alone })
         val men = listOf(darkPixels(LcdMen.body), darkPixels(LcdMen.standing), darkPixels(LcdMen.walking))
-        val all = lit.filterKeys { it in alone }.values + men
+        val all = highlighted.filterKeys { it in alone }.values + men
         assertEquals(all.sumOf { it.size }, all.flatten().toSet().size, "some segments lie over others")
         assertTrue(all.all { it.size > 20 * PIXELS }, "some segment is hardly to be seen")
     }
@@ -53,7 +53,7 @@ class LcdPictureTest {
     @Test
     fun `with everything lit every segment is dark`() {
         val everything = darkPixels(photographLcd(glassOf(LCD_BITS)))
-        assertTrue(lit.values.all { everything.containsAll(it) })
+        assertTrue(highlighted.values.all { everything.containsAll(it) })
         assertTrue(
             everything.containsAll(darkPixels(LcdMen.standing) + darkPixels(LcdMen.walking) + darkPixels(LcdMen.body)),
         )
@@ -62,8 +62,8 @@ class LcdPictureTest {
 
     @Test
     fun `a segment is dark exactly when its bit is set`() {
-        for (pair in lit.keys.chunked(2)) {
-            val expected = pair.flatMap { lit.getValue(it) }.toSet()
+        for (pair in highlighted.keys.chunked(2)) {
+            val expected = pair.flatMap { highlighted.getValue(it) }.toSet()
             assertEquals(expected, darkPixels(photographLcd(glassOf(pair))))
         }
     }
@@ -164,7 +164,7 @@ class LcdPictureTest {
         const val GAP = 16
 
         /** The bits of the display's memory that light a segment on their own, with their pictures. */
-        val lit: Map<Int, Set<Offset>> =
+        val highlighted: Map<Int, Set<Offset>> =
             LCD_BITS.associateWith { darkPixels(photographLcd(glassOf(listOf(it)))) }.filterValues { it.isNotEmpty() }
 
         /** The bits of each icon's segments. */

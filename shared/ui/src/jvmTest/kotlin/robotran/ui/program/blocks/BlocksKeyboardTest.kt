@@ -13,7 +13,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.ui.program.keys
 import robotran.ui.screen.pass
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.text
 import kotlin.test.Test
@@ -165,13 +165,13 @@ class BlocksKeyboardTest {
     fun `a note is written and put away with keys`() = onTabletInBlocks("beep\n") { workshop ->
         focusBlocks()
         keys(listOf(Key.DirectionDown))
-        workshop.handle(BlockEvent.SheetShown(BlockSheet.Note(0)))
+        workshop.handle(BlockEvent.SheetShown(BlockDialog.Note(0)))
         pass(300)
         onNodeWithTag("note-field").assertIsFocused().performTextInput("loud")
         keys(listOf(Key.Enter))
         pass(300)
         assertEquals("beep  // loud\n", workshop.text)
-        workshop.handle(BlockEvent.SheetShown(BlockSheet.Note(0)))
+        workshop.handle(BlockEvent.SheetShown(BlockDialog.Note(0)))
         pass(300)
         keys(listOf(Key.Escape))
         pass(300)

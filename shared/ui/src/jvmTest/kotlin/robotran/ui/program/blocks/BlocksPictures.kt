@@ -12,7 +12,7 @@ import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockPalette
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
@@ -61,8 +61,8 @@ class BlocksPictures {
 
     @Test
     fun `the palette can be photographed`() = photograph("palette") {
-        it.handle(BlockEvent.PaletteTurned(BlockPalette(BlockGroup.CONTROL)))
-        it.handle(BlockEvent.SheetShown(BlockSheet.Palette))
+        it.handle(BlockEvent.PaletteGroupSelected(BlockPalette(BlockGroup.CONTROL)))
+        it.handle(BlockEvent.SheetShown(BlockDialog.Palette))
     }
 
     @Test
@@ -83,8 +83,8 @@ class BlocksPictures {
     @Test
     fun `what senses on a robot with a sonar can be photographed`() = photograph("sense-nxt") {
         it.handle(LearningEvent.WorldChosen("nxt-wall"))
-        it.handle(BlockEvent.PaletteTurned(BlockPalette(BlockGroup.SENSE)))
-        it.handle(BlockEvent.SheetShown(BlockSheet.Palette))
+        it.handle(BlockEvent.PaletteGroupSelected(BlockPalette(BlockGroup.SENSE)))
+        it.handle(BlockEvent.SheetShown(BlockDialog.Palette))
     }
 
     @Test
@@ -98,7 +98,7 @@ class BlocksPictures {
     @Test
     fun `what can be done to a block can be photographed`() = photograph("actions") { workshop ->
         val block = workshop.at("turn")
-        workshop.handle(BlockEvent.SheetShown(BlockSheet.Actions(block)))
+        workshop.handle(BlockEvent.SheetShown(BlockDialog.Actions(block)))
     }
 
     private fun Workshop.at(label: String): BlockId {
@@ -115,7 +115,7 @@ class BlocksPictures {
         val blocks = checkNotNull(state.programs.blocks)
         val line = blocks.program.outline.lines.first { label in it.span.textIn(blocks.program.text) }
         val parts = line.editableParts
-        handle(BlockEvent.SheetShown(BlockSheet.Part(parts[part ?: parts.lastIndex].span)))
+        handle(BlockEvent.SheetShown(BlockDialog.Part(parts[part ?: parts.lastIndex].span)))
     }
 
     private fun photograph(

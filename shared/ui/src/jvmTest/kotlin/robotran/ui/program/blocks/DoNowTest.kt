@@ -32,7 +32,7 @@ class DoNowTest {
         val text = workshop.text
         val before = workshop.state.session.robot.pose
         act()
-        assertTrue(workshop.state.session.brick.isImmediate)
+        assertTrue(workshop.state.session.brick.isSnippet)
         pass(3_000)
         assertNotEquals(before, workshop.state.session.robot.pose)
         assertEquals(text, workshop.text)

@@ -7,7 +7,7 @@ import robotran.simulation.SessionInput
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
@@ -62,9 +62,9 @@ class SheetPreviewPictures {
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         val blocks = checkNotNull(workshop.state.programs.blocks)
         val sheet = if (line == null) {
-            BlockSheet.Palette
+            BlockDialog.Palette
         } else {
-            BlockSheet.Part(blocks.program.outline.lines[1].editableParts.last().span)
+            BlockDialog.Part(blocks.program.outline.lines[1].editableParts.last().span)
         }
         workshop.handle(BlockEvent.SheetShown(sheet))
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))

@@ -5,7 +5,7 @@ import androidx.compose.ui.text.AnnotatedString
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.textediting.CaretMove
-import robotran.textediting.text.Draft
+import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -15,7 +15,7 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class EditorControlTest {
-    private val written = mutableListOf<Draft>()
+    private val written = mutableListOf<TextDocument>()
     private val control = EditorControl(ProgramLanguage.ROBOLANG, EditorView(), brick = BrickKind.RCX) { draft, _ ->
         written +=
             draft
@@ -33,7 +33,7 @@ class EditorControlTest {
 
     @Test
     fun `what was cut is put in again, with the line ends and the indents of the editor`() {
-        control.follow(Draft("pen down\nbeep", TextSelection(9, 13)))
+        control.follow(TextDocument("pen down\nbeep", TextSelection(9, 13)))
         control.perform(EditorCommand.Plain.CUT)
         assertEquals("pen down\n", control.draft.text)
         control.perform(EditorCommand.Plain.PASTE)
@@ -51,26 +51,26 @@ class EditorControlTest {
                 written +=
                     draft
             }
-        small.follow(Draft("beep").withCaret(4))
+        small.follow(TextDocument("beep").withCaret(4))
         assertEquals("beep", small.link.fieldFor(small.draft).text)
-        small.received(Draft("beep and more", TextSelection(13)), isComposing = false)
+        small.received(TextDocument("beep and more", TextSelection(13)), isComposing = false)
         assertEquals("beep and more", written.last().text)
         assertEquals("beep", small.draft.text)
         assertEquals("beep", small.link.fieldFor(small.draft).text)
-        small.received(Draft("beep 1", TextSelection(6)), isComposing = false)
+        small.received(TextDocument("beep 1", TextSelection(6)), isComposing = false)
         assertEquals("beep 1", small.draft.text)
     }
 
     @Test
     fun `several keys between two pictures are all written`() {
-        control.follow(Draft(""))
+        control.follow(TextDocument(""))
         for (letter in "beep") control.type(letter.toString())
         assertEquals("beep", written.last().text)
     }
 
     @Test
     fun `going up and down keeps the column over shorter lines`() {
-        control.follow(Draft("forward 20\nbeep\nforward 30", TextSelection(10)))
+        control.follow(TextDocument("forward 20\nbeep\nforward 30", TextSelection(10)))
         val down = EditorCommand.Move(CaretMove.DOWN, selecting = false)
         control.perform(down)
         assertEquals(15, control.draft.selection.caret)
@@ -80,7 +80,7 @@ class EditorControlTest {
 
     @Test
     fun `keys go through what is offered before they go through the text`() {
-        control.follow(Draft("turn ", TextSelection(5)))
+        control.follow(TextDocument("turn ", TextSelection(5)))
         control.perform(EditorCommand.Plain.COMPLETE)
         assertEquals(listOf("left", "right"), assertNotNull(control.completions).items.map { it.label })
         assertTrue(control.performOnOffered(EditorCommand.Move(CaretMove.UP, selecting = false), isEnter = false))
@@ -95,7 +95,7 @@ class EditorControlTest {
 
     @Test
     fun `Tab fills up to the next step`() {
-        control.follow(Draft("a", TextSelection(1)))
+        control.follow(TextDocument("a", TextSelection(1)))
         control.perform(EditorCommand.Plain.INDENT)
         assertEquals("a ", control.draft.text)
         control.perform(EditorCommand.Plain.INDENT)

@@ -1,5 +1,10 @@
 package robotran.ui.program.editor
 
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceFix
@@ -7,15 +12,12 @@ import robotran.language.source.SourceRange
 import robotran.projects.PENBOT_TARGET
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
+import robotran.robolang.messages.RobolangMessages
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {
-        val diagnostic = assertIs<RobolangResult.HasErrors>(
-            compileRobolang("a.robo", source, PENBOT_TARGET),
+        val diagnostic = assertIs<RobolangResult.Failure>(
+            compileRobolang("a.robo", source, PENBOT_TARGET, messages = RobolangMessages.of(Language.ENGLISH)),
         ).diagnostics.first()
         val fix = assertNotNull(diagnostic.fix, source)
         return fixLabelOf(

@@ -29,8 +29,8 @@ import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.Label
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockLoad
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.DragPayload
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.helpWord
 import robotran.workshop.blocks.placeNested
@@ -47,7 +47,7 @@ internal fun ActionsSheet(id: BlockId, scope: BlockScope, onClose: () -> Unit, m
         onClose()
         action.act()
     }
-    SheetFrame(scope.wordsOf(block.head), onClose, modifier) {
+    BlockDialogFrame(scope.wordsOf(block.head), onClose, modifier) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             for (action in actionsOn(block, scope, clipboard, reader)) {
                 SheetButton(action.words(spoken), "action-${action.tag}") { act(action) }
@@ -78,7 +78,7 @@ private fun Forms(block: Block, scope: BlockScope) {
 /** The line after it has taken [form], and the edit; null if it cannot. */
 private fun changeTo(form: LineForm, block: Block, scope: BlockScope): Pair<String, BlockEdit>? {
     val edit = BlockEdit.ChangeForm(block.head.index, form)
-    val done = apply(scope.state.program, edit) as? BlockEditResult.Done ?: return null
+    val done = apply(scope.state.program, edit) as? BlockEditResult.Success ?: return null
     val line = done.program.outline.lines[block.head.index]
     return SourceSpan(line.parts.first().span.start, line.parts.last().span.end).textIn(done.program.text) to edit
 }
@@ -108,7 +108,7 @@ private fun actionsOnAll(
     val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
     val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
     return listOfNotNull(
-        BlockAction(BlockTexts::doNow, "now") { scope.doNow(BlockLoad.Blocks(run)) },
+        BlockAction(BlockTexts::doNow, "now") { scope.doNow(DragPayload.Blocks(run)) },
         BlockAction(BlockTexts::duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
         BlockAction(BlockTexts::delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
         BlockAction(BlockTexts::up, "up") {
@@ -129,7 +129,7 @@ private fun actionsOnAll(
         }.takeIf { here.placeNested(isOut = false) != null },
         BlockAction(BlockTexts::chooseSeveral, "choose") {
             at()
-            scope.onEvent(BlockEvent.ChoosingSet(true))
+            scope.onEvent(BlockEvent.MultiSelectChanged(true))
         },
         BlockAction(BlockTexts::selectStack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
         BlockAction(BlockTexts::wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
@@ -146,8 +146,8 @@ private fun actionsOnAll(
 }
 
 private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
-    BlockAction(BlockTexts::note, "note") { scope.show(BlockSheet.Note(block.head.index)) },
-    BlockAction(BlockTexts::asText, "line") { scope.show(BlockSheet.Line(block.head.index)) },
+    BlockAction(BlockTexts::note, "note") { scope.show(BlockDialog.Note(block.head.index)) },
+    BlockAction(BlockTexts::asText, "line") { scope.show(BlockDialog.Line(block.head.index)) },
     block.head.helpWord(scope.state.program.text)?.let { word ->
         BlockAction(BlockTexts::help, "help") { scope.onHelp(word) }
     },

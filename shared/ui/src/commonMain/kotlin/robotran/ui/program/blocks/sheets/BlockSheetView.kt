@@ -15,7 +15,7 @@ import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 
 /**
  * The open sheet. It covers the lower part of the blocks or, in a low pane, stands beside them. They do not move, and the
@@ -43,12 +43,12 @@ private fun OpenSheet(
 ) {
     when (val sheet = scope.state.sheet) {
         null -> {}
-        BlockSheet.Palette -> PaletteSheet(scope, dragging, room, close, below)
-        is BlockSheet.Actions -> ActionsSheet(sheet.block, scope, close, below)
-        is BlockSheet.Note -> NoteSheet(sheet.line, scope, close, below)
-        is BlockSheet.Line -> LineSheet(sheet.line, scope, close, below)
+        BlockDialog.Palette -> PaletteSheet(scope, dragging, room, close, below)
+        is BlockDialog.Actions -> ActionsSheet(sheet.block, scope, close, below)
+        is BlockDialog.Note -> NoteSheet(sheet.line, scope, close, below)
+        is BlockDialog.Line -> LineSheet(sheet.line, scope, close, below)
 
-        is BlockSheet.Part -> {
+        is BlockDialog.Part -> {
             // The place of the part begins at the same offset while it is edited.
             val part = scope.state.program.partAt(sheet.span)
             if (part != null) key(sheet.span.start) { Box(below) { PartSheet(part, scope, close) } }

@@ -3,7 +3,7 @@ package robotran.ui.program.blocks.sheets
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 
 /**
  * How blocks, palette and sheets share a pane.
@@ -29,10 +29,10 @@ internal data class BlocksRoom(
     val keptFree: Dp get() = if (sheets == SheetPlace.BESIDE) sheetWidth else 0.dp
 
     /** The most that [sheet] is high. */
-    fun heightOf(sheet: BlockSheet?): Dp = if (sheet == BlockSheet.Palette) paletteHeight else sheetHeight
+    fun heightOf(sheet: BlockDialog?): Dp = if (sheet == BlockDialog.Palette) paletteHeight else sheetHeight
 
     /** How much of the height of the blocks, from the bottom, [sheet] covers; 0 if it covers all. */
-    fun coveredBy(sheet: BlockSheet?): Dp = if (sheet == null || sheets != SheetPlace.BELOW) 0.dp else heightOf(sheet)
+    fun coveredBy(sheet: BlockDialog?): Dp = if (sheet == null || sheets != SheetPlace.BELOW) 0.dp else heightOf(sheet)
 
     companion object {
         /**

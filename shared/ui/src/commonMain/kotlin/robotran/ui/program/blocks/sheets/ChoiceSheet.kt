@@ -15,7 +15,7 @@ import robotran.ui.texts.BlockTexts
 @Composable
 internal fun ChoiceSheet(part: PhrasePart.Choice, scope: BlockScope, onClose: () -> Unit) {
     val now = scope.textOf(part)
-    SheetFrame(BlockTexts.choose(spoken), onClose) {
+    BlockDialogFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
                 SheetButton(option, "choice-$index", isChosen = option.equals(now, ignoreCase = true)) {

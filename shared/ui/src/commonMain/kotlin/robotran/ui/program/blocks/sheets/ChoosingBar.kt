@@ -56,7 +56,7 @@ internal fun ChoosingBar(scope: BlockScope) {
                 verticalArrangement = Arrangement.spacedBy(8.dp),
             ) {
                 SheetButton(BlockTexts.done(spoken), "choosing-done") {
-                    scope.onEvent(BlockEvent.ChoosingSet(false))
+                    scope.onEvent(BlockEvent.MultiSelectChanged(false))
                 }
                 SheetButton(EditorTexts.copy(spoken), "choosing-copy") { clipboard.copy(scope) }
                 SheetButton(BlockTexts.duplicate(spoken), "choosing-duplicate") {

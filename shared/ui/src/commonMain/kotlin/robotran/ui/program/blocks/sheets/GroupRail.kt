@@ -40,7 +40,7 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.blocks.BlockPalette
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 
 /** The groups of the palette beside the blocks. A touch opens the palette at that group, or closes it. */
@@ -58,10 +58,10 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
         Arrangement.spacedBy(2.dp),
     ) {
         for (group in BlockGroup.entries) {
-            val isShown = scope.state.sheet == BlockSheet.Palette && scope.state.palette.group == group
+            val isShown = scope.state.sheet == BlockDialog.Palette && scope.state.palette.group == group
             GroupButton(group, isShown, scope) {
-                scope.onEvent(BlockEvent.PaletteTurned(BlockPalette(group)))
-                scope.show(BlockSheet.Palette.takeIf { !isShown })
+                scope.onEvent(BlockEvent.PaletteGroupSelected(BlockPalette(group)))
+                scope.show(BlockDialog.Palette.takeIf { !isShown })
             }
         }
     }

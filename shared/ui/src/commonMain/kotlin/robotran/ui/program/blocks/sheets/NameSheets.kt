@@ -23,7 +23,7 @@ import robotran.ui.texts.BlockTexts
 @Composable
 internal fun NameSheet(part: PhrasePart.NamePart, scope: BlockScope, onClose: () -> Unit) {
     val isDeclaration = part.role == NameRole.DECLARES || part.role == NameRole.DECLARES_ROUTINE
-    SheetFrame(if (isDeclaration) BlockTexts.rename(spoken) else BlockTexts.names(spoken), onClose) {
+    BlockDialogFrame(if (isDeclaration) BlockTexts.rename(spoken) else BlockTexts.names(spoken), onClose) {
         if (isDeclaration) {
             SheetField(scope.textOf(part), BlockTexts.name(spoken), "name") { name ->
                 val declared = scope.state.program.nameAt(part.span)

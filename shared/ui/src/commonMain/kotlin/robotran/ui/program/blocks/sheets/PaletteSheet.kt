@@ -80,7 +80,7 @@ internal fun PaletteSheet(
     modifier: Modifier,
 ) {
     val palette = scope.state.palette
-    val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteTurned(next)) }
+    val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteGroupSelected(next)) }
     var showsAll by remember { mutableStateOf(false) }
     val introduced = scope.introduced.takeIf { !showsAll }
     val shown = remember(palette, scope.state.program, scope.state.cursor, introduced, scope.brick) {
@@ -154,7 +154,7 @@ internal fun PaletteSheet(
             if (hasAll && introduced != null) item { showAll() }
         }
     }
-    SheetFrame(BlockTexts.palette(spoken), onClose, place, scrolls = false) {
+    BlockDialogFrame(BlockTexts.palette(spoken), onClose, place, scrolls = false) {
         if (isOver) {
             Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
                 Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {

@@ -28,7 +28,7 @@ import robotran.ui.texts.BlockTexts
 internal fun NoteSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val comment = scope.state.program.outline.lines.getOrNull(line)?.comment
     val now = comment?.let { scope.textOf(it).removePrefix("//").trim() }
-    SheetFrame(BlockTexts.note(spoken), onClose, modifier) {
+    BlockDialogFrame(BlockTexts.note(spoken), onClose, modifier) {
         SheetField(now.orEmpty(), BlockTexts.note(spoken), "note") {
             scope.edit(BlockEdit.SetNote(line, it.takeIf { text -> text.isNotBlank() }))
             onClose()
@@ -46,7 +46,7 @@ internal fun NoteSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifi
 @Composable
 internal fun LineSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val now = scope.state.program.outline.lines.getOrNull(line)?.let { scope.textOf(it.span).trim() }.orEmpty()
-    SheetFrame(BlockTexts.line(spoken), onClose, modifier) {
+    BlockDialogFrame(BlockTexts.line(spoken), onClose, modifier) {
         SheetField(now, BlockTexts.line(spoken), "line") {
             scope.edit(BlockEdit.ReplaceLine(line, it))
             onClose()
@@ -58,7 +58,7 @@ internal fun LineSheet(line: Int, scope: BlockScope, onClose: () -> Unit, modifi
 @Composable
 internal fun ShownTextSheet(part: PhrasePart.Text, scope: BlockScope, onClose: () -> Unit) {
     val title = BlockTexts.shownText(spoken)
-    SheetFrame(title, onClose) {
+    BlockDialogFrame(title, onClose) {
         SheetField(scope.textOf(part).removeSurrounding("\""), title, "shown-text") {
             scope.put(it)
             onClose()

@@ -13,7 +13,7 @@ import robotran.ui.texts.BlockTexts
 @Composable
 internal fun ValueSheet(part: PhrasePart.Value, scope: BlockScope, onClose: () -> Unit) {
     val takesNumber = part.use.kind == ValueKind.NUMBER || part.use.kind == ValueKind.UNKNOWN
-    SheetFrame(if (takesNumber) BlockTexts.number(spoken) else BlockTexts.choose(spoken), onClose) {
+    BlockDialogFrame(if (takesNumber) BlockTexts.number(spoken) else BlockTexts.choose(spoken), onClose) {
         if (takesNumber) NumberEditor(part, scope, onClose)
         if (part.use == ValueUse.FREQUENCY) NoteChoice(part, scope)
         ItemActions(part, scope)

@@ -1,7 +1,7 @@
 package robotran.ui.program.blocks.sheets
 
 import androidx.compose.ui.unit.dp
-import robotran.workshop.blocks.BlockSheet
+import robotran.workshop.blocks.BlockDialog
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -77,10 +77,10 @@ class BlocksRoomTest {
     @Test
     fun `a sheet beside the blocks covers none of them`() {
         val beside = room(820, 290)
-        assertEquals(0.dp, beside.coveredBy(BlockSheet.Palette))
+        assertEquals(0.dp, beside.coveredBy(BlockDialog.Palette))
         assertEquals(beside.sheetWidth, beside.keptFree)
         val below = room(411, 528)
-        assertEquals(below.paletteHeight, below.coveredBy(BlockSheet.Palette))
+        assertEquals(below.paletteHeight, below.coveredBy(BlockDialog.Palette))
         assertEquals(0.dp, below.keptFree)
         assertEquals(0.dp, below.coveredBy(null))
     }

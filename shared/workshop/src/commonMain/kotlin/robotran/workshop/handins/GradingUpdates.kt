@@ -10,7 +10,7 @@ import robotran.workshop.platform.WallClock
  *
  * @param ids of the rows.
  */
-internal class GradingNews(
+internal class GradingUpdates(
     private val ids: List<String>,
     private val clock: WallClock,
     private val onGraded: (String, GradedHandIn) -> Unit,

@@ -32,11 +32,11 @@ import robotran.world.WorldLimits
  *
  * @param show shows a state of the page; null closes it.
  */
-internal class CourseAuthor(
+internal class CourseEditor(
     private val platform: Platform,
     private val scope: CoroutineScope,
     private val preferences: Preferences,
-    private val shelf: CourseShelf,
+    private val shelf: CourseRepository,
     private val switcher: ProjectSwitcher,
     private val stored: StoredAssignments,
     private val notices: Notices,
@@ -159,9 +159,9 @@ internal class CourseAuthor(
         if (files.isEmpty()) return
         val opening = withContext(platform.background) { openFiles(unpackedCourses(files), preferences.language) }
         when (opening) {
-            is OpenFilesResult.Rejected -> update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
+            is OpenFilesResult.Failure -> update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
 
-            is OpenFilesResult.Opened -> {
+            is OpenFilesResult.Success -> {
                 val other =
                     opening.projects.firstOrNull { it.project.assignment == null || it.project.handIn != null }?.name
                         ?: opening.world?.title ?: opening.programs.firstOrNull()?.name ?: opening.robot?.title

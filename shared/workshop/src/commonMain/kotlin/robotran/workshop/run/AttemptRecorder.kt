@@ -7,10 +7,10 @@ import robotran.projects.repeatable
 import robotran.simulation.state.GoalStatus
 
 /** Tells the runs that Run has started from replays and from programs that were sent to run at once. */
-internal class TryRecorder(private val run: WatchedRun) {
+internal class AttemptRecorder(private val run: DebuggedRun) {
     private var number = 0
     private var isTry = false
-    private var last: EndedTry? = null
+    private var last: EndedAttempt? = null
 
     /** Run has started a new run. */
     fun begin() {
@@ -29,7 +29,7 @@ internal class TryRecorder(private val run: WatchedRun) {
     }
 
     /** The present try, once it is over; the same object until something about that changes. */
-    fun ended(): EndedTry? {
+    fun ended(): EndedAttempt? {
         if (!isTry) return null
         val outcome = run.player.outcome
         val before = last?.takeIf { it.number == number }
@@ -44,7 +44,7 @@ internal class TryRecorder(private val run: WatchedRun) {
         } ?: return null
         if (before != null && before.result.milliseconds == end && before.result.goalsMet == met) return before
         val trace = outcome.traceHash ?: run.player.session.traceHash
-        return EndedTry(
+        return EndedAttempt(
             number,
             run.loadedPrograms,
             run.firstSlots.first(),

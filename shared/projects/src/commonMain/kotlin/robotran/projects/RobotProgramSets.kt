@@ -13,7 +13,7 @@ import robotran.projects.messages.ProjectMessages
 import robotran.projects.messages.RobotMessages
 import robotran.robolang.LightSensorFacing
 import robotran.robolang.RobolangProgram
-import robotran.simulation.RobotLoad
+import robotran.simulation.RobotProgramSet
 import robotran.world.LightFacing
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -21,13 +21,13 @@ import robotran.world.messages.sentence
 import robotran.world.robot.draftError
 
 /** The result of compiling the programs of all robots of a world. */
-sealed interface RobotLoads {
+sealed interface RobotProgramSets {
     /**
      * @property loads one for each robot, in the world's order; the first program's header sets the light sensor's
      * direction.
      * @property warnings for the given programs only, because the pupil cannot fix the world's own programs.
      */
-    data class Ready(val loads: List<RobotLoad>, val warnings: List<Diagnostic>) : RobotLoads
+    data class Success(val loads: List<RobotProgramSet>, val warnings: List<Diagnostic>) : RobotProgramSets
 
     /**
      * The programs cannot run.
@@ -35,7 +35,7 @@ sealed interface RobotLoads {
      * @property robot the name of the robot with the errors.
      * @property diagnostics all errors of its programs, never empty.
      */
-    data class HasErrors(val robot: String, val diagnostics: List<Diagnostic>) : RobotLoads
+    data class Failure(val robot: String, val diagnostics: List<Diagnostic>) : RobotProgramSets
 }
 
 /**
@@ -46,48 +46,48 @@ sealed interface RobotLoads {
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].
  */
-suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotLoads {
+suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotProgramSets {
     val messages = ProjectMessages.of(reader.language)
     assignmentError(world, given, messages)?.let { return it }
     unfinishedRobot(world, reader.language)?.let { return it }
-    val loads = mutableListOf<RobotLoad>()
+    val loads = mutableListOf<RobotProgramSet>()
     val warnings = mutableListOf<Diagnostic>()
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val compiler = reader.forTarget(robot.description.target)
         val results = sources.ifEmpty { listOfNotNull(robot.givenProgram) }.map { compiler.read(it) }
-        val diagnostics = results.filterIsInstance<ProgramResult.HasErrors>().flatMap { it.diagnostics }
-        if (diagnostics.isNotEmpty()) return RobotLoads.HasErrors(robot.name, diagnostics)
-        val ready = results.filterIsInstance<ProgramResult.Ready>()
+        val diagnostics = results.filterIsInstance<ProgramResult.Failure>().flatMap { it.diagnostics }
+        if (diagnostics.isNotEmpty()) return RobotProgramSets.Failure(robot.name, diagnostics)
+        val ready = results.filterIsInstance<ProgramResult.Success>()
         val facing = ready.firstOrNull()?.let { lightFacingOf(it.program) }
-        loads += RobotLoad(ready.map<ProgramResult.Ready, BrickProgram?> { it.program }, lightFacing = facing)
+        loads += RobotProgramSet(ready.map<ProgramResult.Success, BrickProgram?> { it.program }, lightFacing = facing)
         if (sources.isNotEmpty()) warnings += ready.flatMap { it.warnings }
     }
-    return RobotLoads.Ready(loads, warnings)
+    return RobotProgramSets.Success(loads, warnings)
 }
 
 /**
  * The error of the first robot of [world] that is still being built and is impossible so far ([RobotPlacement.draft]);
  * null if there is none.
  */
-fun unfinishedRobot(world: World, language: Language): RobotLoads.HasErrors? {
+fun unfinishedRobot(world: World, language: Language): RobotProgramSets.Failure? {
     val (_, robot, draft, error) = draftError(world) ?: return null
     val message = ProjectMessages.of(language).robotUnfinished(robot, draft.title, error.sentence(language))
-    return RobotLoads.HasErrors(robot, listOf(Diagnostic(Severity.ERROR, "", null, message)))
+    return RobotProgramSets.Failure(robot, listOf(Diagnostic(Severity.ERROR, "", null, message)))
 }
 
 /** As [readRobotLoads] of a world, for [project], in its [Project.worldToRun] and with the configurations of its robots. */
-suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotLoads =
+suspend fun readRobotLoads(project: Project, reader: ProgramCompiler): RobotProgramSets =
     when (val result = readRobotLoads(project.world, reader, project.programs)) {
-        is RobotLoads.HasErrors -> result
-        is RobotLoads.Ready -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
+        is RobotProgramSets.Failure -> result
+        is RobotProgramSets.Success -> result.copy(loads = loadsWith(project.robots, project.world, result.loads))
     }
 
 /**
  * [loads] of the robots of [world], with the first program, the light sensor's direction and the files from [robots];
  * keeps the programs of [loads].
  */
-fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotLoad>): List<RobotLoad> =
+fun loadsWith(robots: List<ProjectRobot>, world: World, loads: List<RobotProgramSet>): List<RobotProgramSet> =
     world.robots.zip(loads) { place, load ->
         val robot = robots.firstOrNull { it.name == place.name }
         val first = robot?.firstProgram ?: 0
@@ -114,16 +114,16 @@ private fun assignmentError(
     world: World,
     given: Map<String, List<ProgramSource>>,
     messages: RobotMessages,
-): RobotLoads.HasErrors? {
+): RobotProgramSets.Failure? {
     val names = world.robots.map { it.name }
     given.keys.firstOrNull { it !in names }?.let { name ->
-        return RobotLoads.HasErrors(
+        return RobotProgramSets.Failure(
             name,
             listOf(Diagnostic(Severity.ERROR, "", null, messages.unknownRobot(name, names))),
         )
     }
     return given.entries.firstOrNull { it.value.size > BrickProgram.MAX_PROGRAMS }?.let { (name, programs) ->
-        RobotLoads.HasErrors(
+        RobotProgramSets.Failure(
             name,
             listOf(
                 Diagnostic(

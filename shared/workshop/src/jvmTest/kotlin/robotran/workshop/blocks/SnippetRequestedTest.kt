@@ -19,13 +19,13 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 /** Tests blocks that run at once. */
-class DoneNowTest {
+class SnippetRequestedTest {
     private val OnBlocks.pose: Pose get() = workshop.state.session.robot.pose
     private val OnBlocks.litLine: Int get() = workshop.state.shownProgramRun.runningLine
 
-    private fun OnBlocks.doNow(words: String) = send(BlockEvent.DoneNow(BlockLoad.Blocks(BlockRun(block(words)))))
+    private fun OnBlocks.doNow(words: String) = send(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(block(words)))))
 
-    private fun OnBlocks.doPaletteNow(id: String) = send(BlockEvent.DoneNow(BlockLoad.New(fromPalette(id))))
+    private fun OnBlocks.doPaletteNow(id: String) = send(BlockEvent.SnippetRequested(DragPayload.New(fromPalette(id))))
 
     @Test
     fun `a block runs from where the robot stands, and its line is lit`() = onBlocks(PROGRAM) {
@@ -57,7 +57,7 @@ class DoneNowTest {
         workshop.advance(8_000)
         assertEquals(ran.robot, workshop.state.session.robot)
         assertEquals(ran.ink.lengthCentimetres, workshop.state.session.ink.lengthCentimetres)
-        assertFalse(workshop.state.session.brick.isImmediate)
+        assertFalse(workshop.state.session.brick.isSnippet)
     }
 
     @Test

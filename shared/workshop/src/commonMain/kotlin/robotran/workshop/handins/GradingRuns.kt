@@ -21,7 +21,7 @@ import robotran.workshop.state.HandInsState
  *
  * @param show changes the page, see [HandInsState].
  */
-internal class GradingRounds(
+internal class GradingRuns(
     private val platform: Platform,
     private val scope: CoroutineScope,
     private val physics: PhysicsEngine,

@@ -12,7 +12,7 @@ import robotran.world.LightFacing
  * @property lightFacing the light sensor's direction that the pupil chose, if the world leaves it open; null for down.
  * @property files what programs have written into an NXT's flash memory before; other bricks have no files.
  */
-data class RobotLoad(
+data class RobotProgramSet(
     val programs: List<BrickProgram?>,
     val firstSlot: Int = 0,
     val lightFacing: LightFacing? = null,

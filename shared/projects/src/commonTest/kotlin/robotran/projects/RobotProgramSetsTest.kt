@@ -20,7 +20,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
 
-class RobotLoadsTest {
+class RobotProgramSetsTest {
     private val reader =
         ProgramCompiler(
             RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
@@ -37,7 +37,7 @@ class RobotLoadsTest {
     private fun program(name: String, text: String) = Program(name, ProgramLanguage.ROBOLANG, text)
 
     private suspend fun names(given: Map<String, List<ProgramSource>>): List<List<String?>> =
-        assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads.map { load ->
+        assertIs<RobotProgramSets.Success>(readRobotLoads(world, reader, given)).loads.map { load ->
             load.programs.map { it?.name }
         }
 
@@ -57,7 +57,7 @@ class RobotLoadsTest {
         val given = warned.forFirstRobot(listOf(program("a.robo", "var unused = 1")))
         assertEquals(
             listOf("a.robo"),
-            assertIs<RobotLoads.Ready>(readRobotLoads(warned, reader, given)).warnings.map { it.file },
+            assertIs<RobotProgramSets.Success>(readRobotLoads(warned, reader, given)).warnings.map { it.file },
         )
     }
 
@@ -65,27 +65,27 @@ class RobotLoadsTest {
     fun `a light sensor looks where the first program's header says, unless the pupil has turned it`() = runTest {
         val forward = program("a.robo", "robot\n  light sensor on 2 facing forward\nend\nshow light")
         val given = mapOf("ann" to listOf(forward), "carl" to listOf(program("c.robo", "beep"), forward))
-        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(world, reader, given)).loads
+        val loads = assertIs<RobotProgramSets.Success>(readRobotLoads(world, reader, given)).loads
         assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
         val written = listOf(checkNotNull(ProjectProgram.of(forward)))
         val turned = Project(world, listOf(ProjectRobot("ann", written, lightFacing = LightFacing.DOWN)))
         assertEquals(
             LightFacing.DOWN,
-            assertIs<RobotLoads.Ready>(readRobotLoads(turned, reader)).loads.first().lightFacing,
+            assertIs<RobotProgramSets.Success>(readRobotLoads(turned, reader)).loads.first().lightFacing,
         )
     }
 
     @Test
     fun `mistakes are told with the robot they belong to`() = runTest {
         val result = readRobotLoads(world, reader, mapOf("carl" to listOf(program("c.robo", "forwrd 5"))))
-        val mistaken = assertIs<RobotLoads.HasErrors>(result)
+        val mistaken = assertIs<RobotProgramSets.Failure>(result)
         assertEquals("carl", mistaken.robot)
         assertEquals(listOf("c.robo"), mistaken.diagnostics.map { it.file })
     }
 
     @Test
     fun `a program for a robot that is not there is a mistake`() = runTest {
-        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
+        val mistaken = assertIs<RobotProgramSets.Failure>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
         assertEquals(
             "No robot in this world is called dora. There are ann, bob and carl.",
             mistaken.diagnostics.single().message,
@@ -99,7 +99,7 @@ class RobotLoadsTest {
             ProjectRobot("carl", listOf(program("a.robo"), program("b.robo")), firstProgram = 1),
             ProjectRobot("ann", lightFacing = LightFacing.FORWARD),
         )
-        val loads = assertIs<RobotLoads.Ready>(readRobotLoads(Project(world, robots), reader)).loads
+        val loads = assertIs<RobotProgramSets.Success>(readRobotLoads(Project(world, robots), reader)).loads
         assertEquals(listOf(0, 1, 2), loads.map { it.programs.size })
         assertEquals(listOf(0, 0, 1), loads.map { it.firstSlot })
         assertEquals(listOf(LightFacing.FORWARD, null, null), loads.map { it.lightFacing })
@@ -108,7 +108,7 @@ class RobotLoadsTest {
     @Test
     fun `a brick has room for five programs`() = runTest {
         val given = world.forFirstRobot(List(6) { program("$it.robo", "beep") })
-        val mistaken = assertIs<RobotLoads.HasErrors>(readRobotLoads(world, reader, given))
+        val mistaken = assertIs<RobotProgramSets.Failure>(readRobotLoads(world, reader, given))
         assertEquals(
             "The robot ann has been given 6 programs, but a brick has room for 5.",
             mistaken.diagnostics.single().message,
@@ -129,10 +129,10 @@ class RobotLoadsTest {
             Language.SPANISH to "El robot bob no está terminado: «One motor» no puede conducir. ",
         )) {
             val result = readRobotLoads(with(draft), reader.withLanguage(language), emptyMap())
-            val mistaken = assertIs<RobotLoads.HasErrors>(result)
+            val mistaken = assertIs<RobotProgramSets.Failure>(result)
             assertEquals("bob", mistaken.robot)
             assertTrue(mistaken.diagnostics.single().message.startsWith(begin), "${mistaken.diagnostics}")
         }
-        assertIs<RobotLoads.Ready>(readRobotLoads(with(ReadyRobots.SUMO), reader, emptyMap()))
+        assertIs<RobotProgramSets.Success>(readRobotLoads(with(ReadyRobots.SUMO), reader, emptyMap()))
     }
 }

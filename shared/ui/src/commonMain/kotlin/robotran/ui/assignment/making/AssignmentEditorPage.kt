@@ -33,11 +33,11 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 
 /** The page with which an author makes an assignment of the open project; it opens at [place]. */
 @Composable
-internal fun MakePage(state: MakingState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
+internal fun AssignmentEditorPage(state: AssignmentEditorState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
     val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
     val scroll = place.of(state.assignment.id)
     Page(SchoolTexts.makeTitle(spoken), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }, scroll) {

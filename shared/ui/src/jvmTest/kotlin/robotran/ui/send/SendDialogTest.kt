@@ -45,7 +45,7 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
-class SendSheetTest {
+class SendDialogTest {
     private var step: SendStep by mutableStateOf(SendStep.Building)
     private val events = mutableListOf<SendEvent>()
 
@@ -254,7 +254,7 @@ class SendSheetTest {
         setContent {
             InLanguage(settings.language) {
                 RobotranTheme(dark = false, settings) {
-                    Undrawn { SendSheet(SendState("square.robo", step)) { events += it } }
+                    Undrawn { SendDialog(SendState("square.robo", step)) { events += it } }
                 }
             }
         }

@@ -7,20 +7,20 @@ import robotran.languagesupport.TextLines
  *
  * @property text the text, with lines that end in `\n`.
  */
-data class Draft(val text: String, val selection: TextSelection = TextSelection(0)) {
+data class TextDocument(val text: String, val selection: TextSelection = TextSelection(0)) {
     val lines: TextLines by lazy(LazyThreadSafetyMode.PUBLICATION) { TextLines(text) }
 
     val selectedText: String get() = text.substring(selection.start, selection.end)
 
     /** This text with nothing selected and the caret at [offset], which is limited to the text. */
-    fun withCaret(offset: Int): Draft = copy(selection = TextSelection(offset).within(text.length))
+    fun withCaret(offset: Int): TextDocument = copy(selection = TextSelection(offset).within(text.length))
 
     /** This text with the selection replaced by [inserted] and the caret behind it. */
-    fun replaced(inserted: String): Draft = replaced(selection.start, selection.end, inserted)
+    fun replaced(inserted: String): TextDocument = replaced(selection.start, selection.end, inserted)
 
     /** This text with the part from [start] to before [end] replaced by [inserted] and the caret behind it. */
-    fun replaced(start: Int, end: Int, inserted: String): Draft =
-        Draft(text.replaceRange(start, end, inserted), TextSelection(start + inserted.length))
+    fun replaced(start: Int, end: Int, inserted: String): TextDocument =
+        TextDocument(text.replaceRange(start, end, inserted), TextSelection(start + inserted.length))
 }
 
 /**

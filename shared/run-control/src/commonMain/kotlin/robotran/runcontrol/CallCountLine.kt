@@ -1,7 +1,7 @@
 package robotran.runcontrol
 
 /** The number of a robot's ROM calls over a run, in intervals of [step] milliseconds. */
-class RomCallLine internal constructor(private val track: RomCallTrack, private val robot: Int) {
+class CallCountLine internal constructor(private val track: RomCallTrack, private val robot: Int) {
     val step: Long = track.step
 
     /** Number of intervals. */

@@ -6,7 +6,7 @@ import robotran.tinyvm.link.ExactCosts
 import robotran.tinyvm.link.Operation
 
 /** The operations that only an exact machine has: those on long and double, `switch`, and class constants. */
-internal class ExactOperations(
+internal class NxtOperations(
     private val machine: VirtualMachine,
     private val calls: Calls,
     private val places: ArrayAddressing,

@@ -11,7 +11,7 @@ import robotran.workshop.state.HandInRun
 import robotran.workshop.state.Notice
 
 /** Opens hand-ins in the workshop, and the assignment again. */
-internal class HandInVisits(
+internal class HandInPreviews(
     private val switcher: ProjectSwitcher,
     private val run: RunControls,
     private val notices: Notices,
@@ -31,7 +31,7 @@ internal class HandInVisits(
         val task = open.tasks.getOrNull(row.task) ?: return false
         val project = replayProject(task.project, task.plan, submission, run) ?: return false
         val name = validProjectName(row.name) ?: open.name
-        val result = switcher.visitProject(name, project) as? SwitchResult.Switched ?: return false
+        val result = switcher.previewProject(name, project) as? SwitchResult.Switched ?: return false
         left = result.left
         visited = result.opened
         notices.show(Notice.HandInOpened(row.name, run))

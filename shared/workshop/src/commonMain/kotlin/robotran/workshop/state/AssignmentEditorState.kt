@@ -25,7 +25,7 @@ import robotran.projects.Assignment
  * @property asksBeforeGiving whether the page asks if pupils shall begin with what solves the task.
  */
 @Immutable
-data class MakingState(
+data class AssignmentEditorState(
     val assignment: Assignment,
     val title: String,
     val task: String,

@@ -16,7 +16,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
-import robotran.workshop.state.ImmediateProgram
+import robotran.workshop.state.Snippet
 import robotran.workshop.state.Notice
 import robotran.world.World
 
@@ -25,7 +25,7 @@ import robotran.world.World
  *
  * @param world the world of the first run.
  */
-internal class WatchedRun(
+internal class DebuggedRun(
     world: World,
     private val physics: PhysicsEngine,
     private val programs: ProgramsStateHolder,
@@ -130,7 +130,7 @@ internal class WatchedRun(
 
     /** Of the program that [robot] runs; null for as before. */
     private fun breakpoints(robot: Int): Set<Breakpoint>? {
-        val immediate = immediateProgram(robot)
+        val immediate = snippet(robot)
         return when {
             immediate != null -> programs.breakpointsOf(immediate)
 
@@ -156,7 +156,7 @@ internal class WatchedRun(
     }
 
     /** The program that [robot] got to run at once, if it runs or was the last one to run. */
-    fun immediateProgram(robot: Int): ImmediateProgram? = player.immediateProgram(robot) as? ImmediateProgram
+    fun snippet(robot: Int): Snippet? = player.snippet(robot) as? Snippet
 
     /** Plays the sounds since the last call, unless time passed too fast. */
     fun playNewSounds() {

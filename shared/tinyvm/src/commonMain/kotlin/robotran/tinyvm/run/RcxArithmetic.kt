@@ -3,7 +3,7 @@ package robotran.tinyvm.run
 import robotran.tinyvm.config.Quirk
 
 /** Arithmetic in the rare cases where a brick differs from the Java language. */
-internal class QuirkyArithmetic(private val machine: VirtualMachine) {
+internal class RcxArithmetic(private val machine: VirtualMachine) {
     private val isBrick = machine.model.hasQuirks
 
     /** The effective value of a [divisor] that does not fit 16 bits. */

@@ -19,20 +19,20 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asPupil
-import robotran.workshop.run.EndedTry
+import robotran.workshop.run.EndedAttempt
 import robotran.workshop.service.AssignmentEditor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
-import robotran.workshop.state.MakingState
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.SolutionCheck
 import robotran.workshop.state.SolutionProgram
 import robotran.world.WorldLimits
 
 /** The page with which an author makes an assignment of the open project. */
-internal class AssignmentAuthor(
+internal class AssignmentEditor(
     private val platform: Platform,
     private val scope: CoroutineScope,
     private val current: CurrentProject,
@@ -41,11 +41,11 @@ internal class AssignmentAuthor(
     private val tabs: ProgramTabs,
     private val runs: AssignmentRuns,
     preferences: Preferences,
-    private val lastTry: () -> EndedTry?,
+    private val lastTry: () -> EndedAttempt?,
     private val openWorldEditor: (variation: Int?) -> Unit,
 ) {
     /** Null while the page is closed. */
-    var state: MakingState? by mutableStateOf(null)
+    var state: AssignmentEditorState? by mutableStateOf(null)
         private set
 
     /** Whether the world editor leads back to the page. */
@@ -156,11 +156,11 @@ internal class AssignmentAuthor(
         isTaskChanged = false
     }
 
-    private fun stateNow(): MakingState? {
+    private fun stateNow(): AssignmentEditorState? {
         val project = current.project
         val assignment = project.assignment ?: return null
         val before = state
-        return MakingState(
+        return AssignmentEditorState(
             assignment,
             before?.title?.takeIf { it.isBlank() } ?: project.world.title,
             project.world.task,
@@ -244,7 +244,7 @@ internal class AssignmentAuthor(
 
     private fun solutionNow(assignment: Assignment) = solutionNow(current.project, plainPrograms(), assignment)
 
-    private fun switchSolution(now: MakingState, index: Int, on: Boolean) {
+    private fun switchSolution(now: AssignmentEditorState, index: Int, on: Boolean) {
         val name = now.solution.getOrNull(index)?.name ?: return
         val open = plainPrograms()
         val others = now.assignment.solution.filter { it.name != name }
@@ -284,10 +284,10 @@ internal class AssignmentAuthor(
         // Meanwhile the teacher may have left, or gone on writing.
         val assignment = state?.assignment ?: return
         when {
-            fitted is FittedPicture.Refused -> tell(fitted.error)
+            fitted is FittedPicture.Failure -> tell(fitted.error)
             hasAllPictures() -> tell(PictureError.TOO_MANY)
 
-            fitted is FittedPicture.Fits -> {
+            fitted is FittedPicture.Success -> {
                 change(withPicture(assignment, file.name, fitted.bytes))
                 state = state?.copy(pictureMadeSmaller = fitted.madeSmaller)
             }
@@ -328,7 +328,7 @@ internal class AssignmentAuthor(
         }
     }
 
-    private fun share(what: suspend (MakingState) -> MakingState) {
+    private fun share(what: suspend (AssignmentEditorState) -> AssignmentEditorState) {
         scope.launch {
             val now = state ?: return@launch
             val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false, embedProblem = null))
@@ -347,7 +347,7 @@ internal class AssignmentAuthor(
     }
 
     /** Shares by [what], or asks first if pupils would begin with a solution. */
-    private fun give(what: suspend (MakingState) -> MakingState) {
+    private fun give(what: suspend (AssignmentEditorState) -> AssignmentEditorState) {
         scope.launch {
             if (giving.mustAsk(current.project, what)) {
                 state = state?.copy(asksBeforeGiving = true)
@@ -362,7 +362,7 @@ internal class AssignmentAuthor(
         giving.confirmed(current.project)?.let(::share)
     }
 
-    private fun pack(page: MakingState, version: ScormVersion) {
+    private fun pack(page: AssignmentEditorState, version: ScormVersion) {
         if (page.isPacking) return
         state = page.copy(isPacking = true)
         give { sharing.savePackage(it, version) }

@@ -29,7 +29,7 @@ internal sealed interface KeptCourse {
 }
 
 /** The courses on the device: a text for each, and another with what the pupil did in it. */
-internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineScope) {
+internal class CourseRepository(private val store: KeyValueStore, scope: CoroutineScope) {
     private val writes = SerialWriteQueue(scope)
 
     /** By key. */
@@ -62,7 +62,7 @@ internal class CourseShelf(private val store: KeyValueStore, scope: CoroutineSco
 
     /** The course [key]; null if it is missing or unreadable. */
     suspend fun course(key: String): Course? =
-        store.read(PREFIX + key)?.let { (readCourse(it, Language.ENGLISH) as? CourseFileResult.Loaded)?.course }
+        store.read(PREFIX + key)?.let { (readCourse(it, Language.ENGLISH) as? CourseFileResult.Success)?.course }
 
     /** Keeps what [change] makes of the record [key]. */
     fun update(key: String, change: (CourseRecord) -> CourseRecord) {

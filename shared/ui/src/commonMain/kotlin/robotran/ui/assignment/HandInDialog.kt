@@ -42,7 +42,7 @@ import robotran.workshop.state.HandInStep
 
 /** The sheet with which a pupil hands in. Only its buttons close it, so that no touch outside loses the hand-in. */
 @Composable
-internal fun HandInSheet(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
+internal fun HandInDialog(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
     { onEvent(AssignmentEvent.HandInClosed) },
     DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
 ) { HandInCard(step, hasShareSheet, onEvent, Modifier.padding(16.dp)) }

@@ -11,14 +11,14 @@ import robotran.rcxrom.program.RcxProgram
  * @property slot the index of the whole program.
  * @property source the text of the whole program. The same line of both has the same number.
  */
-interface ImmediateProgram : BrickProgram {
+interface Snippet : BrickProgram {
     val robot: String
     val slot: Int
     val source: String
 }
 
-/** [program] as an [ImmediateProgram]. */
-internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): ImmediateProgram =
+/** [program] as an [Snippet]. */
+internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): Snippet =
     when (program) {
         is RcxProgram -> ImmediateRcxProgram(program, robot, slot, source)
         is NxtProgram -> ImmediateNxtProgram(program, robot, slot, source)
@@ -30,7 +30,7 @@ private class ImmediateRcxProgram(
     override val robot: String,
     override val slot: Int,
     override val source: String,
-) : ImmediateProgram,
+) : Snippet,
     RcxProgram by program
 
 private class ImmediateNxtProgram(
@@ -38,5 +38,5 @@ private class ImmediateNxtProgram(
     override val robot: String,
     override val slot: Int,
     override val source: String,
-) : ImmediateProgram,
+) : Snippet,
     NxtProgram by program

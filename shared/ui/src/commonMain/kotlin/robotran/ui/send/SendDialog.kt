@@ -1,8 +1,7 @@
-package robotran.ui.show
+package robotran.ui.send
 
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -17,47 +16,40 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
-import robotran.simulation.state.SessionState
 import robotran.ui.language.spoken
-import robotran.ui.texts.ExportTexts
+import robotran.ui.texts.SendTexts
 import robotran.ui.theme.AppDialog
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
-import robotran.workshop.event.ShowEvent
-import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.state.ShowState
-import robotran.workshop.state.ShowStep
-import robotran.world.World
+import robotran.workshop.event.SendEvent
+import robotran.workshop.state.SendState
 
-/** The sheet with which pupils show what they made. While something is made, a touch outside does not close it. */
+/**
+ * The sheet that sends a program to a real robot. A touch outside does not close it, since that would end a transfer of
+ * minutes.
+ */
 @Composable
-internal fun ShowSheet(state: ShowState, world: World, session: SessionState, onEvent: (WorkshopEvent) -> Unit) =
-    AppDialog(
-        { onEvent(ShowEvent.Closed) },
-        // The default width would be too narrow for a phone on its side.
-        DialogProperties(dismissOnClickOutside = state.step !is ShowStep.Making, usePlatformDefaultWidth = false),
-    ) { ShowCard(state, world, session, onEvent, Modifier.padding(MARGIN)) }
+internal fun SendDialog(state: SendState, onEvent: (SendEvent) -> Unit) = AppDialog(
+    { onEvent(SendEvent.Cancelled) },
+    // The default width would be too narrow for a phone on its side.
+    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
+) { SendCard(state, onEvent, Modifier.padding(MARGIN)) }
 
 /** The sheet without its window. It has one size for all steps, so its buttons stay where they are. */
 @Composable
-internal fun ShowCard(
-    state: ShowState,
-    world: World,
-    session: SessionState,
-    onEvent: (WorkshopEvent) -> Unit,
-    modifier: Modifier = Modifier,
-) {
+internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    val title = ExportTexts.title(spoken)
+    val title = SendTexts.title(spoken, state.program)
     val scale = LocalDensity.current.fontScale
     Surface(
         modifier
             .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
-            .testTag("show-sheet")
+            .testTag("send-sheet")
             .semantics { paneTitle = title },
         Shapes.SHEET,
         color = colours.pane,
@@ -71,27 +63,21 @@ internal fun ShowCard(
                 fontSize = TextSizes.HEADING,
                 fontWeight = FontWeight.Medium,
                 lineHeight = LineHeights.LEAD,
+                maxLines = 1,
+                overflow = TextOverflow.Ellipsis,
             )
-            Box(Modifier.weight(1f).fillMaxWidth()) {
-                when (val step = state.step) {
-                    ShowStep.Choosing -> ShowChoices(state, world, session, onEvent)
-                    is ShowStep.ChoosingSpeed -> SpeedChoice(step, onEvent)
-                    is ShowStep.Making -> MakingView(step)
-                    is ShowStep.ChoosingPoster -> PosterForm(step, onEvent)
-                    is ShowStep.Saved -> SavedView(step.name)
-                    is ShowStep.Failed -> FailedView(step.error)
-                }
-            }
-            ShowButtons(state, onEvent, Modifier.fillMaxWidth())
+            SendStepView(state.step, onEvent, Modifier.weight(1f).fillMaxWidth())
+            SendButtons(state.step, onEvent, Modifier.fillMaxWidth())
+            SendAnnouncer(state.step)
         }
     }
 }
 
 private val MARGIN = 16.dp
-private val WIDTH = 680.dp
+private val WIDTH = 560.dp
 
 /** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
 private const val MAX_WIDENING = 1.4f
 
-/** Enough for all choices with text of the usual size. */
+/** Enough for the longest step with text of the usual size. */
 private val HEIGHT = 560.dp

@@ -62,7 +62,7 @@ import robotran.ui.theme.areKeysInUse
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
-internal fun SheetFrame(
+internal fun BlockDialogFrame(
     title: String,
     onClose: () -> Unit,
     modifier: Modifier = Modifier,

@@ -14,7 +14,7 @@ import robotran.simulation.state.SessionState
  * @property percent how much of all goals was reached at the end, 0..100; null without goals.
  * @property state the session, not before the end of the run.
  */
-internal data class EndedTry(
+internal data class EndedAttempt(
     val number: Int,
     val programs: List<Program>,
     val firstProgram: Int,
