@@ -2,8 +2,8 @@ package robotran.benchmarks
 
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
 import kotlin.time.Duration
 import kotlin.time.DurationUnit
@@ -25,7 +25,7 @@ internal suspend fun compileTime(): Figure {
 }
 
 private fun compile(compiler: JavaCompiler, program: Map.Entry<String, String>, library: Map<String, ByteArray>) {
-    val result = compiler.compile(listOf(JavaSource(program.key, program.value)), library)
+    val result = compiler.compile(listOf(SourceFile(program.key, program.value)), library)
     check(result is CompilationResult.Compiled) { "${program.key} does not compile." }
 }
 

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceFix
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
@@ -19,13 +19,13 @@ private var compiler: JavaCompiler? = null
 suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler().also { compiler = it }
 
 /** Compiles [text] as `Robot.java` together with [others]. */
-suspend fun compile(text: String, vararg others: JavaSource): CompilationResult =
-    compiler().compile(listOf(JavaSource("Robot.java", text)) + others, library)
+suspend fun compile(text: String, vararg others: SourceFile): CompilationResult =
+    compiler().compile(listOf(SourceFile("Robot.java", text)) + others, library)
 
-suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Compiled =
+suspend fun compiled(text: String, vararg others: SourceFile): CompilationResult.Compiled =
     assertIs(compile(text, *others))
 
-suspend fun diagnostics(text: String, vararg others: JavaSource): List<Diagnostic> =
+suspend fun diagnostics(text: String, vararg others: SourceFile): List<Diagnostic> =
     assertIs<CompilationResult.Rejected>(compile(text, *others)).diagnostics
 
 /** A whole program with [statements], which begin in line 4. */

@@ -5,9 +5,9 @@ import robotran.brick.program.ProgramStatus
 import robotran.brick.state.RunState
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -38,7 +38,7 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
     val compiler = javaCompiler ?: loadJavaCompiler().also { javaCompiler = it }
     val compiled =
         compiledTranslations.getOrPut(translation.java) {
-            compiler.compile(listOf(JavaSource(name, translation.java)), BrickLibrary.classFiles)
+            compiler.compile(listOf(SourceFile(name, translation.java)), BrickLibrary.classFiles)
         }
     return when (compiled) {
         is CompilationResult.Compiled -> read(

@@ -2,8 +2,8 @@ package robotran.programs
 
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -22,7 +22,7 @@ class SameClassFilesTest {
         for ((name, text) in lejosExamples) {
             val result =
                 assertIs<CompilationResult.Compiled>(
-                    compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles),
+                    compiler.compile(listOf(SourceFile(name, text)), BrickLibrary.classFiles),
                     name,
                 )
             val own = Hash()

@@ -2,8 +2,8 @@ package robotran.programs
 
 import robotran.brick.controls.BrickButton
 import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
+import robotran.languagesupport.SourceFile
 import robotran.programs.image.ImageComparison
 import robotran.rcxrom.RcxBrick
 import kotlin.test.assertEquals
@@ -20,7 +20,7 @@ internal class ImageRuns {
         val compiler = loadJavaCompiler()
         val differences = programs.mapNotNull { (path, text) ->
             val name = path.substringAfterLast('/')
-            val compiled = compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFilesOfBrick)
+            val compiled = compiler.compile(listOf(SourceFile(name, text)), BrickLibrary.classFilesOfBrick)
             val classes = (compiled as? CompilationResult.Compiled)?.classes ?: return@mapNotNull null
             val main = name.removeSuffix(".java")
             if (main !in compiled.mainClasses) return@mapNotNull null
