@@ -5,10 +5,10 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
 
 /** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
@@ -27,7 +27,7 @@ internal suspend fun compileTime(): Figure {
 }
 
 private fun compile(compiler: JavaCompiler, program: Map.Entry<String, String>, library: Map<String, ByteArray>) {
-    val result = compiler.compile(listOf(JavaSource(program.key, program.value)), library)
+    val result = compiler.compile(listOf(SourceFile(program.key, program.value)), library)
     check(result is CompilationResult.Success) { "${program.key} does not compile." }
 }
 

@@ -7,11 +7,11 @@ import robotran.javacompiler.diagnose.PastedCharacters
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosDifference
 
 /**
@@ -30,7 +30,7 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
      * @param missing what a program must not use although it is in [library], since a real brick lacks it.
      */
     fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         missing: List<LejosDifference> = emptyList(),
         target: BrickTarget = BrickTarget.LEJOS_RCX,
@@ -45,12 +45,12 @@ class JavaCompiler internal constructor(private val ecj: Ecj, private val messag
  * @param ecj compiles sources and refuses the use of gaps in the library.
  */
 internal inline fun compilation(
-    sources: List<JavaSource>,
+    sources: List<SourceFile>,
     library: Map<String, ByteArray>,
     missing: List<LejosDifference>,
     target: BrickTarget,
     messages: JavaMessages,
-    ecj: (texts: List<JavaSource>, gaps: Set<String>) -> EcjCompilation,
+    ecj: (texts: List<SourceFile>, gaps: Set<String>) -> EcjCompilation,
 ): CompilationResult {
     val texts = sources.map { it.copy(text = it.text.removePrefix(BYTE_ORDER_MARK)) }
     val gaps = MissingMembers(missing)
@@ -75,9 +75,9 @@ internal inline fun compilation(
 
 /** What [ecj] makes of [texts], with mistakes beside empty diamonds. */
 internal inline fun compiled(
-    texts: List<JavaSource>,
+    texts: List<SourceFile>,
     target: BrickTarget,
-    ecj: (texts: List<JavaSource>) -> EcjCompilation,
+    ecj: (texts: List<SourceFile>) -> EcjCompilation,
 ): EcjCompilation {
     val first = ecj(texts)
     if (target != BrickTarget.LEJOS_NXJ || first.problems.none { it.isError }) return first
@@ -99,10 +99,10 @@ internal fun withDiamonds(first: EcjCompilation, diamonds: Diamonds, second: Ecj
 }
 
 /** The characters that no keyboard writes in the lines of [errors], by path; null if there are none. */
-internal fun pastedCharacters(texts: List<JavaSource>, errors: List<Diagnostic>): Map<String, PastedCharacters>? =
+internal fun pastedCharacters(texts: List<SourceFile>, errors: List<Diagnostic>): Map<String, PastedCharacters>? =
     texts.associate { text ->
-        val lines = errors.filter { it.file == text.path }.mapNotNull { it.range?.line }
-        text.path to PastedCharacters(text, lines.toSet())
+        val lines = errors.filter { it.file == text.name }.mapNotNull { it.range?.line }
+        text.name to PastedCharacters(text, lines.toSet())
     }.takeIf { pasted -> pasted.values.any { it.lines.isNotEmpty() } }
 
 /** A mistake for each line with [pasted] characters, and the errors among [others], of the texts without them. */

@@ -1,9 +1,9 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.TimedEcj
 import robotran.javacompiler.messages.JavaMessages
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosDifference
 
 /** Compiles like [JavaCompiler], but beside the caller and within a time limit. */
@@ -17,7 +17,7 @@ class TimedJavaCompiler internal constructor(private val ecj: TimedEcj, private 
      * @throws CompilerNotLoadedException if the compiler cannot be loaded.
      */
     suspend fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         missing: List<LejosDifference> = emptyList(),
         target: BrickTarget = BrickTarget.LEJOS_RCX,

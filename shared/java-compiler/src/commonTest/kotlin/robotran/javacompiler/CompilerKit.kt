@@ -3,11 +3,11 @@ package robotran.javacompiler
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceFix
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
 
 /** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
@@ -21,13 +21,13 @@ private var compiler: JavaCompiler? = null
 suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
 
 /** Compiles [text] as `Robot.java` together with [others]. */
-suspend fun compile(text: String, vararg others: JavaSource): CompilationResult =
-    compiler().compile(listOf(JavaSource("Robot.java", text)) + others, library)
+suspend fun compile(text: String, vararg others: SourceFile): CompilationResult =
+    compiler().compile(listOf(SourceFile("Robot.java", text)) + others, library)
 
-suspend fun compiled(text: String, vararg others: JavaSource): CompilationResult.Success =
+suspend fun compiled(text: String, vararg others: SourceFile): CompilationResult.Success =
     assertIs(compile(text, *others))
 
-suspend fun diagnostics(text: String, vararg others: JavaSource): List<Diagnostic> =
+suspend fun diagnostics(text: String, vararg others: SourceFile): List<Diagnostic> =
     assertIs<CompilationResult.Failure>(compile(text, *others)).diagnostics
 
 /** A whole program with [statements], which begin in line 4. */

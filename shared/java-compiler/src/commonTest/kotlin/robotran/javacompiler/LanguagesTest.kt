@@ -1,16 +1,16 @@
 package robotran.javacompiler
 
-import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.JavaMessages
-import robotran.language.Language
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
+import robotran.languagesupport.SourceFile
 
 class LanguagesTest {
     private suspend fun messageIn(messages: JavaMessages, statements: String): String {
-        val sources = listOf(JavaSource("Robot.java", program(statements)))
+        val sources = listOf(SourceFile("Robot.java", program(statements)))
         val first = assertIs<CompilationResult.Failure>(
             compiler().withLanguage(messages).compile(sources, library),
         ).diagnostics.first()

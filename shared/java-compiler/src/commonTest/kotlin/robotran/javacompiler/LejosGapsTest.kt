@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosDifference
 import robotran.lejoslibrary.LejosDifferences
 import robotran.lejoslibrary.LejosRemedy
@@ -17,7 +17,7 @@ import kotlin.test.assertNull
 /** Refuses what leJOS on a real brick lacks, and says what to write instead. */
 class LejosGapsTest {
     private suspend fun compileFor(version: LejosVersion, text: String): CompilationResult = compiler().compile(
-        listOf(JavaSource("Robot.java", text)),
+        listOf(SourceFile("Robot.java", text)),
         library,
         LejosDifferences.all.filterNot { it.isIn(version) },
     )

@@ -1,16 +1,15 @@
 package robotran.javacompiler
 
-import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
-import robotran.javacompiler.messages.JavaMessages
-import robotran.language.Language
-import robotran.language.source.Diagnostic
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertIs
-import kotlin.test.assertNotNull
+import kotlinx.coroutines.test.runTest
+import robotran.javacompiler.messages.JavaMessages
+import robotran.language.Language
+import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 
 /** A brick's virtual machine locks only for methods that it finds by the object: neither private nor static ones. */
 class LockWarningsTest {
@@ -77,7 +76,7 @@ class LockWarningsTest {
             JavaMessages.of(Language.GERMAN) to "sperrt",
             JavaMessages.of(Language.SPANISH) to "bloquea",
         )) {
-            val result = compiler().withLanguage(messages).compile(listOf(JavaSource("Robot.java", text)), library)
+            val result = compiler().withLanguage(messages).compile(listOf(SourceFile("Robot.java", text)), library)
             val warning = assertIs<CompilationResult.Success>(result).warnings.single()
             assertContains(warning.message, word)
             assertContains(warning.message, "IllegalMonitorStateException")

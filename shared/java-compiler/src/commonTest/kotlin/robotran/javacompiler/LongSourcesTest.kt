@@ -1,7 +1,7 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertIs
 
@@ -22,7 +22,7 @@ class LongSourcesTest {
         )
         texts.forEach { assertIs<CompilationResult>(compile(program(it))) }
         val files = List(100) {
-            JavaSource(
+            SourceFile(
                 "Wrong$it.java",
                 "class Wrong$it { " + "int f$it() { return lenght; } ".repeat(50) + "}",
             )

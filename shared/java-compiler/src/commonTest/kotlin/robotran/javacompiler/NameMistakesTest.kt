@@ -1,14 +1,13 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
-import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class NameMistakesTest {
@@ -65,7 +64,7 @@ class NameMistakesTest {
 
     @Test
     fun `what is private is told to be so`() = runTest {
-        val other = JavaSource("Other.java", "class Other { private int count; private void go() { } }")
+        val other = SourceFile("Other.java", "class Other { private int count; private void go() { } }")
         for (use in listOf("new Other().count = 3;", "new Other().go();")) {
             val diagnostic = diagnostics(program(use), other).single()
             assertContains(diagnostic.message, "only \"Other\" itself")

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.assertIs
 import kotlin.test.fail
@@ -11,7 +11,7 @@ import kotlin.test.fail
 suspend fun compileForNxt(text: String, isForgiving: Boolean = false): CompilationResult {
     val library = NxjLibrary.load()
     return compiler().compile(
-        listOf(JavaSource("Robot.java", text)),
+        listOf(SourceFile("Robot.java", text)),
         if (isForgiving) library.classFiles else library.classFilesOfBrick,
         target = BrickTarget.LEJOS_NXJ,
     )

@@ -2,9 +2,9 @@ package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -59,7 +59,7 @@ class PastedCharactersTest {
     fun `they are told on an NXT and in other languages, too`() = runTest {
         assertContains(nxtDiagnostic("System.out.println(\u201Chi\u201D);").message, "curly quotation mark")
         val german = compiler().withLanguage(JavaMessages.of(Language.GERMAN)).compile(
-            listOf(JavaSource("Robot.java", program("int x = \u22121;"))),
+            listOf(SourceFile("Robot.java", program("int x = \u22121;"))),
             library,
             target = BrickTarget.LEJOS_RCX,
         )

@@ -1,12 +1,12 @@
 package robotran.javacompiler
 
-import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
+import kotlinx.coroutines.test.runTest
+import robotran.languagesupport.SourceFile
 
 /** The programs of the class library and the examples. */
 class ProgramsTest {
@@ -44,14 +44,14 @@ class ProgramsTest {
         val made = mutableMapOf<String, Int>()
         for ((path, text) in librarySources) {
             val result =
-                assertIs<CompilationResult.Success>(compiler().compile(listOf(JavaSource(path, text)), library), path)
+                assertIs<CompilationResult.Success>(compiler().compile(listOf(SourceFile(path, text)), library), path)
             made += result.classes.mapValues { it.value.contentHashCode() }
         }
         assertEquals(library.mapValues { it.value.contentHashCode() }, made)
     }
 
     private suspend fun compileProgram(path: String, text: String) =
-        compiler().compile(listOf(JavaSource(path.substringAfterLast('/'), text)), library)
+        compiler().compile(listOf(SourceFile(path.substringAfterLast('/'), text)), library)
 
     /** The lines with compiler errors and the lines that the linker rejects; the compiler reports both. */
     private fun linesWithMistakes(text: String): List<Int> {

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -28,7 +28,7 @@ class RangeTest {
 
     @Test
     fun `mistakes come in the order of the sources`() = runTest {
-        val other = JavaSource("Other.java", "class Other {\nA a;\n}")
+        val other = SourceFile("Other.java", "class Other {\nA a;\n}")
         val found = diagnostics("class Robot {\nC c;\nB b;\n}", other)
         assertEquals(
             listOf("Robot.java" to 2, "Robot.java" to 3, "Other.java" to 2),

@@ -2,10 +2,10 @@ package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -65,7 +65,7 @@ class TextComparisonsTest {
             JavaMessages.of(Language.SPANISH) to "objeto",
         )) {
             val compiler = compiler().withLanguage(messages)
-            val sources = listOf(JavaSource("Robot.java", text))
+            val sources = listOf(SourceFile("Robot.java", text))
             val result = compiler.compile(sources, NxjLibrary.load().classFiles, target = BrickTarget.LEJOS_NXJ)
             val warning = assertIs<CompilationResult.Success>(result).warnings.single()
             assertContains(warning.message, word)

@@ -1,8 +1,8 @@
 package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.SourceRange
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
@@ -29,7 +29,7 @@ class CompilingTest {
     @Test
     fun `several files may use each other and each may have a main method`() = runTest {
         val other =
-            JavaSource(
+            SourceFile(
                 "tools/Driver.java",
                 "package tools; public class Driver { public static void main(String[] a) { } }",
             )
@@ -63,7 +63,7 @@ class CompilingTest {
 
     @Test
     fun `a library is read again when it is another one`() = runTest {
-        val source = listOf(JavaSource("Robot.java", "class Robot { Helper helper; }"))
+        val source = listOf(SourceFile("Robot.java", "class Robot { Helper helper; }"))
         val helper = compiled("class Helper { }").classes
         assertIs<CompilationResult.Success>(compiler().compile(source, library + helper))
         assertIs<CompilationResult.Failure>(compiler().compile(source, library))

@@ -2,7 +2,7 @@ package robotran.javacompiler
 
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
+import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import robotran.nxjlibrary.NxjSources
 import kotlin.test.Test
@@ -107,7 +107,7 @@ class NxjCompilingTest {
         val sources = NxjSources.load()
         for (name in library.classNames.filter { '$' !in it }) {
             val text = sources.source(name) ?: continue
-            val source = listOf(JavaSource(name.substringAfterLast('/') + ".java", text))
+            val source = listOf(SourceFile(name.substringAfterLast('/') + ".java", text))
             val result = compiler().compile(source, library.classFiles, target = BrickTarget.LEJOS_NXJ)
             for ((made, bytes) in assertIs<CompilationResult.Success>(result, name).classes) {
                 assertTrue(bytes.contentEquals(library.classFile(made)), made)
@@ -131,7 +131,7 @@ class NxjCompilingTest {
     fun `the test programs of the library compile and can be run`() = runTest {
         val library = NxjLibrary.load()
         for ((path, text) in nxjPrograms) {
-            val source = listOf(JavaSource(path.substringAfterLast('/'), text))
+            val source = listOf(SourceFile(path.substringAfterLast('/'), text))
             val classes = if (path.startsWith(FORGIVING)) library.classFiles else library.classFilesOfBrick
             val result = compiler().compile(source, classes, target = BrickTarget.LEJOS_NXJ)
             val compiled = assertIs<CompilationResult.Success>(result, "$path: $result")

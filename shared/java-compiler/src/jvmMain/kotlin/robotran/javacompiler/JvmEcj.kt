@@ -6,8 +6,8 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
+import robotran.languagesupport.SourceFile
 
 actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler = JavaCompiler(JvmEcj(), messages)
 
@@ -19,14 +19,14 @@ internal class JvmEcj : Ecj {
     private val loaded = mutableMapOf<BrickTarget, LoadedLibrary>()
 
     override fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
     ): EcjCompilation = synchronized(LOCK) { compileAlone(sources, library, gaps, target) }
 
     private fun compileAlone(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
@@ -35,7 +35,7 @@ internal class JvmEcj : Ecj {
             ?: LoadedLibrary(library).also { loaded[target] = it }
         val compiler = EcjCompiler(known.library, robotran.ecj.BrickTarget.entries[target.ordinal])
         gaps.forEach(compiler::addGap)
-        sources.forEach { compiler.addSource(it.path, it.text) }
+        sources.forEach { compiler.addSource(it.name, it.text) }
         val result = compiler.compile()
         val problems = result.problems().map {
             EcjProblem(

@@ -8,9 +8,9 @@ import kotlinx.coroutines.withTimeoutOrNull
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.TimedEcj
 import robotran.javacompiler.messages.JavaMessages
+import robotran.languagesupport.SourceFile
 import kotlin.concurrent.thread
 
 actual fun timedJavaCompiler(messages: JavaMessages): TimedJavaCompiler? =
@@ -26,7 +26,7 @@ internal class ThreadedEcj(private val fresh: () -> Ecj, private val maxTime: Lo
     private var ecj = fresh()
 
     override suspend fun compileNow(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,

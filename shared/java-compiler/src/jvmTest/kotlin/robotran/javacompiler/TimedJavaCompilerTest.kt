@@ -4,9 +4,9 @@ import kotlinx.coroutines.runBlocking
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import java.util.concurrent.CountDownLatch
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -16,7 +16,7 @@ import kotlin.test.assertNull
 
 class TimedJavaCompilerTest {
     private val forever = CountDownLatch(1)
-    private val sources = listOf(JavaSource("A.java", "class A {}"))
+    private val sources = listOf(SourceFile("A.java", "class A {}"))
 
     @Test
     fun `a compiler that never answers is given up, and the next program has another one`() = runBlocking {
@@ -43,7 +43,7 @@ class TimedJavaCompilerTest {
 
     private class FakeEcj(private val work: () -> Unit) : Ecj {
         override fun compile(
-            sources: List<JavaSource>,
+            sources: List<SourceFile>,
             library: Map<String, ByteArray>,
             gaps: Set<String>,
             target: BrickTarget,

@@ -7,8 +7,8 @@ import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.Ecj
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
+import robotran.languagesupport.SourceFile
 
 actual suspend fun loadJavaCompiler(messages: JavaMessages): JavaCompiler =
     JavaCompiler(WasmEcj(importEcjModule().await()), messages)
@@ -17,7 +17,7 @@ private class WasmEcj(private val module: EcjModule) : Ecj {
     private val loadedLibraries = mutableMapOf<BrickTarget, Map<String, ByteArray>>()
 
     override fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
@@ -25,7 +25,7 @@ private class WasmEcj(private val module: EcjModule) : Ecj {
         module.setTarget(target.ordinal)
         read(library, target)
         gaps.forEach { module.addGap(it) }
-        sources.forEach { module.addSource(it.path, it.text) }
+        sources.forEach { module.addSource(it.name, it.text) }
         val completed = try {
             module.compile()
         } catch (overflow: Throwable) {

@@ -7,9 +7,9 @@ import kotlinx.coroutines.withTimeoutOrNull
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.TimedEcj
 import robotran.javacompiler.messages.JavaMessages
+import robotran.languagesupport.SourceFile
 
 actual fun timedJavaCompiler(messages: JavaMessages): TimedJavaCompiler? =
     if (hasWorkers()) TimedJavaCompiler(worker, messages) else null
@@ -22,7 +22,7 @@ private class WorkerEcj : TimedEcj() {
     private var open: EcjWorker? = null
 
     override suspend fun compileNow(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
@@ -47,14 +47,14 @@ private class WorkerEcj : TimedEcj() {
 
     private fun request(
         worker: EcjWorker,
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
     ): JsAny {
         val request = newRequest(target.ordinal)
         gaps.forEach { addGap(request, it) }
-        sources.forEach { addSource(request, it.path, it.text) }
+        sources.forEach { addSource(request, it.name, it.text) }
         if (worker.libraries[target] !== library) {
             library.forEach { (name, bytes) -> addClass(request, name, bytes.toJsArray()) }
             worker.libraries[target] = library

@@ -1,10 +1,10 @@
 package robotran.programs
 
+import kotlin.coroutines.cancellation.CancellationException
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.TimedJavaCompiler
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
@@ -13,7 +13,6 @@ import robotran.languagesupport.SourceFile
 import robotran.languagesupport.simpleName
 import robotran.programs.messages.ProgramMessages
 import robotran.tinyvm.diagnostic.LinkError
-import kotlin.coroutines.cancellation.CancellationException
 
 /** Compiles and links Java programs. */
 internal class JavaProgramCompiler(
@@ -27,7 +26,7 @@ internal class JavaProgramCompiler(
     fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker)
 
     fun compile(source: Program): CompiledSource =
-        compiledOf(source, compiler.compile(filesOf(source), library.classFiles, library.missing, library.target))
+        compiledOf(source, compiler.compile(source.files, library.classFiles, library.missing, library.target))
 }
 
 /**
@@ -68,7 +67,7 @@ internal class TimedJavaProgramCompiler(
     }
 
     private suspend fun compiled(source: Program, compiler: TimedJavaCompiler): CompiledSource {
-        val result = compiler.compile(filesOf(source), library.classFiles, library.missing, library.target)
+        val result = compiler.compile(source.files, library.classFiles, library.missing, library.target)
         return if (result == null) CompiledSource.Failure(listOf(tooLong(source))) else compiledOf(source, result)
     }
 
@@ -79,8 +78,6 @@ internal class TimedJavaProgramCompiler(
         ProgramMessages.of(language).compilesTooLong(),
     )
 }
-
-private fun filesOf(source: Program) = source.files.map { JavaSource(it.name, it.text) }
 
 internal fun linked(compiled: CompiledSource, linker: ProgramLinker): ProgramResult = when (compiled) {
     is CompiledSource.Success -> linker.link(compiled.program)

@@ -5,11 +5,11 @@ import robotran.brick.program.ProgramStatus
 import robotran.brick.state.RunState
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -42,7 +42,7 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
     val compiler = javaCompiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { javaCompiler = it }
     val compiled =
         compiledTranslations.getOrPut(translation.java) {
-            compiler.compile(listOf(JavaSource(name, translation.java)), BrickLibrary.classFiles)
+            compiler.compile(listOf(SourceFile(name, translation.java)), BrickLibrary.classFiles)
         }
     return when (compiled) {
         is CompilationResult.Success -> read(

@@ -6,10 +6,10 @@ import kotlin.test.assertIs
 import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 
 /**
  * The compiler creates the same class files of all examples, byte for byte, on every platform: this test expects the
@@ -24,7 +24,7 @@ class SameClassFilesTest {
         for ((name, text) in lejosExamples) {
             val result =
                 assertIs<CompilationResult.Success>(
-                    compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFiles),
+                    compiler.compile(listOf(SourceFile(name, text)), BrickLibrary.classFiles),
                     name,
                 )
             val own = Hash()

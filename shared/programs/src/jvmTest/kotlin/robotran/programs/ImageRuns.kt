@@ -4,10 +4,10 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.javacompiler.CompilationResult
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
+import robotran.languagesupport.SourceFile
 import robotran.programs.image.ImageComparison
 import robotran.rcxrom.RcxBrick
 
@@ -22,7 +22,7 @@ internal class ImageRuns {
         val compiler = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH))
         val differences = programs.mapNotNull { (path, text) ->
             val name = path.substringAfterLast('/')
-            val compiled = compiler.compile(listOf(JavaSource(name, text)), BrickLibrary.classFilesOfBrick)
+            val compiled = compiler.compile(listOf(SourceFile(name, text)), BrickLibrary.classFilesOfBrick)
             val classes = (compiled as? CompilationResult.Success)?.classes ?: return@mapNotNull null
             val main = name.removeSuffix(".java")
             if (main !in compiled.mainClasses) return@mapNotNull null

@@ -9,11 +9,11 @@ import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.ecj.BrickTarget
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.loadJavaCompiler
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
 
@@ -50,7 +50,7 @@ class NxjModesTest {
     @Test
     fun `it is refused in class files of another compiler, too`() = runTest {
         val library = NxjLibrary.load().classFiles
-        val sources = listOf(JavaSource("Modern.java", modern))
+        val sources = listOf(SourceFile("Modern.java", modern))
         val compiled = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).compile(sources, library, target = BrickTarget.LEJOS_NXJ)
         val classes = assertIs<CompilationResult.Success>(compiled).classes
         val source = ProgramSource.CompiledClasses("Modern.class", classes)

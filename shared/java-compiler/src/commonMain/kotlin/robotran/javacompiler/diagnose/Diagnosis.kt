@@ -3,13 +3,13 @@ package robotran.javacompiler.diagnose
 import robotran.javacompiler.ecj.BrickTarget
 import robotran.javacompiler.ecj.EcjCompilation
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceRange
 import robotran.language.source.SourceSpan
+import robotran.languagesupport.SourceFile
 
 /** The max number of characters that a message quotes from the source. */
 private const val MAX_QUOTED_CHARACTERS = 40
@@ -25,7 +25,7 @@ internal fun shortened(text: String) = if (text.length <= MAX_QUOTED_CHARACTERS)
 
 /** Turns ECJ's problems in [sources] into diagnostics for pupils: at most one per line, and no follow-up errors. */
 internal class Diagnosis(
-    sources: List<JavaSource>,
+    sources: List<SourceFile>,
     library: Map<String, ByteArray>,
     private val compilation: EcjCompilation,
     private val messages: JavaMessages,

@@ -1,16 +1,16 @@
 package robotran.javacompiler.diagnose
 
 import robotran.javacompiler.ecj.EcjProblem
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.ecj.ProblemId
+import robotran.languagesupport.SourceFile
 
 /**
  * The empty `<>` of [sources]. Where the Java of a brick has none, they keep ECJ from telling the syntax errors around
  * them: it guesses others, or none.
  */
-internal class Diamonds(private val sources: List<JavaSource>) {
+internal class Diamonds(private val sources: List<SourceFile>) {
     private val places: Map<String, List<Diamond>> = sources.associate { source ->
-        source.path to DIAMOND.findAll(CodeOnly(source.text).text)
+        source.name to DIAMOND.findAll(CodeOnly(source.text).text)
             .map { found ->
                 Diamond(found.range.last + 1, found.groupValues[1].length, found.groupValues[2].length)
             }.toList()
@@ -19,9 +19,9 @@ internal class Diamonds(private val sources: List<JavaSource>) {
     val isEmpty: Boolean get() = places.values.all { it.isEmpty() }
 
     /** The sources with blanks for the `<>`, as long as before. */
-    fun blanked(): List<JavaSource> = sources.map { source ->
+    fun blanked(): List<SourceFile> = sources.map { source ->
         val text = StringBuilder(source.text)
-        for (place in places.getValue(source.path)) {
+        for (place in places.getValue(source.name)) {
             for (each in place.end - place.bracketsLength..<place.end) text[each] = ' '
         }
         source.copy(text = text.toString())

@@ -1,12 +1,12 @@
 package robotran.javacompiler.diagnose
 
-import robotran.javacompiler.ecj.JavaSource
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.pasted.PastedCharacter
 import robotran.language.pasted.pastedCharacter
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceFix
+import robotran.languagesupport.SourceFile
 
 /**
  * The characters of [source] that come from a word processor or a web page, outside of its comments and texts.
@@ -14,7 +14,7 @@ import robotran.language.source.SourceFix
  * @param linesWithErrors the lines, from 1, in which the compiler finds a mistake. Letters that are only wide or
  * invisible may be part of a name, so they are told only if their line has a mistake.
  */
-internal class PastedCharacters(private val source: JavaSource, linesWithErrors: Set<Int>) {
+internal class PastedCharacters(private val source: SourceFile, linesWithErrors: Set<Int>) {
     private class Found(val place: Int, val pasted: PastedCharacter)
 
     private val text = SourceText(source)
@@ -26,7 +26,7 @@ internal class PastedCharacters(private val source: JavaSource, linesWithErrors:
     val lines: Set<Int> get() = found.keys
 
     /** The source as the keyboard would have written it, with the same lines. */
-    fun plain(): JavaSource {
+    fun plain(): SourceFile {
         val byPlace = found.values.flatten().associateBy { it.place }
         val plain = source.text.mapIndexed { place, character ->
             byPlace[place]?.pasted?.plain?.replace('\n', ' ') ?: character.toString()
@@ -39,7 +39,7 @@ internal class PastedCharacters(private val source: JavaSource, linesWithErrors:
         val first = all.first()
         val span = text.range(first.place, first.place + 1)
         Diagnostic(
-            file = source.path,
+            file = source.name,
             severity = Severity.ERROR,
             range = span,
             text = first.pasted.character.toString(),

@@ -1,16 +1,16 @@
 package robotran.javacompiler.diagnose
 
-import robotran.javacompiler.ecj.JavaSource
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.language.source.SourceSpan
+import robotran.languagesupport.SourceFile
 
 /**
  * A source with its lines, which end in `\n`, `\r\n` or `\r`. Offsets may lie outside: ECJ reports some
  * problems before the start of the source.
  */
-internal class SourceText(source: JavaSource) {
-    val path = source.path
+internal class SourceText(source: SourceFile) {
+    val path = source.name
     private val text = source.text
 
     /** The name that the file gives its public class. */

@@ -1,5 +1,7 @@
 package robotran.javacompiler.ecj
 
+import robotran.languagesupport.SourceFile
+
 /** The Eclipse compiler (ECJ) of this platform. Its messages are not yet worded for pupils. */
 internal interface Ecj {
     /**
@@ -8,7 +10,7 @@ internal interface Ecj {
      * @param gaps the keys of classes and members of [library] whose use is refused, see `EcjCompiler.addGap`.
      */
     fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,

@@ -2,6 +2,7 @@ package robotran.javacompiler.ecj
 
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
+import robotran.languagesupport.SourceFile
 
 /**
  * ECJ beside the caller, which is free meanwhile. No bound on a source is a bound on what a compiler makes of it, so this
@@ -18,7 +19,7 @@ internal abstract class TimedEcj {
      * @throws robotran.javacompiler.CompilerNotLoadedException if ECJ cannot be loaded.
      */
     suspend fun compile(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
@@ -26,7 +27,7 @@ internal abstract class TimedEcj {
 
     /** The same as [compile], while no other program is compiled. */
     protected abstract suspend fun compileNow(
-        sources: List<JavaSource>,
+        sources: List<SourceFile>,
         library: Map<String, ByteArray>,
         gaps: Set<String>,
         target: BrickTarget,
