@@ -1,6 +1,5 @@
 package robotran.benchmarks
 
-import kotlin.time.DurationUnit
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.BlockEditResult
 import robotran.blockediting.BlockPlace
@@ -10,6 +9,7 @@ import robotran.blockediting.apply
 import robotran.blockediting.blocksOf
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
+import kotlin.time.DurationUnit
 
 /** The time to read a long program as blocks. */
 internal suspend fun blocksTime(): Figure {
@@ -29,7 +29,8 @@ private fun milliseconds(program: BlockProgram, work: () -> Unit): Figure {
     return Figure(time, "ms", "${program.outline.lines.size} lines, ${program.all.size} blocks")
 }
 
-private fun longProgram(): BlockProgram = blocksOf(programOfLines(LINES), messages = RobolangMessages.of(Language.ENGLISH))
+private fun longProgram(): BlockProgram =
+    blocksOf(programOfLines(LINES), messages = RobolangMessages.of(Language.ENGLISH))
 
 /** As long as a file may be that the editor of texts is measured with. */
 private const val LINES = 2_000

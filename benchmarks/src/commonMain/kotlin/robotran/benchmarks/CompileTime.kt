@@ -1,8 +1,5 @@
 package robotran.benchmarks
 
-import kotlin.time.Duration
-import kotlin.time.DurationUnit
-import kotlin.time.TimeSource
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.JavaCompiler
 import robotran.javacompiler.loadJavaCompiler
@@ -10,6 +7,9 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
+import kotlin.time.Duration
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
 
 /** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
 internal suspend fun compileTime(): Figure {

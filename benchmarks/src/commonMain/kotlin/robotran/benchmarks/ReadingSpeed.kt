@@ -24,7 +24,15 @@ internal suspend fun mistakesTime(): Figure {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
     val seconds = seconds {
-        told = (compileRobolang("mistakes", source, ANY_TARGET, messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Failure).diagnostics.size
+        told =
+            (
+                compileRobolang(
+                    "mistakes",
+                    source,
+                    ANY_TARGET,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ) as RobolangResult.Failure
+            ).diagnostics.size
     }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
     return Figure(seconds, "s", "$told mistakes on as many lines")

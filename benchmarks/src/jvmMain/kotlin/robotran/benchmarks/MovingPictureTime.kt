@@ -1,7 +1,5 @@
 package robotran.benchmarks
 
-import kotlin.time.DurationUnit
-import kotlin.time.TimeSource
 import robotran.animatedpicture.AnimationStep
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.animatedGif
@@ -20,6 +18,8 @@ import robotran.simulation.picture.WorldFrames
 import robotran.simulation.state.SessionState
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.world.file.BuiltInWorlds
+import kotlin.time.DurationUnit
+import kotlin.time.TimeSource
 
 /**
  * The time to make a moving picture of a minute's run in which the robot draws all the time, [faster] than it was, and
@@ -34,7 +34,8 @@ internal suspend fun movingPictureTime(faster: Int): Figure {
         ).read(source) as ProgramResult.Success
     ).program
     val world = BuiltInWorlds.plain
-    val player = RunPlayer(RunSetup(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
+    val player =
+        RunPlayer(RunSetup(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
     player.apply(SessionInput.Press(BrickButton.RUN, 0))
     player.apply(SessionInput.Release(BrickButton.RUN, 0))
     player.pass(MINUTE)

@@ -16,11 +16,7 @@ import kotlin.io.path.isRegularFile
  * Reads the program [name] in [language] with the files that it includes, which lie beside it or in folders there: a program of
  * somebody else's cannot get at other files of the user.
  */
-internal fun readWithIncluded(
-    name: String,
-    language: ProgramLanguage,
-    messages: FileMessages,
-): ReadProgram {
+internal fun readWithIncluded(name: String, language: ProgramLanguage, messages: FileMessages): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
     val remarks = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))

@@ -99,7 +99,9 @@ private fun isOnlyWritten(name: String) = ONLY_WRITTEN.any { name.endsWith(it, i
 
 private fun isIncluded(program: String, file: Path): Boolean {
     val language = languageOf(program)?.takeIf { it.mayHaveFiles } ?: return false
-    val read = readWithIncluded(program, language, CommandMessages.of(Language.ENGLISH)) as? ReadProgram.Success ?: return false
+    val read =
+        readWithIncluded(program, language, CommandMessages.of(Language.ENGLISH)) as? ReadProgram.Success
+            ?: return false
     return read.source.files.any { isSame(it.name, "$file") }
 }
 

@@ -35,10 +35,7 @@ internal data class NamedProgram(val path: String, val source: ProgramSource, va
  * Reads the files [names]. Each `.robo`, `.jar`, `.nqc`, `.lasm` or `.rcx` file and each folder of `.class` files is one
  * program. All `.java` files together are one program, and so are all `.class` files. Duplicates are ignored.
  */
-internal fun readProgramFiles(
-    names: List<String>,
-    messages: FileMessages,
-): ProgramFiles {
+internal fun readProgramFiles(names: List<String>, messages: FileMessages): ProgramFiles {
     val groups = names.distinct().groupBy { name ->
         FILES_OF_ONE_PROGRAM.firstOrNull { isNamed(name, it) } ?: name
     }.values

@@ -25,13 +25,12 @@ internal sealed interface TextFile {
 }
 
 /** Reads the file [name] of at most [LARGEST_FILE_BYTES], see [readText]. */
-internal fun readTextFile(name: String, messages: FileMessages): TextFile =
-    reading(name, messages, TextFile::Failure) {
-        when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
-            is FileContent.Failure -> TextFile.Failure(file.reason)
-            is FileContent.Success -> textIn(name, file.bytes, messages)
-        }
+internal fun readTextFile(name: String, messages: FileMessages): TextFile = reading(name, messages, TextFile::Failure) {
+    when (val file = readContent(Path.of(name), name, LARGEST_FILE_BYTES, messages)) {
+        is FileContent.Failure -> TextFile.Failure(file.reason)
+        is FileContent.Success -> textIn(name, file.bytes, messages)
     }
+}
 
 private fun textIn(name: String, bytes: ByteArray, messages: FileMessages): TextFile =
     when (val reading = readText(name, bytes)) {

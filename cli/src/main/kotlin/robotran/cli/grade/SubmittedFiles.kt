@@ -84,7 +84,18 @@ internal class SubmittedFiles(private val messages: CommandMessages) {
         val problem = reading(name, messages, { it }) {
             val isUseful = isUseful(path.name)
             val limit = if (path.name.endsWith(ZIP, ignoreCase = true)) LARGEST_ZIP_BYTES else LARGEST_FILE_BYTES
-            when (val content = if (isUseful) readContent(path, name, limit, messages) else FileContent.Success(NOTHING)) {
+            when (
+                val content = if (isUseful) {
+                    readContent(
+                        path,
+                        name,
+                        limit,
+                        messages,
+                    )
+                } else {
+                    FileContent.Success(NOTHING)
+                }
+            ) {
                 is FileContent.Failure -> content.reason
 
                 is FileContent.Success -> {

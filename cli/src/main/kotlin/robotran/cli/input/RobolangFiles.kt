@@ -55,7 +55,12 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                     RobolangMessages.of(language),
                 )
             ) {
-                is RobolangResult.Success -> RobolangFile.Ready(file.text, result.program, result.warnings, file.remarks)
+                is RobolangResult.Success -> RobolangFile.Ready(
+                    file.text,
+                    result.program,
+                    result.warnings,
+                    file.remarks,
+                )
                 is RobolangResult.Failure -> RobolangFile.HasErrors(result.diagnostics, file.remarks)
             }
         }

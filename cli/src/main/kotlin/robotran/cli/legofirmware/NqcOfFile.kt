@@ -70,7 +70,10 @@ internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language:
         is ProgramFiles.Success -> {
             when (val built = firmwareImageOf(read.programs.single(), settings, language)) {
                 is FirmwareImageOfFile.Failure -> FirmwareImageOfFile.Failure(read.remarks + built.lines, built.code)
-                is FirmwareImageOfFile.Success -> FirmwareImageOfFile.Success(built.image, read.remarks + built.warnings)
+                is FirmwareImageOfFile.Success -> FirmwareImageOfFile.Success(
+                    built.image,
+                    read.remarks + built.warnings,
+                )
             }
         }
     }

@@ -48,7 +48,14 @@ class PosterPrintableTest {
 
     private fun posterOf(text: String): Poster {
         val session =
-            Session(BuiltInWorlds.plain, emptyList<RobotProgramSet>(), runBlocking { loadPhysicsEngine() }, Language.ENGLISH)
+            Session(
+                BuiltInWorlds.plain,
+                emptyList<RobotProgramSet>(),
+                runBlocking {
+                    loadPhysicsEngine()
+                },
+                Language.ENGLISH,
+            )
         val state = session.state
         session.close()
         val program = Program.of("line.robo", text)

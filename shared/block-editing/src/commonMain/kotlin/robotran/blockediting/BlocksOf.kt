@@ -12,11 +12,8 @@ import robotran.robolang.outline.outlineRobolang
  * @param messages the mistakes in the pupil's language.
  * @param previous the program before the text was changed, so that blocks keep their ids.
  */
-fun blocksOf(
-    text: String,
-    messages: RobolangMessages,
-    previous: BlockProgram? = null,
-): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous)
+fun blocksOf(text: String, messages: RobolangMessages, previous: BlockProgram? = null): BlockProgram =
+    blocksOf(outlineRobolang(text, messages), messages, previous)
 
 internal fun blocksOf(outline: ProgramOutline, messages: RobolangMessages, previous: BlockProgram?): BlockProgram {
     val count = linesOfBlocks(outline)

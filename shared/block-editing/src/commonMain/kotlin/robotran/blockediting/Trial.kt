@@ -41,7 +41,15 @@ fun snippetOf(program: BlockProgram, text: String): SnippetProgram {
     val new = text.removeSuffix("\n")
     val lines = blocksOf("${program.text}\n$new", program.messages)
     val count = lines.outline.lines.size
-    return snippetOf(lines, (count - outlineRobolang(new, messages = RobolangMessages.of(Language.ENGLISH)).lines.size..<count).toMutableSet())
+    return snippetOf(
+        lines,
+        (
+            count - outlineRobolang(
+                new,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ).lines.size..<count
+        ).toMutableSet(),
+    )
 }
 
 private fun trialOfRoutine(program: BlockProgram, routine: Block): SnippetProgram {

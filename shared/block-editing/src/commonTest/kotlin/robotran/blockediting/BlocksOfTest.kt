@@ -1,5 +1,8 @@
 package robotran.blockediting
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.LineForm
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -7,9 +10,6 @@ import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
-import robotran.language.Language
-import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.words.LineForm
 
 class BlocksOfTest {
     @Test
@@ -107,13 +107,28 @@ class BlocksOfTest {
               stop
             : end
         """.trimIndent()
-        assertEquals(shape, shapeOf(blocksOf("repeat 4 times\n  iff left bumper\n    beep\n  end\n  stop\nend", messages = RobolangMessages.of(Language.ENGLISH))))
-        assertEquals("loose hop 5\nbeep", shapeOf(blocksOf("hop 5\nbeep", messages = RobolangMessages.of(Language.ENGLISH))))
+        assertEquals(
+            shape,
+            shapeOf(
+                blocksOf(
+                    "repeat 4 times\n  iff left bumper\n    beep\n  end\n  stop\nend",
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ),
+            ),
+        )
+        assertEquals(
+            "loose hop 5\nbeep",
+            shapeOf(blocksOf("hop 5\nbeep", messages = RobolangMessages.of(Language.ENGLISH))),
+        )
     }
 
     @Test
     fun `a block without end stops where its message says, and its first line is no loose text`() {
-        val program = blocksOf("repeat 4 times\n  if left bumper\n    beep\n  forward 20\nend\nstop", messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            blocksOf(
+                "repeat 4 times\n  if left bumper\n    beep\n  forward 20\nend\nstop",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         assertEquals(": repeat 4 times\n  : if left bumper\n    beep\n    forward 20\n: end\nstop", shapeOf(program))
         val choice = assertIs<Block.Construct>(program.find("if"))
         assertNull(choice.foot)
@@ -122,7 +137,10 @@ class BlocksOfTest {
 
     @Test
     fun `an end and an else without a block are loose`() {
-        assertEquals("loose end\nbeep\nloose else\nstop", shapeOf(blocksOf("end\nbeep\nelse\nstop", messages = RobolangMessages.of(Language.ENGLISH))))
+        assertEquals(
+            "loose end\nbeep\nloose else\nstop",
+            shapeOf(blocksOf("end\nbeep\nelse\nstop", messages = RobolangMessages.of(Language.ENGLISH))),
+        )
     }
 
     @Test
@@ -143,7 +161,11 @@ class BlocksOfTest {
 
     @Test
     fun `a line is found by its number, a part by its place`() {
-        val program = blocksOf("repeat 4 times\n  forward 20 + x\n\n  beep\nend\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            blocksOf(
+                "repeat 4 times\n  forward 20 + x\n\n  beep\nend\nstop\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         val starts = listOf("repeat", "forward", "", "beep", "repeat", "stop")
         assertEquals(
             starts,
@@ -169,8 +191,14 @@ class BlocksOfTest {
 
     @Test
     fun `blocks keep their ids when other lines change or they move`() {
-        val before = blocksOf("forward 20\nbeep\nturn left 90\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
-        val moved = blocksOf("beep\nforward 20\nshow 5\nstop\n", previous = before, messages = RobolangMessages.of(Language.ENGLISH))
+        val before =
+            blocksOf("forward 20\nbeep\nturn left 90\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val moved =
+            blocksOf(
+                "beep\nforward 20\nshow 5\nstop\n",
+                previous = before,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         assertEquals(before.idOf("forward"), moved.idOf("forward"))
         assertEquals(before.idOf("beep"), moved.idOf("beep"))
         assertEquals(before.idOf("stop"), moved.idOf("stop"))

@@ -1,8 +1,5 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.ownBlocks
 import robotran.language.Language
@@ -13,6 +10,9 @@ import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.LineForm
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class BuildFromPaletteTest {
     @Test
@@ -20,13 +20,31 @@ class BuildFromPaletteTest {
         val programs = examplePrograms + tutorialPrograms
         assertTrue(programs.size > 30, "${programs.size} programs")
         for ((name, text) in programs) {
-            val target = blocksOf((formatRobolang(text, messages = RobolangMessages.of(Language.ENGLISH)) as FormatResult.Success).text, messages = RobolangMessages.of(Language.ENGLISH))
+            val target =
+                blocksOf(
+                    (
+                        formatRobolang(
+                            text,
+                            messages = RobolangMessages.of(Language.ENGLISH),
+                        ) as FormatResult.Success
+                    ).text,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                )
             val built = try {
                 Builder(target).build()
             } catch (failure: IllegalStateException) {
                 throw AssertionError(name, failure)
             }
-            assertEquals(target.text, (formatRobolang(built.text, messages = RobolangMessages.of(Language.ENGLISH)) as FormatResult.Success).text, name)
+            assertEquals(
+                target.text,
+                (
+                    formatRobolang(
+                        built.text,
+                        messages = RobolangMessages.of(Language.ENGLISH),
+                    ) as FormatResult.Success
+                ).text,
+                name,
+            )
             assertTrue(built.all.none { it is Block.Loose }, name)
         }
     }

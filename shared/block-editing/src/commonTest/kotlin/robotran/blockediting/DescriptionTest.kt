@@ -87,7 +87,11 @@ class DescriptionTest {
             val edited = program.done(edit).program
             val undone = blocksOf(program.text, previous = edited, messages = RobolangMessages.of(Language.ENGLISH))
             return describeChange(edited, undone, english) to
-                describeChange(undone, blocksOf(edited.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)), english)
+                describeChange(
+                    undone,
+                    blocksOf(edited.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)),
+                    english,
+                )
         }
         val beep = BlockRun(program.idOf("beep"))
         assertEquals(
@@ -109,7 +113,15 @@ class DescriptionTest {
         assertEquals("Gone: else" to "Now: else", toldOfElse())
         assertEquals("Now: repeat 4 times, 1 of 1 in if left bumper", told(BlockEdit.Delete(setOf(loop))).first)
         assertNull(
-            describeChange(program, blocksOf(text.replace("beep\nif", "  beep\nif"), previous = program, messages = RobolangMessages.of(Language.ENGLISH)), english),
+            describeChange(
+                program,
+                blocksOf(
+                    text.replace("beep\nif", "  beep\nif"),
+                    previous = program,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ),
+                english,
+            ),
         )
     }
 
@@ -118,7 +130,11 @@ class DescriptionTest {
         val branched = plain.done(BlockEdit.AddElse(plain.idOf("if"))).program
         val undone = blocksOf(plain.text, previous = branched, messages = RobolangMessages.of(Language.ENGLISH))
         return describeChange(branched, undone, english) to
-            describeChange(undone, blocksOf(branched.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)), english)
+            describeChange(
+                undone,
+                blocksOf(branched.text, previous = undone, messages = RobolangMessages.of(Language.ENGLISH)),
+                english,
+            )
     }
 
     @Test

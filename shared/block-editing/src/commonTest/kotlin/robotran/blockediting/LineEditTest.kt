@@ -1,11 +1,11 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.LineForm
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class LineEditTest {
     @Test
@@ -80,7 +80,10 @@ class LineEditTest {
         for (form in LineForm.entries) {
             for (other in formsFor(form)) {
                 val text = checkNotNull(form.example)
-                val changed = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).done(BlockEdit.ChangeForm(0, other)).program
+                val changed = blocksOf(
+                    text,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ).done(BlockEdit.ChangeForm(0, other)).program
                 assertEquals(other, changed.outline.lines.first().form, "$text to $other")
                 assertTrue(form in formsFor(other))
             }

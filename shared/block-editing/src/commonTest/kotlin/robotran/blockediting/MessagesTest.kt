@@ -1,13 +1,13 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.BlockGroup
 import robotran.robolang.words.ValueKind
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class MessagesTest {
     private val errors = listOf(

@@ -1,10 +1,10 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class NameEditTest {
     @Test
@@ -67,20 +67,35 @@ class NameEditTest {
         val f = SourceSpan(text.indexOf("f(a"), text.indexOf("f(a") + 1)
         assertEquals(
             text.replace("go()\nshow", "go(5)\nshow").replace("go()\nend", "go(far)\nend"),
-            blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).done(BlockEdit.AddParameter(go, "far")).program.text,
+            blocksOf(
+                text,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ).done(BlockEdit.AddParameter(go, "far")).program.text,
         )
         assertEquals(
             text.replace("f(f(1, 2), 3)", "f(f(1, 2, 5), 3, 5)").replace("a, b", "a, b, c"),
-            blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).done(BlockEdit.AddParameter(f, "c")).program.text,
+            blocksOf(
+                text,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ).done(BlockEdit.AddParameter(f, "c")).program.text,
         )
         assertEquals(
             text.replace("f(f(1, 2), 3)", "f(f(1), 3)").replace("f(f(1), 3)", "f(f(1))").replace("a, b", "a"),
-            blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).done(BlockEdit.RemoveParameter(f, 1)).program.text,
+            blocksOf(
+                text,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ).done(BlockEdit.RemoveParameter(f, 1)).program.text,
         )
         assertEquals(
             text.replace("f(f(1, 2), 3)", "f(3)").replace("a, b", "b"),
-            blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).done(BlockEdit.RemoveParameter(f, 0)).program.text,
+            blocksOf(
+                text,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ).done(BlockEdit.RemoveParameter(f, 0)).program.text,
         )
-        assertEquals(BlockEditError.NameTaken("a"), blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).editError(BlockEdit.AddParameter(f, "a")))
+        assertEquals(
+            BlockEditError.NameTaken("a"),
+            blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).editError(BlockEdit.AddParameter(f, "a")),
+        )
     }
 }

@@ -1,14 +1,14 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class NamesTest {
     private val program = blocksOf(

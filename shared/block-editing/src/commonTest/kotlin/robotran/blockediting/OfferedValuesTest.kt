@@ -1,10 +1,5 @@
 package robotran.blockediting
 
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.brick.kind.BrickKind
@@ -13,6 +8,11 @@ import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** What is offered at a touched value, and what it puts there. */
 class OfferedValuesTest {

@@ -1,12 +1,5 @@
 package robotran.blockediting
 
-import kotlin.math.pow
-import kotlin.math.roundToInt
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteHelp
@@ -25,6 +18,13 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.words.BlockGroup
 import robotran.robolang.words.LineForm
+import kotlin.math.pow
+import kotlin.math.roundToInt
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 class PaletteTest {
     private val help = PaletteHelp { word, language -> sentences[word to language.tag] }
@@ -44,7 +44,10 @@ class PaletteTest {
         val robot = if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
         for (block in Palette.blocksFor(brick)) {
             if (block.isValue) {
-                val line = blocksOf("var v = ${block.template}", messages = RobolangMessages.of(Language.ENGLISH)).blocks.single()
+                val line = blocksOf(
+                    "var v = ${block.template}",
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ).blocks.single()
                 assertIs<Block.Command>(line, block.template)
                 continue
             }
@@ -59,7 +62,9 @@ class PaletteTest {
             }
             val result = compileRobolang(block.id, source, robot, messages = RobolangMessages.of(Language.ENGLISH))
             assertIs<RobolangResult.Success>(result, "${block.template}: $result")
-            val forms = blocksOf(source, messages = RobolangMessages.of(Language.ENGLISH)).all.mapNotNull { it.head.form }
+            val forms = blocksOf(source, messages = RobolangMessages.of(Language.ENGLISH)).all.mapNotNull {
+                it.head.form
+            }
             assertTrue(
                 isSetting || forms.any {
                     it.name.lowercase().replace('_', '-') == block.id
@@ -75,7 +80,14 @@ class PaletteTest {
         val others = Palette.blocksFor(BrickKind.NXT).map { it.template } - Palette.blocks.map { it.template }.toSet()
         assertTrue("distance" in others && "motor A turn 90" in others && "button enter" in others, "$others")
         for (value in listOf("distance", "colour", "red", "loudness", "turned A", "button enter")) {
-            assertIs<RobolangResult.Failure>(compileRobolang("a", "var x = $value", RobotTarget.Rcx(50.0, 5.0), messages = RobolangMessages.of(Language.ENGLISH)))
+            assertIs<RobolangResult.Failure>(
+                compileRobolang(
+                    "a",
+                    "var x = $value",
+                    RobotTarget.Rcx(50.0, 5.0),
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ),
+            )
         }
     }
 
@@ -112,7 +124,11 @@ class PaletteTest {
 
     @Test
     fun `the names of the program have blocks`() {
-        val program = blocksOf("var a = [1]\nvar n = 2\nprocedure go(x, y)\nend\nfunction f()\n  return 1\nend\nstop\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            blocksOf(
+                "var a = [1]\nvar n = 2\nprocedure go(x, y)\nend\nfunction f()\n  return 1\nend\nstop\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         assertEquals(
             listOf("a", "a[0]", "a[0] = 5", "n", "n = n + 1", "go(5, 5)", "f()"),
             ownBlocks(program, program.at("stop")).map { it.template },
@@ -181,7 +197,13 @@ class PaletteTest {
         assertEquals(listOf("light < 40"), comparisonsFor(setOf(SensorKind.LIGHT), BrickKind.RCX))
         assertEquals(listOf("timer > 5"), comparisonsFor(emptySet(), BrickKind.RCX))
         for (condition in ofNxt) {
-            val program = compileRobolang("a", "wait until $condition", RobotTarget.Nxt(5.6, 11.4), messages = RobolangMessages.of(Language.ENGLISH))
+            val program =
+                compileRobolang(
+                    "a",
+                    "wait until $condition",
+                    RobotTarget.Nxt(5.6, 11.4),
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                )
             assertIs<RobolangResult.Success>(program, "$condition: $program")
         }
     }

@@ -1,14 +1,14 @@
 package robotran.blockediting
 
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.textediting.EditHistory
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class RandomEditsTest {
     @Test

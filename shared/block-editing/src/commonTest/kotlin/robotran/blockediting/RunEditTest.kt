@@ -1,10 +1,10 @@
 package robotran.blockediting
 
+import robotran.language.Language
+import robotran.robolang.messages.RobolangMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
-import robotran.language.Language
-import robotran.robolang.messages.RobolangMessages
 
 class RunEditTest {
     @Test
@@ -56,7 +56,8 @@ class RunEditTest {
 
     @Test
     fun `each moved line is a change of its own, so that those between keep their places`() {
-        val program = blocksOf("beep\nforward 1\nforward 2\nforward 3\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            blocksOf("beep\nforward 1\nforward 2\nforward 3\n", messages = RobolangMessages.of(Language.ENGLISH))
         val result = program.done(BlockEdit.Move(BlockRun(program.idOf("beep")), program.behind("forward 3")))
         assertEquals(listOf("beep\n" to "", "" to "beep\n"), result.changes.map { it.removed to it.inserted })
     }
@@ -159,7 +160,11 @@ class RunEditTest {
 
     @Test
     fun `copied blocks are Robolang, and pasted they are the same blocks`() {
-        val program = blocksOf("repeat 2 times\r\n\tif left bumper // hit\r\n\t\tbeep\r\n\tend\r\nend\r\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            blocksOf(
+                "repeat 2 times\r\n\tif left bumper // hit\r\n\t\tbeep\r\n\tend\r\nend\r\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         val copy = copied(program, BlockRun(program.idOf("if")))
         assertEquals("if left bumper // hit\n\tbeep\nend\n", copy)
         val pasted = program.done(BlockEdit.Insert(checkNotNull(copy), program.at("repeat"))).program

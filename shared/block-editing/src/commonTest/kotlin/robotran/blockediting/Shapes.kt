@@ -71,5 +71,7 @@ internal fun checkConsistent(before: BlockProgram, result: BlockEditResult.Succe
     }
     check(result.selection.start in 0..after.length && result.selection.end in result.selection.start..after.length)
     check(result.selected.all { result.program[it] != null })
-    check(shapeOf(blocksOf(after, messages = RobolangMessages.of(Language.ENGLISH))) == shapeOf(result.program)) { "the text does not read back as the blocks" }
+    check(shapeOf(blocksOf(after, messages = RobolangMessages.of(Language.ENGLISH))) == shapeOf(result.program)) {
+        "the text does not read back as the blocks"
+    }
 }

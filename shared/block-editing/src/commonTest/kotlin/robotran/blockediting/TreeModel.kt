@@ -15,7 +15,10 @@ internal class TreeModel private constructor(val nodes: MutableList<Node>) {
     fun after(program: BlockProgram, edit: BlockEdit): String? {
         when (edit) {
             is BlockEdit.Move -> move(program, edit)
-            is BlockEdit.Insert -> list(program, edit.place).addAll(edit.place.index, of(blocksOf(edit.text, messages = RobolangMessages.of(Language.ENGLISH))).nodes)
+            is BlockEdit.Insert -> list(
+                program,
+                edit.place,
+            ).addAll(edit.place.index, of(blocksOf(edit.text, messages = RobolangMessages.of(Language.ENGLISH))).nodes)
 
             is BlockEdit.Duplicate -> {
                 val place = checkNotNull(program.placeOf(edit.run.first))

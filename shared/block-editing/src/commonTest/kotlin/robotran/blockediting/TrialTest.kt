@@ -1,13 +1,13 @@
 package robotran.blockediting
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.blockediting.palette.Palette
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.BlockGroup
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class TrialTest {
     private val program = blocksOf(
@@ -105,8 +105,17 @@ class TrialTest {
     fun `a block of the palette comes behind the program`() {
         assertEquals(robot + "25 forward 20", snippetOf(program, "forward 20\n").lines())
         assertEquals("25 square(5)", snippetOf(program, "square(5)").lines().last())
-        assertEquals(listOf("4 beep"), snippetOf(blocksOf("pen up\r\npen down\r\n", messages = RobolangMessages.of(Language.ENGLISH)), "beep").lines())
-        assertEquals(listOf("2 beep"), snippetOf(blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)), "beep").lines())
+        assertEquals(
+            listOf("4 beep"),
+            snippetOf(
+                blocksOf("pen up\r\npen down\r\n", messages = RobolangMessages.of(Language.ENGLISH)),
+                "beep",
+            ).lines(),
+        )
+        assertEquals(
+            listOf("2 beep"),
+            snippetOf(blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)), "beep").lines(),
+        )
     }
 
     @Test
@@ -121,7 +130,15 @@ class TrialTest {
             tried.filter { it.group == BlockGroup.SHOW_AND_SOUND },
         )
         for (block in tried) {
-            assertTrue(block.template in (snippetOf(blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)), block.template) as SnippetProgram.Success).text)
+            assertTrue(
+                block.template in
+                    (
+                        snippetOf(
+                            blocksOf("", messages = RobolangMessages.of(Language.ENGLISH)),
+                            block.template,
+                        ) as SnippetProgram.Success
+                    ).text,
+            )
         }
     }
 }

@@ -1,14 +1,14 @@
 package robotran.javacompiler
 
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertTrue
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceFix
 import robotran.languagesupport.SourceFile
 import robotran.lejoslibrary.LejosLibrary
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 
 /** The class files of leJOS. It is always the same map, so that the compiler reads the classes only once. */
 val library: Map<String, ByteArray> by lazy {
@@ -18,7 +18,8 @@ val library: Map<String, ByteArray> by lazy {
 private var compiler: JavaCompiler? = null
 
 /** Loads the compiler on first use and then returns the same one. */
-suspend fun compiler(): JavaCompiler = compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
+suspend fun compiler(): JavaCompiler =
+    compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
 
 /** Compiles [text] as `Robot.java` together with [others]. */
 suspend fun compile(text: String, vararg others: SourceFile): CompilationResult =

@@ -1,12 +1,12 @@
 package robotran.javacompiler
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.languagesupport.SourceFile
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class LanguagesTest {
     private suspend fun messageIn(messages: JavaMessages, statements: String): String {

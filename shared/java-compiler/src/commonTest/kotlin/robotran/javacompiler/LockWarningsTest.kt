@@ -1,15 +1,15 @@
 package robotran.javacompiler
 
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertIs
 import kotlinx.coroutines.test.runTest
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.languagesupport.SourceFile
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
 
 /** A brick's virtual machine locks only for methods that it finds by the object: neither private nor static ones. */
 class LockWarningsTest {

@@ -1,12 +1,12 @@
 package robotran.javacompiler
 
+import kotlinx.coroutines.test.runTest
+import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertNull
 import kotlin.test.assertTrue
-import kotlinx.coroutines.test.runTest
-import robotran.languagesupport.SourceFile
 
 /** The programs of the class library and the examples. */
 class ProgramsTest {

@@ -76,7 +76,10 @@ class JsonWarningTest {
         val bytes = "{\"title\": \"Gr\u00FC\u00DFe\"}".map { it.code.toByte() }.toByteArray()
         val reading = readJson(bytes, Language.GERMAN) { it.member("title").text(9) }
         assertEquals(
-            JsonReading.Success("Gr\u00FC\u00DFe", listOf(JsonWarning("Die Datei ist in Windows-1252, nicht in UTF-8."))),
+            JsonReading.Success(
+                "Gr\u00FC\u00DFe",
+                listOf(JsonWarning("Die Datei ist in Windows-1252, nicht in UTF-8.")),
+            ),
             reading,
         )
         assertIs<JsonReading.Failure>(readJson(byteArrayOf(0, 1, -1), Language.ENGLISH) { })

@@ -1,17 +1,17 @@
 package robotran.learning
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 class WordHelpTest {
     private fun english(code: ProgramLanguage, text: String): WordHelp? =

@@ -1,8 +1,5 @@
 package robotran.learning
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -14,6 +11,9 @@ import robotran.projects.readRobotLoads
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class LessonProgramsTest {
     private val tasks = Lessons.all + Lessons.all.map { it.on(BrickKind.NXT) } + worldTasks
@@ -22,7 +22,13 @@ class LessonProgramsTest {
     fun `programs and solutions in Robolang look as the formatter writes them`() {
         for (lesson in tasks.filter { it.code == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
-                assertEquals(file.text, assertIs<FormatResult.Success>(formatRobolang(file.text, messages = RobolangMessages.of(Language.ENGLISH))).text, lesson.name)
+                assertEquals(
+                    file.text,
+                    assertIs<FormatResult.Success>(
+                        formatRobolang(file.text, messages = RobolangMessages.of(Language.ENGLISH)),
+                    ).text,
+                    lesson.name,
+                )
             }
         }
     }

@@ -1,9 +1,5 @@
 package robotran.legofirmware
 
-import kotlin.random.Random
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.language.source.Severity
@@ -21,6 +17,10 @@ import robotran.legofirmware.run.FirmwareState
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sensors.SensorCode
+import kotlin.random.Random
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 
 /** Damages an image of the vectors and tries it. Returns whether it could be read. */
 internal fun tryMutatedImage(random: Random): Boolean = tryImage(mutated(images.random(random), random))
@@ -36,7 +36,10 @@ internal fun tryImage(bytes: ByteArray): Boolean {
 /** A program runs as long as it likes, and with every sensor pressed after a while; what it leaves behind is limited. */
 private fun runOnBrick(image: RcxImage) {
     val brick =
-        RcxBrick(listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines, language = Language.ENGLISH)), messages = BrickMessages.of(Language.ENGLISH))
+        RcxBrick(
+            listOf(FirmwareProgram("mutant", image, image.assemblyListing().lines, language = Language.ENGLISH)),
+            messages = BrickMessages.of(Language.ENGLISH),
+        )
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     repeat(RUN_MILLISECONDS) { brick.tick() }

@@ -50,7 +50,9 @@ class ImageListingTest {
                 number(100_000)
             },
         ).image
-        val lines = listingOf(image, messages = ListingMessages.of(Language.ENGLISH)).lines().map { it.trim().substringAfter(' ') }
+        val lines = listingOf(image, messages = ListingMessages.of(Language.ENGLISH)).lines().map {
+            it.trim().substringAfter(' ')
+        }
         assertContains(lines, "\"a \\\"quote\\\"\\u000a\"")
         assertContains(lines, "int 100000")
     }

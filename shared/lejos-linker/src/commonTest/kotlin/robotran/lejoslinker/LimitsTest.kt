@@ -230,7 +230,12 @@ class LimitsTest {
             repeat(ofEach) { writer.addMethod("m${number}x$it", "()V", ABSTRACT, null) }
             "Many$number" to writer.bytes()
         }
-        return linkLejosImage(classes, Vectors.library, classes.keys.toList(), messages = ImageMessages.of(Language.ENGLISH))
+        return linkLejosImage(
+            classes,
+            Vectors.library,
+            classes.keys.toList(),
+            messages = ImageMessages.of(Language.ENGLISH),
+        )
     }
 
     private companion object {

@@ -1,9 +1,9 @@
 package robotran.lejoslinker
 
-import kotlin.random.Random
 import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.messages.ImageMessages
+import kotlin.random.Random
 
 /** Links [program] of the vectors with one to three bytes of one of its class files changed, or of the library's. */
 internal fun linkMutant(program: String, random: Random): ImageResult {
@@ -25,6 +25,12 @@ internal fun linkMutant(program: String, random: Random): ImageResult {
 
 /** The whole image; the trimmed one only must not fail. */
 private fun linkBoth(program: Map<String, ByteArray>, library: Map<String, ByteArray>, main: String): ImageResult {
-    linkLejosImage(program, library, listOf(main), ImageOptions(isTrimmed = true), messages = ImageMessages.of(Language.ENGLISH))
+    linkLejosImage(
+        program,
+        library,
+        listOf(main),
+        ImageOptions(isTrimmed = true),
+        messages = ImageMessages.of(Language.ENGLISH),
+    )
     return linkLejosImage(program, library, listOf(main), messages = ImageMessages.of(Language.ENGLISH))
 }

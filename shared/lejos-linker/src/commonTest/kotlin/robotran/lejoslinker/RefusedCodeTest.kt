@@ -76,7 +76,12 @@ class RefusedCodeTest {
             )
         }
         val result =
-            linkLejosImage(mapOf("Base" to base.bytes(), "Main" to main.bytes()), Vectors.library, listOf("Main"), messages = ImageMessages.of(Language.ENGLISH))
+            linkLejosImage(
+                mapOf("Base" to base.bytes(), "Main" to main.bytes()),
+                Vectors.library,
+                listOf("Main"),
+                messages = ImageMessages.of(Language.ENGLISH),
+            )
         val image = assertIs<ImageResult.Success>(result).image
         val classes = image.contents.classes
         val code = image.bytes.drop(classes.single { it.name == "Main" }.methods.single().codeOffset)
@@ -180,7 +185,13 @@ class RefusedCodeTest {
 
     @Test
     fun `damaged class files are refused`() {
-        val result = linkLejosImage(mapOf("Main" to byteArrayOf(1, 2, 3)), Vectors.library, listOf("Main"), messages = ImageMessages.of(Language.ENGLISH))
+        val result =
+            linkLejosImage(
+                mapOf("Main" to byteArrayOf(1, 2, 3)),
+                Vectors.library,
+                listOf("Main"),
+                messages = ImageMessages.of(Language.ENGLISH),
+            )
         assertEquals("Main:0 ${messages.tinyVm.notAClassFile()}", errorsOf(result).first())
         val cut = errorsOf(linkMain { addMethod("main", "([Ljava/lang/String;)V", 9, listOf(Opcode.NEW, 0)) })
         assertEquals(listOf("Main.main:7 ${messages.tinyVm.codeInvalid()}"), cut)
@@ -190,7 +201,13 @@ class RefusedCodeTest {
     fun `without names the first class with a main method is started`() {
         val shape = ClassWriter("Shape").bytes()
         val main = ClassWriter("Main").apply { addMain() }.bytes()
-        val result = linkLejosImage(mapOf("Shape" to shape, "Main" to main), Vectors.library, emptyList(), messages = ImageMessages.of(Language.ENGLISH))
+        val result =
+            linkLejosImage(
+                mapOf("Shape" to shape, "Main" to main),
+                Vectors.library,
+                emptyList(),
+                messages = ImageMessages.of(Language.ENGLISH),
+            )
         assertEquals(listOf("Main"), assertIs<ImageResult.Success>(result).image.entryClasses)
     }
 
@@ -199,11 +216,20 @@ class RefusedCodeTest {
         val nothing = mapOf("Shape" to ClassWriter("Shape").bytes())
         assertEquals(
             listOf("Shape:0 ${messages.tinyVm.noMainMethod()}"),
-            errorsOf(linkLejosImage(nothing, Vectors.library, emptyList(), messages = ImageMessages.of(Language.ENGLISH))),
+            errorsOf(
+                linkLejosImage(nothing, Vectors.library, emptyList(), messages = ImageMessages.of(Language.ENGLISH)),
+            ),
         )
         assertEquals(
             listOf("Missing:0 ${messages.tinyVm.noMainMethod()}"),
-            errorsOf(linkLejosImage(Vectors.programs, Vectors.library, listOf("Missing"), messages = ImageMessages.of(Language.ENGLISH))),
+            errorsOf(
+                linkLejosImage(
+                    Vectors.programs,
+                    Vectors.library,
+                    listOf("Missing"),
+                    messages = ImageMessages.of(Language.ENGLISH),
+                ),
+            ),
         )
     }
 

@@ -1,19 +1,26 @@
 package robotran.lejoslinker
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.image.ImageContents
 import robotran.lejoslinker.messages.ImageMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** Images without what their programs do not need. `ImageRunTest` of `shared/programs` runs them. */
 class TrimmedImagesTest {
     private fun image(name: String, isTrimmed: Boolean): LejosImage {
         val options = ImageOptions(isTrimmed = isTrimmed)
-        val result = linkLejosImage(Vectors.programs, Vectors.library, listOf(name), options, messages = ImageMessages.of(Language.ENGLISH))
+        val result =
+            linkLejosImage(
+                Vectors.programs,
+                Vectors.library,
+                listOf(name),
+                options,
+                messages = ImageMessages.of(Language.ENGLISH),
+            )
         return assertIs<ImageResult.Success>(result, name).image
     }
 

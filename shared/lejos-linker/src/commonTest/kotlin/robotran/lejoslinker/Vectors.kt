@@ -1,10 +1,10 @@
 package robotran.lejoslinker
 
-import kotlin.io.encoding.Base64
 import robotran.language.Language
 import robotran.lejoslinker.config.ByteOrder
 import robotran.lejoslinker.config.ImageOptions
 import robotran.lejoslinker.messages.ImageMessages
+import kotlin.io.encoding.Base64
 
 /** What leJOS's own linker made, and what it made it of. */
 internal object Vectors {

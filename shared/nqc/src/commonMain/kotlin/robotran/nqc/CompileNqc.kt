@@ -14,12 +14,7 @@ import robotran.nqc.messages.NqcMessages
  * @param source the text of the program, with any line ends.
  * @param messages the diagnostics in the pupil's language.
  */
-fun compileNqc(
-    name: String,
-    source: String,
-    options: NqcOptions = NqcOptions(),
-    messages: NqcMessages,
-): NqcResult {
+fun compileNqc(name: String, source: String, options: NqcOptions = NqcOptions(), messages: NqcMessages): NqcResult {
     val sink = DiagnosticSink(messages)
     val files = options.files + (name to source)
     for ((file, text) in files) {

@@ -1,11 +1,11 @@
 package robotran.nqc
 
-import kotlin.test.fail
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.SourceFix
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.fail
 
 /** The errors of [source], or its warnings if there are none. */
 internal fun diagnosticsOf(source: String, options: NqcOptions = NqcOptions()): List<Diagnostic> =

@@ -1,11 +1,11 @@
 package robotran.nqc
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class DiagnosticsTest {
     @Test

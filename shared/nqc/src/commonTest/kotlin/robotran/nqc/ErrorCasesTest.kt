@@ -34,7 +34,12 @@ class ErrorCasesTest {
     @Test
     fun `a program fails if and only if the original compiler fails`() {
         for (case in ErrorCase.all) {
-            val fails = compileNqc(FILE, case.source, NqcOptions(case.target), messages = NqcMessages.of(Language.ENGLISH)) is NqcResult.Failure
+            val fails = compileNqc(
+                FILE,
+                case.source,
+                NqcOptions(case.target),
+                messages = NqcMessages.of(Language.ENGLISH),
+            ) is NqcResult.Failure
             val failed = case.mistakes.any { (text, _) -> text !in WARNINGS }
             assertEquals(failed, fails, case.name)
         }

@@ -1,11 +1,11 @@
 package robotran.nqc
 
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertIs
 import robotran.language.Language
 import robotran.nqc.diagnostic.NqcDiagnosticCode
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertIs
 
 /** Programs that would never end, or never fit into memory, without limits. */
 class LimitsTest {
@@ -95,7 +95,8 @@ class LimitsTest {
     fun `a file that is too long`() = check("// ${"x".repeat(600_000)}", NqcDiagnosticCode.SOURCE_TOO_LONG)
 
     private fun check(source: String, code: NqcDiagnosticCode) {
-        val result = assertIs<NqcResult.Failure>(compileNqc("x.nqc", source, messages = NqcMessages.of(Language.ENGLISH)))
+        val result =
+            assertIs<NqcResult.Failure>(compileNqc("x.nqc", source, messages = NqcMessages.of(Language.ENGLISH)))
         assertContains(result.diagnostics.map { it.code }, code, result.diagnostics.take(5).joinToString("\n"))
     }
 }

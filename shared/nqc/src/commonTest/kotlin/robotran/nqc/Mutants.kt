@@ -1,12 +1,12 @@
 package robotran.nqc
 
-import kotlin.random.Random
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.toBytes
 import robotran.nqc.messages.NqcMessages
+import kotlin.random.Random
+import kotlin.test.assertTrue
 
 /** Compiles changed copies of the programs of the vectors. */
 internal class Mutants(private val random: Random) {

@@ -1,12 +1,12 @@
 package robotran.nqc
 
+import robotran.language.Language
+import robotran.nqc.diagnostic.NqcDiagnosticCode
+import robotran.nqc.messages.NqcMessages
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
 import kotlin.test.assertTrue
-import robotran.language.Language
-import robotran.nqc.diagnostic.NqcDiagnosticCode
-import robotran.nqc.messages.NqcMessages
 
 /** What word processors, mails and web pages make of a program. */
 class PastedCharactersTest {
@@ -52,7 +52,9 @@ class PastedCharactersTest {
         assertTrue("a curly quotation mark" in found.message, found.message)
         val mended = applied(source, checkNotNull(found.fix))
         assertEquals("#include \"my.nqh\"", mended.lines().first())
-        assertIs<NqcResult.Success>(compileNqc("test.nqc", mended, options, messages = NqcMessages.of(Language.ENGLISH)))
+        assertIs<NqcResult.Success>(
+            compileNqc("test.nqc", mended, options, messages = NqcMessages.of(Language.ENGLISH)),
+        )
     }
 
     @Test

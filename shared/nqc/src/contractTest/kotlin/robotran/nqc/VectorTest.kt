@@ -1,12 +1,12 @@
 package robotran.nqc
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.toBytes
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class VectorTest {
     @Test
@@ -20,7 +20,8 @@ class VectorTest {
 
     private fun check(target: FirmwareTarget) {
         val failures = Vectors.programs.mapNotNull { (name, source) ->
-            val result = compileNqc("$name.nqc", source, NqcOptions(target), messages = NqcMessages.of(Language.ENGLISH))
+            val result =
+                compileNqc("$name.nqc", source, NqcOptions(target), messages = NqcMessages.of(Language.ENGLISH))
             val expected = Vectors.image(name, target)
             val actual = (result as? NqcResult.Success)?.program?.image?.toBytes()?.joinToString(" ") { hex(it) }
             if (expected == actual) null else "$name: ${describe(result)}\nexpected $expected\nactual   $actual"

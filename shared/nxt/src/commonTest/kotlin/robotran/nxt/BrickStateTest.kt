@@ -1,13 +1,5 @@
 package robotran.nxt
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFailsWith
-import kotlin.test.assertFalse
-import kotlin.test.assertNotEquals
-import kotlin.test.assertNull
-import kotlin.test.assertSame
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -31,6 +23,14 @@ import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.nxt.program.NxtProgram
 import robotran.nxt.state.NxtState
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFailsWith
+import kotlin.test.assertFalse
+import kotlin.test.assertNotEquals
+import kotlin.test.assertNull
+import kotlin.test.assertSame
+import kotlin.test.assertTrue
 
 class BrickStateTest {
     private val brick = NxtBrick(listOf(scriptedProgram("endless")), messages = NxtMessages.of(Language.ENGLISH))
@@ -133,9 +133,16 @@ class BrickStateTest {
 
     @Test
     fun `there must be a slot for each program`() {
-        assertFailsWith<IllegalArgumentException> { NxtBrick(List(BrickProgram.MAX_PROGRAMS + 1) { null }, messages = NxtMessages.of(Language.ENGLISH)) }
-        assertFailsWith<IllegalArgumentException> { NxtBrick(listOf(null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH)) }
-        assertEquals(1, NxtBrick(listOf(null, null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH)).state.selectedSlot)
+        assertFailsWith<IllegalArgumentException> {
+            NxtBrick(List(BrickProgram.MAX_PROGRAMS + 1) { null }, messages = NxtMessages.of(Language.ENGLISH))
+        }
+        assertFailsWith<IllegalArgumentException> {
+            NxtBrick(listOf(null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH))
+        }
+        assertEquals(
+            1,
+            NxtBrick(listOf(null, null), firstSlot = 1, messages = NxtMessages.of(Language.ENGLISH)).state.selectedSlot,
+        )
     }
 
     @Test

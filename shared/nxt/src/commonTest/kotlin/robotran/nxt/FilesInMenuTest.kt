@@ -1,17 +1,18 @@
 package robotran.nxt
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.nxt.messages.NxtMessages
 import robotran.nxt.state.MenuView
 import robotran.nxt.storage.NxtFile
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 /** What programs have written is in the menu of the brick, which can delete it. */
 class FilesInMenuTest {
     private val files = listOf(NxtFile("log.txt", ByteArray(1234)), NxtFile("a name of many letters", ByteArray(5)))
-    private val brick = NxtBrick(listOf(scriptedProgram("endless")), files = files, messages = NxtMessages.of(Language.ENGLISH))
+    private val brick =
+        NxtBrick(listOf(scriptedProgram("endless")), files = files, messages = NxtMessages.of(Language.ENGLISH))
 
     private fun push(vararg buttons: BrickButton): MenuView? {
         for (button in buttons) {

@@ -22,7 +22,8 @@ import robotran.nxt.regulator.MotorRegulator
 internal class NxtScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private var network = BluetoothNetwork()
-    private val bricks = linkedMapOf("NXT" to Bench(NxtBrick(emptyList(), network, messages = NxtMessages.of(Language.ENGLISH))))
+    private val bricks =
+        linkedMapOf("NXT" to Bench(NxtBrick(emptyList(), network, messages = NxtMessages.of(Language.ENGLISH))))
     private var bench = bricks.getValue("NXT")
     private val brick get() = bench.brick
     private var result = 0
@@ -62,7 +63,8 @@ internal class NxtScript(private val path: String, private val text: String) {
         val words = rest.split(' ')
         when (action) {
             "programs" -> beginWith(words.map(::scriptedProgram))
-            "robot" -> bricks[rest] = Bench(NxtBrick(emptyList(), network, rest, messages = NxtMessages.of(Language.ENGLISH)))
+            "robot" -> bricks[rest] =
+                Bench(NxtBrick(emptyList(), network, rest, messages = NxtMessages.of(Language.ENGLISH)))
             "on" -> bench = bricks.getValue(rest)
             "press" -> brick.press(buttonOf(rest))
             "release" -> brick.release(buttonOf(rest))

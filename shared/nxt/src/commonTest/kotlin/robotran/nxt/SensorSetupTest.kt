@@ -1,11 +1,11 @@
 package robotran.nxt
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.language.Language
 import robotran.nxt.hardware.SensorType
 import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.SensorSetup
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class SensorSetupTest {
     @Test

@@ -1,16 +1,16 @@
 package robotran.nxt
 
-import kotlin.math.abs
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.controls.MotorPort
 import robotran.language.Language
 import robotran.nxt.messages.NxtMessages
 import robotran.nxt.program.NxtCall
 import robotran.nxt.program.NxtNative
 import robotran.nxt.regulator.MotorRegulator
+import kotlin.math.abs
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 /** What a program on a real NXT sees of a motor and its regulator. */
 class RegulatorTest {

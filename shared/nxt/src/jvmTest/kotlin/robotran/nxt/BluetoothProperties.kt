@@ -94,7 +94,8 @@ private class Pair {
         return into.take(maxOf(0, count))
     }
 
-    private fun running(name: String) = NxtBrick(emptyList(), network, name, messages = NxtMessages.of(Language.ENGLISH)).apply {
-        runSnippet(checkNotNull(scriptedProgram("endless")))
-    }
+    private fun running(name: String) =
+        NxtBrick(emptyList(), network, name, messages = NxtMessages.of(Language.ENGLISH)).apply {
+            runSnippet(checkNotNull(scriptedProgram("endless")))
+        }
 }

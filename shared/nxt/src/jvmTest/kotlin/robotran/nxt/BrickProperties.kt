@@ -109,5 +109,9 @@ class BrickProperties :
 private fun newBrick(): NxtBrick {
     val network = BluetoothNetwork()
     NxtBrick(emptyList(), network, "Blue", messages = NxtMessages.of(Language.ENGLISH))
-    return NxtBrick(listOf("driving", "throwing", "tidy-thread").map(::scriptedProgram), network, messages = NxtMessages.of(Language.ENGLISH))
+    return NxtBrick(
+        listOf("driving", "throwing", "tidy-thread").map(::scriptedProgram),
+        network,
+        messages = NxtMessages.of(Language.ENGLISH),
+    )
 }

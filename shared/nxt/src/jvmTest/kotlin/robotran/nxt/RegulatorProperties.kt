@@ -61,7 +61,9 @@ class RegulatorProperties :
     })
 
 private class Bench(private val motor: FreeMotor = FreeMotor(MotorPort.A)) {
-    private val brick = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).apply { runSnippet(checkNotNull(scriptedProgram("endless"))) }
+    private val brick = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).apply {
+        runSnippet(checkNotNull(scriptedProgram("endless")))
+    }
     val regulator get() = brick.nxt.regulator(0)
     val count get() = brick.nxt.tachoCount(0)
 

@@ -67,7 +67,11 @@ internal class ClassFileLinker(
         )
         return when (result) {
             is TinyVmResult.Failure -> ProgramResult.Failure(listOf(program.locate(result.refusal)))
-            is TinyVmResult.Success -> ProgramResult.Success(result.program, program.warnings + warnings, program.mainClass)
+            is TinyVmResult.Success -> ProgramResult.Success(
+                result.program,
+                program.warnings + warnings,
+                program.mainClass,
+            )
         }
     }
 }

@@ -1,6 +1,5 @@
 package robotran.programs
 
-import kotlin.coroutines.cancellation.CancellationException
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.CompilerNotLoadedException
 import robotran.javacompiler.JavaCompiler
@@ -13,6 +12,7 @@ import robotran.languagesupport.SourceFile
 import robotran.languagesupport.simpleName
 import robotran.programs.messages.ProgramMessages
 import robotran.tinyvm.diagnostic.LinkError
+import kotlin.coroutines.cancellation.CancellationException
 
 /** Compiles and links Java programs. */
 internal class JavaProgramCompiler(

@@ -20,7 +20,8 @@ internal class LoadedJava {
     var nxj: NxjLibrary? = null
         private set
 
-    suspend fun loadCompiler(): JavaCompiler = compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
+    suspend fun loadCompiler(): JavaCompiler =
+        compiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { compiler = it }
 
     suspend fun loadNxj() {
         if (nxj == null) nxj = NxjLibrary.load()

@@ -18,7 +18,13 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
     fun mistakeInImage(source: ProgramSource): Diagnostic? {
         if (source.isForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
-        return if (program.java == JavaPlatform.LEJOS) null else diagnosticOf(source, messages.noImageFor(program.label))
+        return if (program.java ==
+            JavaPlatform.LEJOS
+        ) {
+            null
+        } else {
+            diagnosticOf(source, messages.noImageFor(program.label))
+        }
     }
 
     private fun diagnosticOf(source: ProgramSource, message: String): Diagnostic {

@@ -1,7 +1,5 @@
 package robotran.programs
 
-import kotlin.math.abs
-import kotlin.math.hypot
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
@@ -20,6 +18,8 @@ import robotran.simulation.pressRun
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
+import kotlin.math.abs
+import kotlin.math.hypot
 
 /**
  * Runs Robolang programs and their translations for leJOS NXJ, compiled and linked for the virtual machine, on the NXT
@@ -47,7 +47,16 @@ internal class NxtComparison {
     }
 
     private suspend fun compare(path: String, text: String, physics: PhysicsEngine) {
-        val interpreted = (compileRobolang(path, text, nxtTestTarget, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success)?.program ?: return
+        val interpreted =
+            (
+                compileRobolang(
+                    path,
+                    text,
+                    nxtTestTarget,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ) as? RobolangResult.Success
+            )?.program
+                ?: return
         val translated = when (val result = reader.readTranslation(Program(path, ProgramLanguage.ROBOLANG, text))) {
             is ProgramResult.Success -> result.program
 

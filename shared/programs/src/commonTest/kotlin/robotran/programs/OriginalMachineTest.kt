@@ -1,10 +1,5 @@
 package robotran.programs
 
-import kotlin.math.abs
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.rcxrom.program.RcxProgram
 import robotran.tinyvm.TinyVmResult
@@ -12,6 +7,11 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
+import kotlin.math.abs
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** The virtual machine makes the ROM calls that leJOS's own machine made of the same class files. */
 class OriginalMachineTest {

@@ -69,7 +69,14 @@ class RcxLinkTest {
         val waits =
             compiled(Program("waits.nqc", ProgramLanguage.NQC, nqc), testTarget)
         val session =
-            Session(world, listOf(steer, waits).map { RobotProgramSet(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH)
+            Session(
+                world,
+                listOf(steer, waits).map {
+                    RobotProgramSet(listOf(it))
+                },
+                loadPhysicsEngine(),
+                Language.ENGLISH,
+            )
         session.apply(SessionInput.Press(BrickButton.ENTER, 0))
         session.apply(SessionInput.Press(BrickButton.RUN, 1))
         session.advance(200)

@@ -31,15 +31,22 @@ internal val testTarget = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, mill
 internal val nxtTestTarget = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
 
 /** Compiles [text]; null if it has errors. */
-internal fun robolangOf(name: String, text: String): RobolangRcxProgram? =
-    (compileRobolang(name.substringAfterLast('/'), text, testTarget, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success)
-        ?.program as? RobolangRcxProgram
+internal fun robolangOf(name: String, text: String): RobolangRcxProgram? = (
+    compileRobolang(
+        name.substringAfterLast('/'),
+        text,
+        testTarget,
+        messages = RobolangMessages.of(Language.ENGLISH),
+    ) as? RobolangResult.Success
+)
+    ?.program as? RobolangRcxProgram
 
 /** The leJOS translation of [program], linked. Each translation is compiled once for all tests. */
 internal suspend fun ProgramCompiler.translated(program: RobolangProgram): ProgramResult {
     val translation = translateRobolang(program)
     val name = "${translation.className}.java"
-    val compiler = javaCompiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { javaCompiler = it }
+    val compiler =
+        javaCompiler ?: loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).also { javaCompiler = it }
     val compiled =
         compiledTranslations.getOrPut(translation.java) {
             compiler.compile(listOf(SourceFile(name, translation.java)), BrickLibrary.classFiles)

@@ -1,7 +1,5 @@
 package robotran.programs
 
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.javacompiler.CompilationResult
 import robotran.javacompiler.loadJavaCompiler
@@ -10,6 +8,8 @@ import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.programs.image.ImageComparison
 import robotran.rcxrom.RcxBrick
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /**
  * The virtual machine in the mode true to the brick does what the brick's image does: class files are linked to an image,

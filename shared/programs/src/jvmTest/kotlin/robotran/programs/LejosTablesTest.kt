@@ -1,9 +1,5 @@
 package robotran.programs
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -16,6 +12,10 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.translate.translateRobolang
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.Quirk
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 /** What docs/lejos.md says of a real brick is tested, and what the project offers as a program is one for a brick. */
 class LejosTablesTest {

@@ -1,10 +1,5 @@
 package robotran.programs
 
-import kotlin.test.Test
-import kotlin.test.assertContains
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.javacompiler.CompilationResult
@@ -16,6 +11,11 @@ import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.nxjlibrary.NxjLibrary
 import robotran.tinyvm.config.TinyVmMode
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** True to the brick, a program for an NXT uses only what leJOS NXJ has; if forgiving, it may use more. */
 class NxjModesTest {
@@ -51,7 +51,9 @@ class NxjModesTest {
     fun `it is refused in class files of another compiler, too`() = runTest {
         val library = NxjLibrary.load().classFiles
         val sources = listOf(SourceFile("Modern.java", modern))
-        val compiled = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH)).compile(sources, library, target = BrickTarget.LEJOS_NXJ)
+        val compiled = loadJavaCompiler(
+            messages = JavaMessages.of(Language.ENGLISH),
+        ).compile(sources, library, target = BrickTarget.LEJOS_NXJ)
         val classes = assertIs<CompilationResult.Success>(compiled).classes
         val source = ProgramSource.CompiledClasses("Modern.class", classes)
         val refused = assertIs<ProgramResult.Failure>(compilers.getValue(TinyVmMode.BRICK).read(source)).diagnostics

@@ -46,7 +46,11 @@ sealed interface RobotProgramSets {
  * @param given programs by robot name; see [forFirstRobot] for programs without a robot.
  * @throws Throwable like [ProgramCompiler.read].
  */
-suspend fun readRobotLoads(world: World, reader: ProgramCompiler, given: Map<String, List<ProgramSource>>): RobotProgramSets {
+suspend fun readRobotLoads(
+    world: World,
+    reader: ProgramCompiler,
+    given: Map<String, List<ProgramSource>>,
+): RobotProgramSets {
     val messages = ProjectMessages.of(reader.language)
     assignmentError(world, given, messages)?.let { return it }
     unfinishedRobot(world, reader.language)?.let { return it }

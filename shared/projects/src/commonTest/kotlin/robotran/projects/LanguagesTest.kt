@@ -47,7 +47,9 @@ class LanguagesTest {
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = Program("a.robo", ProgramLanguage.ROBOLANG, text)
         val program = assertIs<ProgramResult.Success>(reader.withLanguage(language).read(source)).program
-        return Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), language).apply { runForGoals() }
+        return Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), language).apply {
+            runForGoals()
+        }
     }
 
     @Test

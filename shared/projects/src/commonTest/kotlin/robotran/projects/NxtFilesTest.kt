@@ -85,7 +85,8 @@ class NxtFilesTest {
 
     @Test
     fun `a run begins with the files, and a link has none`() = runTest {
-        val loads = loadsWith(PROJECT_WITH_FILES.robots, PROJECT_WITH_FILES.world, List(2) { RobotProgramSet(emptyList()) })
+        val loads =
+            loadsWith(PROJECT_WITH_FILES.robots, PROJECT_WITH_FILES.world, List(2) { RobotProgramSet(emptyList()) })
         assertEquals(listOf(files, files), loads.map { it.files })
         val link = assertIs<LinkCreation.Made>(linkOf(PROJECT_WITH_FILES, Language.ENGLISH)).fragment
         val opened = assertIs<LinkResult.OfProject>(openLink(link, Language.ENGLISH))

@@ -100,7 +100,8 @@ class TalkingRobotsTest {
             "other nqc" to listOf(listening),
         )
         val result = readRobotLoads(world, ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH), programs)
-        val session = Session(world, assertIs<RobotProgramSets.Success>(result).loads, loadPhysicsEngine(), Language.ENGLISH)
+        val session =
+            Session(world, assertIs<RobotProgramSets.Success>(result).loads, loadPhysicsEngine(), Language.ENGLISH)
         session.runUnattended(MILLISECONDS)
         val robots = session.state.robots
         assertEquals(5, assertIs<RcxState>(robots[1].brick).glass.text.trim().substringBefore(' ').toInt())

@@ -46,7 +46,13 @@ internal class BrickScript(private val path: String, private val text: String) {
             }
 
             "wait" -> advance(rest.toLong())
-            "programs" -> brick = RcxBrick(rest.split(' ').map(::scriptedProgram), InfraredAir(), messages = BrickMessages.of(Language.ENGLISH))
+            "programs" ->
+                brick =
+                    RcxBrick(
+                        rest.split(' ').map(::scriptedProgram),
+                        InfraredAir(),
+                        messages = BrickMessages.of(Language.ENGLISH),
+                    )
             in ACTIONS -> act(word, rest)
             else -> compare(statement, rest, seen(word, rest))
         }

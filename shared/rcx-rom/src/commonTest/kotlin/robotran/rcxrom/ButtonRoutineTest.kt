@@ -1,7 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.log.CallOutcome
@@ -11,6 +9,8 @@ import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sensors.Battery
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class ButtonRoutineTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

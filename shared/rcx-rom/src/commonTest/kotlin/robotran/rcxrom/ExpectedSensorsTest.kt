@@ -1,7 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramStatus
 import robotran.brick.sensors.ExpectedSensor
@@ -11,6 +9,8 @@ import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.sensors.SensorCode
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 /** Which sensors a program expects at the ports is seen from what it sets and powers. */
 class ExpectedSensorsTest {
@@ -25,7 +25,11 @@ class ExpectedSensorsTest {
     private val initialising = (1..SensorCode.PORTS).map { setting(it, SensorCode.TYPE_LIGHT) }
 
     private fun brickAfter(actions: List<(Rom) -> ProgramStatus>): RcxBrick {
-        val brick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)), messages = BrickMessages.of(Language.ENGLISH))
+        val brick =
+            RcxBrick(
+                listOf(ScriptedProgram(actions, statusAtEnd = ProgramStatus.Running)),
+                messages = BrickMessages.of(Language.ENGLISH),
+            )
         brick.push(BrickButton.RUN)
         brick.tick(20)
         return brick

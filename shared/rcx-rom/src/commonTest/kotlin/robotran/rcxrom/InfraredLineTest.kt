@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
@@ -16,6 +12,10 @@ import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.Rom
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 /** Plain bytes past the ROM, as josx `LLC` sends and receives them. */
 class InfraredLineTest {

@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.state.RunState
@@ -16,6 +12,10 @@ import robotran.rcxrom.infrared.InfraredRange
 import robotran.rcxrom.infrared.SerialReceiver
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class InfraredTest {
     private val air = InfraredAir()

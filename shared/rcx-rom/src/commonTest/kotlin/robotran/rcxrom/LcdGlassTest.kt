@@ -1,8 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNotEquals
 import robotran.language.Language
 import robotran.rcxrom.display.Lcd
 import robotran.rcxrom.display.LcdGlass
@@ -12,6 +9,9 @@ import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotEquals
 
 class LcdGlassTest {
     private val memory = RcxMemory()
@@ -84,7 +84,13 @@ class LcdGlassTest {
 
     @Test
     fun `everything there is to see can be told in words`() {
-        assertEquals("9.0 0, standing man", RcxBrick(listOf(endlessProgram()), messages = BrickMessages.of(Language.ENGLISH)).state.glass.describe(messages = BrickMessages.of(Language.ENGLISH)))
+        assertEquals(
+            "9.0 0, standing man",
+            RcxBrick(
+                listOf(endlessProgram()),
+                messages = BrickMessages.of(Language.ENGLISH),
+            ).state.glass.describe(messages = BrickMessages.of(Language.ENGLISH)),
+        )
         assertEquals("", LcdGlass.BLANK.describe(messages = BrickMessages.of(Language.ENGLISH)))
         val memory = RcxMemory()
         LcdIcon.LOW_BATTERY.segments.forEach { it.set(memory, on = true) }

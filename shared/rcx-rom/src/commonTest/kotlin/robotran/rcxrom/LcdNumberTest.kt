@@ -1,8 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.log.CallOutcome
 import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
@@ -11,6 +8,9 @@ import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class LcdNumberTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -1,7 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
@@ -11,6 +9,8 @@ import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.controls.romCode
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class MotorRoutineTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -175,7 +175,14 @@ class ProgramOnBrickTest {
     @Test
     fun `a brick takes five programs and no more`() {
         RcxBrick(List(BrickProgram.MAX_PROGRAMS) { endlessProgram() }, messages = BrickMessages.of(Language.ENGLISH))
-        assertFailsWith<IllegalArgumentException> { RcxBrick(List(BrickProgram.MAX_PROGRAMS + 1) { endlessProgram() }, messages = BrickMessages.of(Language.ENGLISH)) }
+        assertFailsWith<IllegalArgumentException> {
+            RcxBrick(
+                List(BrickProgram.MAX_PROGRAMS + 1) {
+                    endlessProgram()
+                },
+                messages = BrickMessages.of(Language.ENGLISH),
+            )
+        }
     }
 
     @Test
@@ -268,5 +275,8 @@ class ProgramOnBrickTest {
     private fun started(
         actions: List<(Rom) -> ProgramStatus>,
         statusAtEnd: ProgramStatus = ProgramStatus.Ended,
-    ): RcxBrick = RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd)), messages = BrickMessages.of(Language.ENGLISH)).apply { push(BrickButton.RUN) }
+    ): RcxBrick =
+        RcxBrick(listOf(ScriptedProgram(actions, statusAtEnd)), messages = BrickMessages.of(Language.ENGLISH)).apply {
+            push(BrickButton.RUN)
+        }
 }

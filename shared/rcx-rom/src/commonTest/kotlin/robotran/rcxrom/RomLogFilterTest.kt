@@ -1,7 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.log.CallGroup
 import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
@@ -16,6 +14,8 @@ import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class RomLogFilterTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -1,8 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.controls.MotorMode
 import robotran.brick.log.CallOutcome
 import robotran.language.Language
@@ -12,6 +9,9 @@ import robotran.rcxrom.call.RomCallText
 import robotran.rcxrom.call.RomTable
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class RomReportTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))
@@ -63,7 +63,13 @@ class RomReportTest {
     @Test
     fun `every other routine is there`() {
         for (signature in RomTable.signatures - RomTable.signatures.filter { it.gap != null }.toSet()) {
-            val entry = Hardware(messages = BrickMessages.of(Language.ENGLISH)).call(signature.address, (signature.codeGroup ?: 0x90) shl 8, 0x9000, 0x9010, 4)
+            val entry = Hardware(messages = BrickMessages.of(Language.ENGLISH)).call(
+                signature.address,
+                (signature.codeGroup ?: 0x90) shl 8,
+                0x9000,
+                0x9010,
+                4,
+            )
             assertTrue(
                 entry.outcome == CallOutcome.DONE || entry.outcome == CallOutcome.WRONG_ARGUMENTS,
                 signature.name,

@@ -1,7 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.messages.BrickMessages
@@ -10,6 +8,8 @@ import robotran.rcxrom.sensors.RotationSensor
 import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorRequest
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class RotationTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

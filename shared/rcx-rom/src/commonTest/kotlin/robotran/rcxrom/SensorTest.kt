@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.log.CallOutcome
 import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
@@ -15,6 +11,10 @@ import robotran.rcxrom.sensors.SensorField
 import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sensors.SensorState
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class SensorTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -16,6 +12,10 @@ import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.sound.SystemSounds
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class ShellTest {
     private val endless = endlessProgram()

@@ -1,10 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.math.abs
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.brick.log.CallOutcome
 import robotran.brick.sound.SoundEvent
 import robotran.brick.sound.SoundTrack
@@ -13,6 +8,11 @@ import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.math.abs
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class SoundRoutineTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -1,9 +1,5 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
@@ -12,6 +8,10 @@ import robotran.rcxrom.display.LcdGlyphs
 import robotran.rcxrom.display.TextLcd
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class TextLcdTest {
     private val hardware = Hardware(messages = BrickMessages.of(Language.ENGLISH))

@@ -1,12 +1,12 @@
 package robotran.rcxrom
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.rcxrom.memory.MemoryRegion
 import robotran.rcxrom.memory.RcxMemory
 import robotran.rcxrom.messages.BrickMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class MemoryTest {
     private val memory = RcxMemory()

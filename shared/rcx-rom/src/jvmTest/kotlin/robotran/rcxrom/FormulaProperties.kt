@@ -10,7 +10,6 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
-import kotlin.math.abs
 import robotran.language.Language
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
@@ -23,6 +22,7 @@ import robotran.rcxrom.sensors.SensorMode
 import robotran.rcxrom.sensors.SensorReading
 import robotran.rcxrom.sensors.SensorRequest
 import robotran.rcxrom.sound.Speaker
+import kotlin.math.abs
 
 private val RAW = 0..1023
 

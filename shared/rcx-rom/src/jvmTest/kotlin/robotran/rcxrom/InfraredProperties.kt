@@ -69,7 +69,8 @@ class InfraredProperties :
             val call = Arb.bind(address, Arb.list(Arb.int(0..0xFFFF), 4..4), Arb.int(0..40), ::Triple)
             checkAll(iterations = 60, Arb.list(call, 1..30)) { calls ->
                 val air = InfraredAir()
-                val bricks = List(2) { RcxBrick(listOf(endlessProgram()), air, messages = BrickMessages.of(Language.ENGLISH)) }
+                val bricks =
+                    List(2) { RcxBrick(listOf(endlessProgram()), air, messages = BrickMessages.of(Language.ENGLISH)) }
                 calls.forEachIndexed { number, (address, arguments, wait) ->
                     val message =
                         listOf(if (number % 3 == 0) RomCode.SEND_LONG else RomCode.SEND_SHORT) + arguments.slice(1..2) +

@@ -12,7 +12,6 @@ import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import io.kotest.property.exhaustive.ints
-import kotlin.math.abs
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.language.Language
@@ -24,6 +23,7 @@ import robotran.rcxrom.log.RomLogEntry
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.routines.Hardware
 import robotran.rcxrom.sound.Speaker
+import kotlin.math.abs
 
 private val WORDS = 0..0xFFFF
 private const val NUMBERS_SHOWN = 20_000

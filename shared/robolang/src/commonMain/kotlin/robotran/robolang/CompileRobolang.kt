@@ -20,12 +20,7 @@ import robotran.robolang.syntax.scan
  * @param robot the robot that it will run on. A program whose header names another brick has a mistake.
  * @param messages the diagnostics in the pupil's language.
  */
-fun compileRobolang(
-    name: String,
-    source: String,
-    robot: RobotTarget,
-    messages: RobolangMessages,
-): RobolangResult {
+fun compileRobolang(name: String, source: String, robot: RobotTarget, messages: RobolangMessages): RobolangResult {
     val diagnostics = DiagnosticSink(messages, name)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
         val start = SourceRange(line = 1, column = 1, endColumn = 1)

@@ -31,7 +31,8 @@ object RobolangWords {
     internal fun keywordsOn(brick: BrickKind): List<String> = wordsOn(brick) { true }
 
     /** Those of them that begin a value, and the operators. */
-    internal fun valueWordsOn(brick: BrickKind): List<String> = wordsOn(brick) { it.beginsValue || it.text in operators }
+    internal fun valueWordsOn(brick: BrickKind): List<String> =
+        wordsOn(brick) { it.beginsValue || it.text in operators }
 
     private fun wordsOn(brick: BrickKind, isMeant: (Keyword) -> Boolean): List<String> =
         Keyword.entries.filter { it.isOn(brick) && isMeant(it) }.map { it.text }

@@ -1,9 +1,5 @@
 package robotran.robolang
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNull
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.source.Diagnostic
@@ -13,6 +9,10 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueForm
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
 
 /** What depends on the brick of the robot. */
 class BrickTest {

@@ -1,10 +1,5 @@
 package robotran.robolang
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
@@ -16,6 +11,11 @@ import robotran.robolang.outline.ProgramOutline
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 class OutlineTest {
     private val programs = testPrograms + examplePrograms
@@ -41,7 +41,14 @@ class OutlineTest {
     fun `the blocks of a program without mistakes are those that the formatter indents`() {
         var lines = 0
         for ((name, program) in programs) {
-            val formatted = (formatRobolang(program, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text ?: continue
+            val formatted =
+                (
+                    formatRobolang(
+                        program,
+                        messages = RobolangMessages.of(Language.ENGLISH),
+                    ) as? FormatResult.Success
+                )?.text
+                    ?: continue
             for (line in outlineRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)).lines) {
                 val text = line.span.textIn(formatted)
                 if (line.role == LineRole.BLANK) continue
@@ -56,7 +63,10 @@ class OutlineTest {
     @Test
     fun `a line has its form, and values with what they are for`() {
         val outline =
-            outlineRobolang("turn  right 90 + x degrees // far\nmotor a float\nvar list = [1, 2]\nshow list[0]\n", messages = RobolangMessages.of(Language.ENGLISH))
+            outlineRobolang(
+                "turn  right 90 + x degrees // far\nmotor a float\nvar list = [1, 2]\nshow list[0]\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         val (turn, motor, list, show) = outline.lines
         assertEquals(LineForm.TURN, turn.form)
         assertEquals(listOf("turn", "right", "90 + x", "degrees"), outline.words(turn))
@@ -77,7 +87,11 @@ class OutlineTest {
 
     @Test
     fun `a line with a mistake has no form but its message, and its neighbours keep theirs`() {
-        val outline = outlineRobolang("repeat 4 times\n  forwrd 20\n  beep\nend\nshow 3000000000\n\"\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val outline =
+            outlineRobolang(
+                "repeat 4 times\n  forwrd 20\n  beep\nend\nshow 3000000000\n\"\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         assertEquals(
             listOf(LineForm.REPEAT, null, LineForm.BEEP, LineForm.END, null, null, null),
             outline.lines.map { it.form },
@@ -88,15 +102,25 @@ class OutlineTest {
 
     @Test
     fun `a block without its end keeps its form and has the message`() {
-        val line = outlineRobolang("repeat 4 times\nbeep", messages = RobolangMessages.of(Language.ENGLISH)).lines.first()
+        val line = outlineRobolang(
+            "repeat 4 times\nbeep",
+            messages = RobolangMessages.of(Language.ENGLISH),
+        ).lines.first()
         assertEquals(LineForm.REPEAT, line.form)
         assertNotNull(line.mistake)
-        assertNull(outlineRobolang("show x", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().mistake, "names are the checker's")
+        assertNull(
+            outlineRobolang("show x", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().mistake,
+            "names are the checker's",
+        )
     }
 
     @Test
     fun `names of inner blocks end with them`() {
-        val outline = outlineRobolang("var a = 1\nif a == 1\n  var b = a\n  beep\nelse\n  beep\nend\nbeep\n", messages = RobolangMessages.of(Language.ENGLISH))
+        val outline =
+            outlineRobolang(
+                "var a = 1\nif a == 1\n  var b = a\n  beep\nelse\n  beep\nend\nbeep\n",
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
 
         fun names(line: Int) = outline.namesBefore(line).map { it.text }
         assertEquals(listOf("a", "b"), names(3))

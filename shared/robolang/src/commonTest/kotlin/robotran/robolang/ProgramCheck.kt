@@ -10,7 +10,15 @@ import robotran.robolang.messages.RobolangMessages
 /** Compares a program's run with its expectations; returns each difference as a sentence with the program's path. */
 internal fun differences(program: TestProgram): List<String> {
     val expected = Expectations(program.text)
-    val differences = when (val result = compileRobolang(program.path, program.text, robotFor(program.text), messages = RobolangMessages.of(Language.ENGLISH))) {
+    val differences = when (
+        val result =
+            compileRobolang(
+                program.path,
+                program.text,
+                robotFor(program.text),
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
+    ) {
         is RobolangResult.Failure -> differencesOfMistakes(expected, result.diagnostics)
 
         is RobolangResult.Success -> differencesOfWarnings(expected, result.warnings)

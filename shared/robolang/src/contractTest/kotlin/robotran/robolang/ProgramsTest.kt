@@ -1,11 +1,11 @@
 package robotran.robolang
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class ProgramsTest {
     @Test
@@ -29,7 +29,14 @@ class ProgramsTest {
     fun `every example runs for a minute, or to its end, without a mistake or a warning`() {
         assertTrue(examplePrograms.size >= 20, "only ${examplePrograms.size} examples were found")
         val problems = examplePrograms.flatMap { (path, text) ->
-            when (val result = compileRobolang(path, text, testTarget, messages = RobolangMessages.of(Language.ENGLISH))) {
+            when (
+                val result = compileRobolang(
+                    path,
+                    text,
+                    testTarget,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                )
+            ) {
                 is RobolangResult.Failure -> result.diagnostics.map { "$path:${it.range?.line} ${it.message}" }
 
                 is RobolangResult.Success -> result.warnings.map { "$path:${it.range?.line} ${it.message}" } +

@@ -12,7 +12,6 @@ import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.arbitrary.string
 import io.kotest.property.checkAll
-import kotlin.random.Random
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.format.FormatResult
@@ -31,6 +30,7 @@ import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.readNumber
+import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)
 class RobolangFuzzTest :
@@ -63,7 +63,13 @@ class RobolangFuzzTest :
         "a generated program has no mistakes, and formatted it is the same tree" {
             checkAll(config(2_000), programs) { source ->
                 mistakesOf(source).shouldBeEmpty()
-                (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) is FormatResult.Success) shouldBe true
+                (
+                    formatRobolang(
+                        source,
+                        messages = RobolangMessages.of(Language.ENGLISH),
+                    ) is FormatResult.Success
+                ) shouldBe
+                    true
                 checkFormatting(source)
             }
         }

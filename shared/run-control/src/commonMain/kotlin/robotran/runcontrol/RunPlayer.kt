@@ -106,7 +106,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         if (!state.robots[robot].brick.isSnippet) return null
         val now = time
         val input =
-            recordedInputs.lastOrNull { it.milliseconds <= now && (it.input as? SessionInput.RunSnippet)?.robot == robot }
+            recordedInputs.lastOrNull {
+                it.milliseconds <= now && (it.input as? SessionInput.RunSnippet)?.robot == robot
+            }
         return (input?.input as? SessionInput.RunSnippet)?.program
     }
 

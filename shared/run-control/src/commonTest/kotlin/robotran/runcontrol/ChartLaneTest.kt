@@ -1,9 +1,5 @@
 package robotran.runcontrol
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.MeasuringUnit
@@ -21,6 +17,10 @@ import robotran.world.Wall
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class ChartLaneTest {
     @Test
@@ -85,7 +85,9 @@ class ChartLaneTest {
     private suspend fun run(source: String, world: World): RunPlayer {
         val drive = ReadyRobots.NXT_PENBOT.drive
         val target = RobotTarget.Nxt(drive.wheelDiameter, drive.track)
-        val program = assertIs<RobolangResult.Success>(compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH))).program
+        val program = assertIs<RobolangResult.Success>(
+            compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH)),
+        ).program
         val player =
             RunPlayer(RunSetup(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH))
         player.apply(SessionInput.RunSnippet(program, 0))

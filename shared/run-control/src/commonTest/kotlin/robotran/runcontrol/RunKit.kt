@@ -1,6 +1,5 @@
 package robotran.runcontrol
 
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
@@ -16,14 +15,23 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import kotlin.test.assertIs
 
 internal fun robolang(source: String): BrickProgram {
     val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    return assertIs<RobolangResult.Success>(compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH))).program
+    return assertIs<RobolangResult.Success>(
+        compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH)),
+    ).program
 }
 
-internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup =
-    RunSetup(world, world.robots.map { RobotProgramSet(listOf(robolang(source))) }, loadPhysicsEngine(), Language.ENGLISH)
+internal suspend fun setupOf(source: String, world: World = BuiltInWorlds.plain): RunSetup = RunSetup(
+    world,
+    world.robots.map {
+        RobotProgramSet(listOf(robolang(source)))
+    },
+    loadPhysicsEngine(),
+    Language.ENGLISH,
+)
 
 /** A run of [source] in which Run was pressed on all robots at the start. */
 internal suspend fun started(source: String, world: World = BuiltInWorlds.plain): RunPlayer =

@@ -1,8 +1,5 @@
 package robotran.scene3d
 
-import kotlin.math.atan2
-import kotlin.math.cos
-import kotlin.math.sin
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
@@ -19,6 +16,9 @@ import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
+import kotlin.math.atan2
+import kotlin.math.cos
+import kotlin.math.sin
 
 /** Any angle functions do for a picture. */
 internal object TestTrigonometry : Trigonometry {
@@ -62,7 +62,9 @@ internal fun restingState(
     blocks: List<Pose> = world.blocks.map { Pose(0.0, 0.0, 0.0) },
 ) = SessionState(
     milliseconds = 0,
-    robots = robots.map { RobotSnapshot(RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state, it, 0, emptyList(), 0) },
+    robots = robots.map {
+        RobotSnapshot(RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state, it, 0, emptyList(), 0)
+    },
     blocks = blocks,
     lamps = world.lamps.map { LampState(it.place, it.on) },
     ink = Ink.NONE,

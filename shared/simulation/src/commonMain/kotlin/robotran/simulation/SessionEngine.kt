@@ -47,7 +47,17 @@ internal class SessionEngine(
 
     /** In the world's order. */
     val robots = world.robots.indices.map {
-        RobotInSession(it, world, loads.getOrElse(it) { RobotProgramSet(emptyList()) }, simulation, air, network, language)
+        RobotInSession(
+            it,
+            world,
+            loads.getOrElse(it) {
+                RobotProgramSet(emptyList())
+            },
+            simulation,
+            air,
+            network,
+            language,
+        )
     }
 
     private val programEvents = ProgramEvents(robots.map { it.brick.sounds })

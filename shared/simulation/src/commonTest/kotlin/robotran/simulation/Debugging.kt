@@ -1,7 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
@@ -14,11 +12,15 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 /** A session that has just started the Robolang program [source], named `test`. */
 internal suspend fun startedForDebugging(source: String, world: World = BuiltInWorlds.plain): Session {
     val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-    val program = assertIs<RobolangResult.Success>(compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH))).program
+    val program = assertIs<RobolangResult.Success>(
+        compileRobolang("test", source, target, messages = RobolangMessages.of(Language.ENGLISH)),
+    ).program
     return Session(world, listOf(program), loadPhysicsEngine(), Language.ENGLISH).apply {
         apply(SessionInput.Press(BrickButton.RUN))
         apply(SessionInput.Release(BrickButton.RUN))

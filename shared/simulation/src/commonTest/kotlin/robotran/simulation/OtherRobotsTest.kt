@@ -1,9 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
@@ -35,6 +31,10 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.robot.RobotFigures
 import robotran.world.robot.robotErrors
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 /** Robots of other shapes drive, touch and see by their descriptions. */
 class OtherRobotsTest {
@@ -49,8 +49,18 @@ class OtherRobotsTest {
     private suspend fun run(program: String, world: World): Session {
         val figures = RobotFigures.of(world.robots.first().description)
         val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
-        val ready = compileRobolang("test", program, target, messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success
-        return Session(world, listOf(RobotProgramSet(listOf(ready.program))), loadPhysicsEngine(), Language.ENGLISH).apply {
+        val ready = compileRobolang(
+            "test",
+            program,
+            target,
+            messages = RobolangMessages.of(Language.ENGLISH),
+        ) as RobolangResult.Success
+        return Session(
+            world,
+            listOf(RobotProgramSet(listOf(ready.program))),
+            loadPhysicsEngine(),
+            Language.ENGLISH,
+        ).apply {
             runUnattended(30_000)
         }
     }
@@ -191,9 +201,16 @@ class OtherRobotsTest {
     fun `all of a robot is its own footprint`() = runTest {
         val region = Shape.Rectangle(Point(plain.start.x + 3.0, plain.start.y), 22.0, 20.0)
         val stay = plain.copy(goals = listOf(Goal(StayIn(region, whole = true))))
-        val small = Session(stay, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH).apply { finish() }
+        val small = Session(stay, emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH).apply {
+            finish()
+        }
         val wide = racer.copy(drive = racer.drive.copy(track = 19.0))
-        val large = Session(stay.with(wide), emptyList<RobotProgramSet>(), loadPhysicsEngine(), Language.ENGLISH).apply {
+        val large = Session(
+            stay.with(wide),
+            emptyList<RobotProgramSet>(),
+            loadPhysicsEngine(),
+            Language.ENGLISH,
+        ).apply {
             finish()
         }
         assertTrue(small.state.goals.single().status == GoalStatus.MET)

@@ -1,10 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotEquals
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.robolang.RobolangResult
@@ -20,6 +15,11 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 import robotran.world.robot.RobotFigures
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
+import kotlin.time.Duration.Companion.minutes
 
 /** A robot that is built like the penbot runs as the penbot, bit for bit, wherever its description comes from. */
 class PenbotAsDataTest {
@@ -30,7 +30,15 @@ class PenbotAsDataTest {
     private suspend fun hash(name: String, world: World): String {
         val figures = RobotFigures.of(world.robots.first().description)
         val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
-        val ready = assertIs<RobolangResult.Success>(compileRobolang(name, exampleTexts.getValue(name), target, messages = RobolangMessages.of(Language.ENGLISH)))
+        val ready =
+            assertIs<RobolangResult.Success>(
+                compileRobolang(
+                    name,
+                    exampleTexts.getValue(name),
+                    target,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ),
+            )
         val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val session =
             Session(

@@ -1,11 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertIs
-import kotlin.test.assertNotEquals
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.BrickProgram
@@ -22,10 +16,22 @@ import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertNotEquals
+import kotlin.test.assertTrue
 
 class RunSnippetTest {
-    private fun program(text: String): BrickProgram =
-        (compileRobolang("now.robo", text, RobotTarget.Rcx(50.0, 5.0), messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success).program
+    private fun program(text: String): BrickProgram = (
+        compileRobolang(
+            "now.robo",
+            text,
+            RobotTarget.Rcx(50.0, 5.0),
+            messages = RobolangMessages.of(Language.ENGLISH),
+        ) as RobolangResult.Success
+    ).program
 
     private suspend fun session(text: String = "beep") =
         Session(BuiltInWorlds.plain, listOf(program(text)), loadPhysicsEngine(), Language.ENGLISH)

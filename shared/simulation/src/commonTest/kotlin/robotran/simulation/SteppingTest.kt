@@ -1,9 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
@@ -18,6 +14,10 @@ import robotran.robolang.robot.RobotTarget
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class SteppingTest {
     private suspend fun started(source: String): Session = startedForDebugging(source)
@@ -131,7 +131,13 @@ class SteppingTest {
         session.apply(SessionInput.Stop)
         session.advance(100)
         val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val program = compileRobolang("test", "beep\nbeep\nbeep\nforward 20", target, messages = RobolangMessages.of(Language.ENGLISH))
+        val program =
+            compileRobolang(
+                "test",
+                "beep\nbeep\nbeep\nforward 20",
+                target,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            )
         val loads = listOf(RobotProgramSet(listOf(assertIs<RobolangResult.Success>(program).program)))
         val again = Session.replay(
             BuiltInWorlds.plain,

@@ -1,11 +1,5 @@
 package robotran.simulation
 
-import kotlin.io.encoding.Base64
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
@@ -24,6 +18,12 @@ import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.linkTinyVm
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.world.file.BuiltInWorlds
+import kotlin.io.encoding.Base64
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** Steps through `Stepped.java`, whose second thread counts while main sleeps. */
 class ThreadSteppingTest {
@@ -32,7 +32,9 @@ class ThreadSteppingTest {
             path.substringAfter('/').removeSuffix(".class") to Base64.decode(bytes)
         }
         val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
-        val program = assertIs<TinyVmResult.Success>(linkTinyVm("Stepped", classes, library, messages = TinyVmMessages.of(Language.ENGLISH))).program
+        val program = assertIs<TinyVmResult.Success>(
+            linkTinyVm("Stepped", classes, library, messages = TinyVmMessages.of(Language.ENGLISH)),
+        ).program
         return Session(BuiltInWorlds.plain, listOf(program), loadPhysicsEngine(), Language.ENGLISH).apply {
             apply(SessionInput.Press(BrickButton.RUN))
             apply(SessionInput.Release(BrickButton.RUN))

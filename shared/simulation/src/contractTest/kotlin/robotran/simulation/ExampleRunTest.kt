@@ -1,10 +1,5 @@
 package robotran.simulation
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.robolang.RobolangResult
@@ -15,6 +10,11 @@ import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.LightFacing
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 /**
  * Runs the examples like `robotran run` and compares the reports with those in `resources/runs`. Their trace hash
@@ -25,7 +25,15 @@ import robotran.world.file.BuiltInWorlds
 class ExampleRunTest {
     private suspend fun run(name: String): Session {
         val target = RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE)
-        val result = assertIs<RobolangResult.Success>(compileRobolang(name, exampleTexts.getValue(name), target, messages = RobolangMessages.of(Language.ENGLISH)))
+        val result =
+            assertIs<RobolangResult.Success>(
+                compileRobolang(
+                    name,
+                    exampleTexts.getValue(name),
+                    target,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ),
+            )
         val facing = result.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
         val load = RobotProgramSet(listOf(result.program), lightFacing = facing)
         return Session(BuiltInWorlds.plain, listOf(load), loadPhysicsEngine(), Language.ENGLISH).apply {
@@ -41,7 +49,13 @@ class ExampleRunTest {
             val session = run(name)
             val record = name.removeSuffix(".robo")
             val callLog = session.callLog.entries.joinToString("") { it.text + "\n" }
-            assertEquals(expectedRuns["$record.rom-log.txt"], callLog.takeIf { it.length <= LONGEST_RECORDED_LOG }, name)
+            assertEquals(
+                expectedRuns["$record.rom-log.txt"],
+                callLog.takeIf {
+                    it.length <= LONGEST_RECORDED_LOG
+                },
+                name,
+            )
             assertEquals(expectedRuns["$record.report.json"], session.report().toJson() + "\n", name)
         }
     }

@@ -12,7 +12,6 @@ import io.kotest.property.arbitrary.double
 import io.kotest.property.arbitrary.element
 import io.kotest.property.arbitrary.int
 import io.kotest.property.checkAll
-import kotlin.math.hypot
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
@@ -41,6 +40,7 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.world.robot.RobotFigures
 import robotran.world.robot.robotErrors
+import kotlin.math.hypot
 
 /**
  * A robot described at random is refused in a sentence, or is the same after it has been written and read, and drives
@@ -164,7 +164,14 @@ private fun programFor(robot: RobotDescription): BrickProgram {
     val text =
         "${pen}repeat 5 times\n  forward 40\n  turn left 100\n  show light\n$nxt  backward 25\n  turn right 30\n" +
             "  power 7\n  start forward\n  wait 2 seconds\n  stop\n  power 3\nend\n"
-    return (compileRobolang("random", text, targetOf(robot), messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success).program
+    return (
+        compileRobolang(
+            "random",
+            text,
+            targetOf(robot),
+            messages = RobolangMessages.of(Language.ENGLISH),
+        ) as RobolangResult.Success
+    ).program
 }
 
 private fun targetOf(robot: RobotDescription): RobotTarget = with(robot.drive) {

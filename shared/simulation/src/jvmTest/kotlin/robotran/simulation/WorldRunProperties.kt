@@ -31,7 +31,8 @@ class WorldRunProperties :
         }
 
         fun run(world: World, physics: PhysicsEngine) {
-            val session = Session(world, world.robots.map { RobotProgramSet(listOf(driving)) }, physics, Language.ENGLISH)
+            val session =
+                Session(world, world.robots.map { RobotProgramSet(listOf(driving)) }, physics, Language.ENGLISH)
             session.pressRun()
             session.advance(250)
             val places = session.state.robots.map { it.robot.pose } + session.state.blocks

@@ -40,7 +40,12 @@ class InputLinkTest {
         var draft = TextDocument("// \nbeep", TextSelection(3))
         link.fieldFor(draft)
         for (stage in listOf("~", "ñ", "にほ", "日本")) {
-            draft = link.received(draft, TextDocument("// $stage\nbeep", TextSelection(3 + stage.length)), isComposing = true)
+            draft =
+                link.received(
+                    draft,
+                    TextDocument("// $stage\nbeep", TextSelection(3 + stage.length)),
+                    isComposing = true,
+                )
         }
         assertEquals("// 日本\nbeep", draft.text)
         draft = link.received(draft, TextDocument("// 日本", TextSelection(5)), isComposing = false)
@@ -67,6 +72,9 @@ class InputLinkTest {
         val draft = TextDocument(text, TextSelection(0, text.length))
         link.fieldFor(draft)
         assertEquals("", link.received(draft, TextDocument("", TextSelection(0)), isComposing = false).text)
-        assertEquals("b", link.received(draft, TextDocument("b", TextSelection(1)), isComposing = false).text.takeLast(1))
+        assertEquals(
+            "b",
+            link.received(draft, TextDocument("b", TextSelection(1)), isComposing = false).text.takeLast(1),
+        )
     }
 }

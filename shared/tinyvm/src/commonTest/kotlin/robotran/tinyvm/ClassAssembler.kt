@@ -127,7 +127,12 @@ internal fun linkMain(code: ClassAssembler.() -> List<Int>): TinyVmResult {
     val assembler = ClassAssembler("Main", "java/lang/Object")
     assembler.addMethod("show", "(I)V", 0x9, showing(assembler))
     assembler.addMethod("main", "([Ljava/lang/String;)V", 0x9, assembler.code())
-    return linkTinyVm("Main", mapOf("Main" to assembler.assemble()), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH))
+    return linkTinyVm(
+        "Main",
+        mapOf("Main" to assembler.assemble()),
+        minLibrary,
+        messages = TinyVmMessages.of(Language.ENGLISH),
+    )
 }
 
 private fun showing(assembler: ClassAssembler): List<Int> = with(assembler) {

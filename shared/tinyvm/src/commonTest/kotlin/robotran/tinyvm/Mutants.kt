@@ -1,11 +1,11 @@
 package robotran.tinyvm
 
-import kotlin.random.Random
 import robotran.brick.program.ProgramStatus
 import robotran.language.Language
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.programs.libraryClassFiles
+import kotlin.random.Random
 
 /**
  * Links and runs a program of [classes] with a [mutated] class file. Fails if the machine's state becomes invalid; false if it rejects the program.
@@ -14,7 +14,15 @@ internal fun runMutant(classes: Map<String, ByteArray>, mainClass: String, rando
     val name = classes.keys.random(random)
     val bytes = mutated(classes.getValue(name), random)
     val mode = if (random.nextInt(8) == 0) TinyVmMode.FORGIVING else TinyVmMode.BRICK
-    val result = linkTinyVm("mutant", classes + (name to bytes), libraryClassFiles, mainClass, mode, messages = TinyVmMessages.of(Language.ENGLISH))
+    val result =
+        linkTinyVm(
+            "mutant",
+            classes + (name to bytes),
+            libraryClassFiles,
+            mainClass,
+            mode,
+            messages = TinyVmMessages.of(Language.ENGLISH),
+        )
     if (result is TinyVmResult.Success) run(result.program)
     return result is TinyVmResult.Success
 }

@@ -158,7 +158,15 @@ class VerifierTest {
         val loop = ClassAssembler("Main", "Main").apply {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }
-        val refused = assertIs<TinyVmResult.Failure>(linkTinyVm("Main", mapOf("Main" to loop.assemble()), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH)))
+        val refused =
+            assertIs<TinyVmResult.Failure>(
+                linkTinyVm(
+                    "Main",
+                    mapOf("Main" to loop.assemble()),
+                    minLibrary,
+                    messages = TinyVmMessages.of(Language.ENGLISH),
+                ),
+            )
         assertEquals(TinyVmMessages.of(Language.ENGLISH).cyclicInheritance("Main"), refused.refusal.message)
     }
 
@@ -168,7 +176,14 @@ class VerifierTest {
             addMethod("main", "([Ljava/lang/String;)V", 0x9, listOf(0xB1))
         }.assemble()
         for (length in 0 until whole.size) {
-            assertIs<TinyVmResult.Failure>(linkTinyVm("Main", mapOf("Main" to whole.copyOf(length)), minLibrary, messages = TinyVmMessages.of(Language.ENGLISH)))
+            assertIs<TinyVmResult.Failure>(
+                linkTinyVm(
+                    "Main",
+                    mapOf("Main" to whole.copyOf(length)),
+                    minLibrary,
+                    messages = TinyVmMessages.of(Language.ENGLISH),
+                ),
+            )
         }
     }
 }

@@ -1,8 +1,5 @@
 package robotran.tinyvm
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
@@ -18,6 +15,9 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.programs.libraryClassFiles
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class DebuggingTest {
     private val source = """
@@ -76,7 +76,9 @@ class DebuggingTest {
             "class Helper {\nstatic int none;\nstatic void help() {\njosx.platform.rcx.LCD.clear();\nnone = 1 / " +
                 "none;\n}\n}"
         val classes = JavaCompiler.compile(mapOf("Program" to main, "Helper" to helper))
-        val program = assertIs<TinyVmResult.Success>(linkTinyVm("Program", classes, libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH))).program
+        val program = assertIs<TinyVmResult.Success>(
+            linkTinyVm("Program", classes, libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH)),
+        ).program
         val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
         brick.press(BrickButton.RUN)
         brick.release(BrickButton.RUN)

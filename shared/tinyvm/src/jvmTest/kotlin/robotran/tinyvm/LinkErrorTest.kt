@@ -66,14 +66,22 @@ class LinkErrorTest {
     @Test
     fun `no bytes at all and other bytes are refused`() {
         for (bytes in listOf(ByteArray(0), ByteArray(100), "PK archive".encodeToByteArray())) {
-            assertIs<TinyVmResult.Failure>(linkTinyVm("x", mapOf("X" to bytes), libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH)))
+            assertIs<TinyVmResult.Failure>(
+                linkTinyVm("x", mapOf("X" to bytes), libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH)),
+            )
         }
     }
 
     @Test
     fun `a class the library lacks is named`() {
         val library = libraryClassFiles - "josx/platform/rcx/ROM"
-        val result = linkTinyVm("x", JavaCompiler.compile(program("show(1);")), library, messages = TinyVmMessages.of(Language.ENGLISH))
+        val result =
+            linkTinyVm(
+                "x",
+                JavaCompiler.compile(program("show(1);")),
+                library,
+                messages = TinyVmMessages.of(Language.ENGLISH),
+            )
         assertEquals(
             "There is no class josx.platform.rcx.ROM on the brick.",
             assertIs<TinyVmResult.Failure>(result).refusal.message,

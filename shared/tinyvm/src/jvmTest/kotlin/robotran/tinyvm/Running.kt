@@ -1,6 +1,5 @@
 package robotran.tinyvm
 
-import kotlin.test.fail
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
@@ -9,6 +8,7 @@ import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.diagnostic.LinkError
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.programs.libraryClassFiles
+import kotlin.test.fail
 
 internal class RunResult(
     val rom: RecordingRom,
@@ -18,17 +18,32 @@ internal class RunResult(
 )
 
 /** Links the program in [source]; fails if it is rejected. */
-internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram =
-    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, mode = mode, messages = TinyVmMessages.of(Language.ENGLISH))) {
-        is TinyVmResult.Success -> result.program
-        is TinyVmResult.Failure -> fail(result.refusal.toString())
-    }
+internal fun linked(source: String, mode: TinyVmMode = TinyVmMode.BRICK): TinyVmProgram = when (
+    val result =
+        linkTinyVm(
+            "Program",
+            JavaCompiler.compile(source),
+            libraryClassFiles,
+            mode = mode,
+            messages = TinyVmMessages.of(Language.ENGLISH),
+        )
+) {
+    is TinyVmResult.Success -> result.program
+    is TinyVmResult.Failure -> fail(result.refusal.toString())
+}
 
-internal fun refusal(source: String): LinkError =
-    when (val result = linkTinyVm("Program", JavaCompiler.compile(source), libraryClassFiles, messages = TinyVmMessages.of(Language.ENGLISH))) {
-        is TinyVmResult.Success -> fail("it was not refused")
-        is TinyVmResult.Failure -> result.refusal
-    }
+internal fun refusal(source: String): LinkError = when (
+    val result =
+        linkTinyVm(
+            "Program",
+            JavaCompiler.compile(source),
+            libraryClassFiles,
+            messages = TinyVmMessages.of(Language.ENGLISH),
+        )
+) {
+    is TinyVmResult.Success -> fail("it was not refused")
+    is TinyVmResult.Failure -> result.refusal
+}
 
 /** Runs [program] until it ends, for at most [milliseconds]. */
 internal fun run(

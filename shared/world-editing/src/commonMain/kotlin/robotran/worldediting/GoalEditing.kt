@@ -15,7 +15,11 @@ internal fun WorldEditing.goalAdded(edit: WorldEdit.AddGoal): Outcome? {
     if (all.any { it.condition is HasLine } && world.marks.none { it.figure is MarkFigure.Line }) {
         return Outcome.Not(WorldEditError.NeedsLine)
     }
-    if (all.any { it.condition is NeedsTemplate } && world.template == null) return Outcome.Not(WorldEditError.NeedsTemplate)
+    if (all.any { it.condition is NeedsTemplate } &&
+        world.template == null
+    ) {
+        return Outcome.Not(WorldEditError.NeedsTemplate)
+    }
     all.firstNotNullOfOrNull { errorOf(it) }?.let { return Outcome.Not(it) }
     val into = edit.into?.takeIf { allGoals(world.goals).getOrNull(it)?.goal?.isGroup == true }
     val goals = if (into == null) {

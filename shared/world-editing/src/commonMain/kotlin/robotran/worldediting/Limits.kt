@@ -30,7 +30,12 @@ internal fun errorOf(world: World): WorldEditError? {
             world.task.isEmpty() ||
                 isValidText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
         )
-    return if (!isWithin) WorldEditError.OutOfRange else WorldEditError.InvalidText.takeIf { !areTexts } ?: countError(world)
+    return if (!isWithin) {
+        WorldEditError.OutOfRange
+    } else {
+        WorldEditError.InvalidText.takeIf { !areTexts }
+            ?: countError(world)
+    }
 }
 
 /** Whether a file can hold [text] in one line, or in several if [severalLines]. */

@@ -69,7 +69,14 @@ class AddingTest {
 
     @Test
     fun `a point is no line`() {
-        val drawn = emptySheet().after(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE), WorldEdit.Draw(List(5) { Point(3.0, 3.0) }))
+        val drawn = emptySheet().after(
+            WorldEdit.SelectTool(Tool.DRAW_TEMPLATE),
+            WorldEdit.Draw(
+                List(5) {
+                    Point(3.0, 3.0)
+                },
+            ),
+        )
         assertEquals(null, drawn.world.template)
     }
 

@@ -29,7 +29,9 @@ class ChoosingTest {
     @Test
     fun `the Tab key goes through everything, the robot first, and round again, both ways`() {
         val all = two.world.things().size
-        val visited = generateSequence(two.after(WorldEdit.Select(null), WorldEdit.SelectNext())) { it.after(WorldEdit.SelectNext()) }
+        val visited = generateSequence(two.after(WorldEdit.Select(null), WorldEdit.SelectNext())) {
+            it.after(WorldEdit.SelectNext())
+        }
             .take(all).map { it.only }.toList()
         assertEquals(robot, visited.first())
         assertEquals(all, visited.toSet().size)
@@ -39,7 +41,12 @@ class ChoosingTest {
 
     @Test
     fun `a group is chosen and moved as one, and can be taken apart`() {
-        val grouped = two.after(WorldEdit.SelectAll, WorldEdit.Select(robot, adding = true), WorldEdit.Group, WorldEdit.Select(null))
+        val grouped = two.after(
+            WorldEdit.SelectAll,
+            WorldEdit.Select(robot, adding = true),
+            WorldEdit.Group,
+            WorldEdit.Select(null),
+        )
             .after(WorldEdit.TapAt(Point(80.0, 45.0), REACH))
         assertEquals(2, grouped.selection.size)
         val moved = grouped.after(WorldEdit.Nudge(1.0, 0.0))

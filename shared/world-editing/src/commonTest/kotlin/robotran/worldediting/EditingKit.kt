@@ -11,7 +11,9 @@ import kotlin.test.assertTrue
 /** A new sheet of 120 by 90 cm with the robot at 30, 45. */
 internal fun emptySheet() = WorldEditing.of(newWorld("Test"))
 
-internal fun WorldEditing.after(vararg edits: WorldEdit): WorldEditing = edits.fold(this) { now, edit -> now.after(edit) }
+internal fun WorldEditing.after(vararg edits: WorldEdit): WorldEditing = edits.fold(this) { now, edit ->
+    now.after(edit)
+}
 
 /** Adds and selects a new [item] with its centre at [x], [y]. */
 internal fun WorldEditing.with(item: PaletteItem, x: Double, y: Double): WorldEditing {

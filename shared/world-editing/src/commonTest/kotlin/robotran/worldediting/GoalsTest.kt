@@ -87,9 +87,16 @@ class GoalsTest {
 
     @Test
     fun `goals that are the same are still two`() {
-        val twice = emptySheet().after(WorldEdit.AddGoal(beep), WorldEdit.AddGoal(beep), WorldEdit.MoveGoal(0, GoalMove.DOWN))
+        val twice = emptySheet().after(
+            WorldEdit.AddGoal(beep),
+            WorldEdit.AddGoal(beep),
+            WorldEdit.MoveGoal(0, GoalMove.DOWN),
+        )
         assertEquals(listOf(beep, beep), twice.world.goals)
-        assertEquals(1, twice.after(WorldEdit.Select(ElementRef(ElementKind.GOAL, 1)), WorldEdit.Delete).world.goals.size)
+        assertEquals(
+            1,
+            twice.after(WorldEdit.Select(ElementRef(ElementKind.GOAL, 1)), WorldEdit.Delete).world.goals.size,
+        )
     }
 
     @Test
@@ -121,8 +128,14 @@ class GoalsTest {
     @Test
     fun `figures of goals keep to what a world can have`() {
         val thing = ElementRef(ElementKind.GOAL, 1)
-        assertEquals(WorldEditError.OutOfRange, two.after(WorldEdit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error)
-        assertEquals(WorldEditError.InvalidText, two.after(WorldEdit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error)
+        assertEquals(
+            WorldEditError.OutOfRange,
+            two.after(WorldEdit.Change(thing, Element.OfGoal(Goal(EndWithin(0))))).error,
+        )
+        assertEquals(
+            WorldEditError.InvalidText,
+            two.after(WorldEdit.Change(thing, Element.OfGoal(end.copy(says = " ")))).error,
+        )
         val soon = Goal(EndWithin(7))
         assertTrue(two.after(WorldEdit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
     }

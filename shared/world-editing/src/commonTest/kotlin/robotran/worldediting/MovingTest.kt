@@ -32,7 +32,10 @@ class MovingTest {
     @Test
     fun `near another thing it is drawn to its edge and the line is shown`() {
         val two = box.with(PaletteItem.DOT, 50.0, 20.0)
-        val held = two.after(WorldEdit.StartDrag(DragHandle.Body, Point(50.0, 20.0)), WorldEdit.DragTo(Point(78.9, 20.0), REACH))
+        val held = two.after(
+            WorldEdit.StartDrag(DragHandle.Body, Point(50.0, 20.0)),
+            WorldEdit.DragTo(Point(78.9, 20.0), REACH),
+        )
         assertEquals(listOf(Guide(isUpright = true, 72.0)), held.guides.filter { it.isUpright })
         assertNear(Point(78.0, 20.0), held.chosenForm.middle)
         assertEquals(emptyList(), held.after(WorldEdit.Drop).guides)
@@ -143,7 +146,10 @@ class MovingTest {
         assertEquals(3, three.chosenForm.corners.size)
         assertEquals(WorldEditError.TooFewCorners, three.after(WorldEdit.RemoveCorner(thing, 1)).error)
         assertEquals(4, three.after(WorldEdit.AddCorner(thing, 2)).chosenForm.corners.size)
-        assertEquals(Point(70.0, 70.0), three.after(WorldEdit.MoveCorner(thing, 0, Point(70.0, 70.0))).chosenForm.corners[0])
+        assertEquals(
+            Point(70.0, 70.0),
+            three.after(WorldEdit.MoveCorner(thing, 0, Point(70.0, 70.0))).chosenForm.corners[0],
+        )
     }
 
     @Test

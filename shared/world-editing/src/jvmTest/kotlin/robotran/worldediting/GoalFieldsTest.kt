@@ -47,7 +47,11 @@ class GoalFieldsTest {
                     "$condition",
                 )
                 val beyond = listOf(lowest - 1, highest + 1).map { errorOf(Goal(field.with(it))) }
-                assertEquals(listOf<WorldEditError?>(WorldEditError.OutOfRange, WorldEditError.OutOfRange), beyond, "$condition")
+                assertEquals(
+                    listOf<WorldEditError?>(WorldEditError.OutOfRange, WorldEditError.OutOfRange),
+                    beyond,
+                    "$condition",
+                )
             }
         }
     }

@@ -43,7 +43,8 @@ class PupilCopyProperties :
                 assignment.checks.shouldBeNull()
                 assignment.solution.shouldBeEmpty()
                 copy.tries.shouldBeNull()
-                readProject(file, Language.ENGLISH).shouldBeInstanceOf<ProjectFileResult.Success>().project shouldBe copy
+                readProject(file, Language.ENGLISH).shouldBeInstanceOf<ProjectFileResult.Success>().project shouldBe
+                    copy
                 val link = linkOf(copy, Language.ENGLISH).shouldBeInstanceOf<LinkCreation.Made>().fragment
                 val opened = openLink(link, Language.ENGLISH).shouldBeInstanceOf<LinkResult.OfProject>().project
                 opened shouldBe copy

@@ -24,5 +24,7 @@ private fun callOf(name: String, parameters: Int): String {
 }
 
 /** The values of the line that gives [value] to a variable; the first one is [value] itself. */
-internal fun valuesIn(value: String): List<PhrasePart.Value> =
-    outlineRobolang("var x = $value", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().parts.filterIsInstance<PhrasePart.Value>()
+internal fun valuesIn(value: String): List<PhrasePart.Value> = outlineRobolang(
+    "var x = $value",
+    messages = RobolangMessages.of(Language.ENGLISH),
+).lines.first().parts.filterIsInstance<PhrasePart.Value>()

@@ -42,7 +42,9 @@ object Palette {
 
     private fun line(form: LineForm, template: String): PaletteBlock {
         val source = if (form.isSetting) "robot\n$template\nend" else template
-        val lines = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)).lines.let { if (form.isSetting) it.drop(1).dropLast(1) else it }
+        val lines = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)).lines.let {
+            if (form.isSetting) it.drop(1).dropLast(1) else it
+        }
         return PaletteBlock(
             idOf(form),
             form.group,

@@ -14,7 +14,10 @@ import robotran.robolang.words.ValueUse
 val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.form
 
 /** The type of this value; [ValueKind.UNKNOWN] for a name of the pupil's, whose program is not known here. */
-val PaletteBlock.valueKind: ValueKind get() = blocksOf(VALUE_LINE + template, messages = RobolangMessages.of(Language.ENGLISH)).kindOf(valuesIn(template).first().value)
+val PaletteBlock.valueKind: ValueKind get() = blocksOf(
+    VALUE_LINE + template,
+    messages = RobolangMessages.of(Language.ENGLISH),
+).kindOf(valuesIn(template).first().value)
 
 /** The text that puts this value at [part] of [program]. A sum, `and` and `not` keep what is there now. */
 fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String = textsAt(part, program).first()

@@ -1,7 +1,5 @@
 package robotran.legofirmware.run
 
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.sound.SoundEvent
@@ -15,6 +13,8 @@ import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.display.LcdIcon
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /**
  * A program with what happens around it, and what must come of it, in comments such as `; at 10: var 1 = 5`. Run is

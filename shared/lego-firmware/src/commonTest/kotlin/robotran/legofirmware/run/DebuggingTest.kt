@@ -1,10 +1,5 @@
 package robotran.legofirmware.run
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
 import robotran.brick.program.DebuggableRun
@@ -25,6 +20,11 @@ import robotran.legofirmware.image.VariableTable
 import robotran.legofirmware.listing.assemblyListing
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
 
 class DebuggingTest {
     @Test

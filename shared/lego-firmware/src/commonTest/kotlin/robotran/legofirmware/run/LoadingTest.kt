@@ -1,8 +1,5 @@
 package robotran.legofirmware.run
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
@@ -18,11 +15,18 @@ import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class LoadingTest {
     @Test
     fun `the brick gets the firmware that the program of the selected slot needs`() {
-        val brick = RcxBrick(listOf(LEJOS, programOf("task 0\n setv 0, 2, 1\n out 1, 2\nendt")), messages = BrickMessages.of(Language.ENGLISH))
+        val brick =
+            RcxBrick(
+                listOf(LEJOS, programOf("task 0\n setv 0, 2, 1\n out 1, 2\nendt")),
+                messages = BrickMessages.of(Language.ENGLISH),
+            )
         assertEquals("9.0 0", brick.state.screen.text)
         assertEquals(null, brick.firmwareState)
         click(brick, BrickButton.PRGM)
@@ -63,7 +67,11 @@ class LoadingTest {
     @Test
     fun `why the motors stay on, and why an empty slot starts nothing`() {
         val explanations = Language.entries.map { language ->
-            val brick = RcxBrick(listOf(programOf("task 0\n out 1, 2\nendt", language)), messages = BrickMessages.of(Language.ENGLISH))
+            val brick =
+                RcxBrick(
+                    listOf(programOf("task 0\n out 1, 2\nendt", language)),
+                    messages = BrickMessages.of(Language.ENGLISH),
+                )
             click(brick, BrickButton.RUN)
             brick.tick(20)
             val motors = brick.state.explanation
@@ -83,9 +91,18 @@ class LoadingTest {
     @Test
     fun `two bricks exchange messages`() {
         val air = InfraredAir()
-        val sender = RcxBrick(listOf(programOf("task 0\n wait 2, 10\n msg 2, 42\nendt")), air, messages = BrickMessages.of(Language.ENGLISH))
+        val sender =
+            RcxBrick(
+                listOf(programOf("task 0\n wait 2, 10\n msg 2, 42\nendt")),
+                air,
+                messages = BrickMessages.of(Language.ENGLISH),
+            )
         val receiver =
-            RcxBrick(listOf(programOf("task 0\nagain: chkl 2, 0, 3, 15, 0, again\n setv 0, 15, 0\nendt")), air, messages = BrickMessages.of(Language.ENGLISH))
+            RcxBrick(
+                listOf(programOf("task 0\nagain: chkl 2, 0, 3, 15, 0, again\n setv 0, 15, 0\nendt")),
+                air,
+                messages = BrickMessages.of(Language.ENGLISH),
+            )
         listOf(sender, receiver).forEach { click(it, BrickButton.RUN) }
         repeat(300) { listOf(sender, receiver).forEach { it.tick() } }
         assertEquals(42, (receiver.firmwareState as FirmwareState).variables[0])

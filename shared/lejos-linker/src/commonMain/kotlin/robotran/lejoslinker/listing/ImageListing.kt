@@ -12,8 +12,7 @@ import robotran.lejoslinker.messages.ListingMessages
  * [image] in words, line by line: its parts, classes with their methods, constants, static fields and signatures, all
  * with the numbers that a brick uses, such as those that it shows for an exception.
  */
-fun listingOf(image: LejosImage, messages: ListingMessages): String =
-    ImageListing(image.contents, messages).text()
+fun listingOf(image: LejosImage, messages: ListingMessages): String = ImageListing(image.contents, messages).text()
 
 private class ImageListing(private val contents: ImageContents, private val messages: ListingMessages) {
     private val lines = ArrayList<String>()

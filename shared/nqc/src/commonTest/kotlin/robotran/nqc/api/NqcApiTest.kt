@@ -1,9 +1,5 @@
 package robotran.nqc.api
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.nqc.NqcOptions
@@ -12,6 +8,10 @@ import robotran.nqc.compileNqc
 import robotran.nqc.messages.NqcMessages
 import robotran.nqc.tree.ParameterKind
 import robotran.nqc.tree.Variable
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class NqcApiTest {
     @Test
@@ -32,7 +32,8 @@ class NqcApiTest {
             entry.parameters == null -> "x = ${entry.name};"
             else -> "x = ${entry.name}(${entry.parameters.joinToString { "1" }});"
         }
-        val result = compileNqc("api.nqc", "int x; task main() { $use }", options, messages = NqcMessages.of(Language.ENGLISH))
+        val result =
+            compileNqc("api.nqc", "int x; task main() { $use }", options, messages = NqcMessages.of(Language.ENGLISH))
         assertIs<NqcResult.Success>(result, "$use ${(result as? NqcResult.Failure)?.diagnostics}")
     }
 

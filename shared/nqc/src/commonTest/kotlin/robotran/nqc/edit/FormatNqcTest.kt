@@ -1,12 +1,12 @@
 package robotran.nqc.edit
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import robotran.language.Language
 import robotran.nqc.NqcResult
 import robotran.nqc.Vectors
 import robotran.nqc.compileNqc
 import robotran.nqc.messages.NqcMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class FormatNqcTest {
     @Test
@@ -57,5 +57,11 @@ class FormatNqcTest {
         }
     }
 
-    private fun codeOf(source: String) = (compileNqc("f.nqc", source, messages = NqcMessages.of(Language.ENGLISH)) as? NqcResult.Success)?.program?.image?.chunks
+    private fun codeOf(source: String) = (
+        compileNqc(
+            "f.nqc",
+            source,
+            messages = NqcMessages.of(Language.ENGLISH),
+        ) as? NqcResult.Success
+    )?.program?.image?.chunks
 }

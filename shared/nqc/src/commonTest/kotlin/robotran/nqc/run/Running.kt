@@ -1,6 +1,5 @@
 package robotran.nqc.run
 
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -12,11 +11,17 @@ import robotran.nqc.programOf
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
+import kotlin.test.assertIs
 
 /** Runs [source] on a brick until it ends and returns its global variables by name. */
 internal fun variablesAfter(source: String, target: FirmwareTarget): Map<String, Int> {
     val program = programOf(source, NqcOptions(target))
-    val brick = RcxBrick(listOf(program.forBrick(language = Language.ENGLISH)), InfraredAir(), messages = BrickMessages.of(Language.ENGLISH))
+    val brick =
+        RcxBrick(
+            listOf(program.forBrick(language = Language.ENGLISH)),
+            InfraredAir(),
+            messages = BrickMessages.of(Language.ENGLISH),
+        )
     brick.press(BrickButton.RUN)
     brick.release(BrickButton.RUN)
     var milliseconds = 0

@@ -34,7 +34,14 @@ internal class ImageComparison(private val library: Map<String, ByteArray>) {
         original: ByteArray? = null,
         happen: (RcxBrick, Long) -> Unit,
     ): String? {
-        val result = linkLejosImage(program, library, listOf(mainClass), ImageOptions(isTrimmed = original == null), messages = ImageMessages.of(Language.ENGLISH))
+        val result =
+            linkLejosImage(
+                program,
+                library,
+                listOf(mainClass),
+                ImageOptions(isTrimmed = original == null),
+                messages = ImageMessages.of(Language.ENGLISH),
+            )
         val image = (result as? ImageResult.Success)?.image ?: return null
         val ofClassFiles =
             (link(program, library, mainClass, image.layout) as? TinyVmResult.Success)?.program ?: return null

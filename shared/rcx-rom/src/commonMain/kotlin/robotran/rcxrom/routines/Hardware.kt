@@ -19,10 +19,7 @@ import robotran.rcxrom.sensors.Sensors
 import robotran.rcxrom.sound.Speaker
 
 /** The parts of a brick and the ROM that controls them, without an active firmware. */
-internal class Hardware(
-    air: InfraredAir = InfraredAir(),
-    messages: BrickMessages,
-) : ShellHardware {
+internal class Hardware(air: InfraredAir = InfraredAir(), messages: BrickMessages) : ShellHardware {
     /** Virtual time, which passes only in [tick]. */
     var milliseconds = 0L
         private set

@@ -32,7 +32,8 @@ internal object RobolangSyntax : CodeSyntax {
 
     override fun complete(request: CompletionRequest): CompletionList? = completeRobolang(request)
 
-    override fun format(source: String): String? = (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text
+    override fun format(source: String): String? =
+        (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text
 }
 
 internal fun isInWord(character: Char): Boolean = character == '_' || character.isLetterOrDigit()

@@ -80,13 +80,19 @@ private fun suffixOf(steps: List<Step>): CompletionSuffix? {
 private fun stepsOf(form: LineForm, marked: String): List<Step> {
     val example = marked.replace("|", "")
     val source = if (form.isSetting) "robot\n$example\nend" else example
-    val line = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)).lines[if (form.isSetting) 1 else 0]
+    val line = outlineRobolang(
+        source,
+        messages = RobolangMessages.of(Language.ENGLISH),
+    ).lines[if (form.isSetting) 1 else 0]
     return stepsOf(line.parts, source, line.span.start, marked.substringBefore('\n'), form)
 }
 
 private fun stepsOf(marked: String): List<Step> {
     val source = VALUE_LINE + marked.replace("|", "")
-    val value = outlineRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)).lines.first().parts.last() as PhrasePart.Value
+    val value = outlineRobolang(
+        source,
+        messages = RobolangMessages.of(Language.ENGLISH),
+    ).lines.first().parts.last() as PhrasePart.Value
     return stepsOf(value.value.parts, source, VALUE_LINE.length, marked, line = null)
 }
 

@@ -11,10 +11,7 @@ import robotran.robolang.translate.JavaWriter
  *
  * @param messages the remarks in the pupil's language.
  */
-fun translateToNqc(
-    program: RobolangProgram,
-    messages: NqcTranslationMessages,
-): NqcTranslation {
+fun translateToNqc(program: RobolangProgram, messages: NqcTranslationMessages): NqcTranslation {
     val remarks = Remarks(messages)
     val writer = if (program is RobolangRcxProgram) {
         NqcFile(program, program.robot, remarks).write()

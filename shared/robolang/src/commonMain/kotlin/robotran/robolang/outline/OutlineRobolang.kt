@@ -20,10 +20,7 @@ import robotran.robolang.words.LineForm
  *
  * @param messages the mistakes in the pupil's language.
  */
-fun outlineRobolang(
-    source: String,
-    messages: RobolangMessages,
-): ProgramOutline {
+fun outlineRobolang(source: String, messages: RobolangMessages): ProgramOutline {
     val diagnostics = DiagnosticSink(messages)
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
     val lines = scan(source, diagnostics)

@@ -12,8 +12,13 @@ import kotlin.test.assertEquals
 
 /** Checks that formatting [source] keeps its meaning and is idempotent. Ignores a source with syntax errors. */
 internal fun checkFormatting(source: String) {
-    val formatted = (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text ?: return
-    assertEquals(FormatResult.Success(formatted), formatRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)))
+    val formatted =
+        (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text
+            ?: return
+    assertEquals(
+        FormatResult.Success(formatted),
+        formatRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)),
+    )
     assertEquals(withoutPlaces(treeOf(source)), withoutPlaces(treeOf(formatted)))
 }
 

@@ -1,14 +1,14 @@
 package robotran.robolang.format
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testPrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 class FormatTest {
     @Test
@@ -50,7 +50,10 @@ class FormatTest {
 
     @Test
     fun `a program that cannot be read is left alone`() {
-        val result = assertIs<FormatResult.Failure>(formatRobolang("foward 20", messages = RobolangMessages.of(Language.ENGLISH)))
+        val result =
+            assertIs<FormatResult.Failure>(
+                formatRobolang("foward 20", messages = RobolangMessages.of(Language.ENGLISH)),
+            )
         assertEquals("There is no command \"foward\". Did you mean \"forward\"?", result.diagnostics.single().message)
     }
 
@@ -64,6 +67,8 @@ class FormatTest {
         programs.values.forEach(::checkFormatting)
     }
 
-    private fun assertFormatted(source: String, expected: String) =
-        assertEquals(FormatResult.Success(expected), formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)))
+    private fun assertFormatted(source: String, expected: String) = assertEquals(
+        FormatResult.Success(expected),
+        formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)),
+    )
 }

@@ -1,8 +1,5 @@
 package robotran.robolang.nqc
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.brick.state.RunState
@@ -16,6 +13,9 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.translate.translatablePrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** Robots drive the same way in Robolang and in the NQC that it becomes. */
 class SameDrivingTest {
@@ -25,7 +25,8 @@ class SameDrivingTest {
             val program = translatablePrograms.getValue(name)
             val translation = translateToNqc(program, messages = NqcTranslationMessages.of(Language.ENGLISH))
             assertTrue(translation.isComplete, "$name ${translation.remarks}")
-            val compiled = compileNqc(translation.fileName, translation.nqc, messages = NqcMessages.of(Language.ENGLISH))
+            val compiled =
+                compileNqc(translation.fileName, translation.nqc, messages = NqcMessages.of(Language.ENGLISH))
             assertTrue(compiled is NqcResult.Success, (compiled as? NqcResult.Failure)?.diagnostics.toString())
             val expected = phasesOf(program)
             val actual = phasesOf(compiled.program.forBrick(language = Language.ENGLISH))

@@ -1,9 +1,5 @@
 package robotran.robolang.nqc
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.nqc.NqcResult
 import robotran.nqc.compileNqc
@@ -15,13 +11,21 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robotFor
 import robotran.robolang.translate.nxtPrograms
 import robotran.robolang.translate.translatablePrograms
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class TranslateToNqcTest {
     @Test
     fun `every translation compiles`() {
         val failures = translatablePrograms.mapNotNull { (path, program) ->
             val translation = translateToNqc(program, messages = NqcTranslationMessages.of(Language.ENGLISH))
-            val result = compileNqc(translation.fileName, translation.nqc, messages = NqcMessages.of(Language.ENGLISH)) as? NqcResult.Failure
+            val result = compileNqc(
+                translation.fileName,
+                translation.nqc,
+                messages = NqcMessages.of(Language.ENGLISH),
+            ) as? NqcResult.Failure
             val isTooLarge = result?.diagnostics?.all { it.code?.id in TOO_LARGE } ?: true
             if (isTooLarge) null else "$path: ${result?.diagnostics}\n${translation.nqc}"
         }
@@ -30,7 +34,9 @@ class TranslateToNqcTest {
 
     @Test
     fun `many programs go over completely`() {
-        val complete = translatablePrograms.values.count { translateToNqc(it, messages = NqcTranslationMessages.of(Language.ENGLISH)).isComplete }
+        val complete = translatablePrograms.values.count {
+            translateToNqc(it, messages = NqcTranslationMessages.of(Language.ENGLISH)).isComplete
+        }
         assertTrue(complete > translatablePrograms.size / 4, "$complete of ${translatablePrograms.size}")
     }
 
@@ -96,7 +102,8 @@ class TranslateToNqcTest {
 
     @Test
     fun `a program for an NXT does not go over`() {
-        val translation = translateToNqc(nxtPrograms.values.first(), messages = NqcTranslationMessages.of(Language.ENGLISH))
+        val translation =
+            translateToNqc(nxtPrograms.values.first(), messages = NqcTranslationMessages.of(Language.ENGLISH))
         assertFalse(translation.isComplete)
         assertTrue(translation.nqc.startsWith("// NQC is for an RCX"))
     }
@@ -121,7 +128,10 @@ class TranslateToNqcTest {
     private fun translationOf(
         source: String,
         messages: NqcTranslationMessages = NqcTranslationMessages.of(Language.ENGLISH),
-    ): NqcTranslation = when (val result = compileRobolang("test.robo", source, robotFor(source), messages = RobolangMessages.of(Language.ENGLISH))) {
+    ): NqcTranslation = when (
+        val result =
+            compileRobolang("test.robo", source, robotFor(source), messages = RobolangMessages.of(Language.ENGLISH))
+    ) {
         is RobolangResult.Success -> translateToNqc(result.program, messages)
         is RobolangResult.Failure -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
     }

@@ -18,14 +18,29 @@ import robotran.robolang.testTarget
 /** All valid programs of the tests, the examples and the documents, by path. */
 internal val translatablePrograms: Map<String, RobolangRcxProgram> by lazy {
     (testPrograms + documentedPrograms + examplePrograms).mapNotNull { (path, text) ->
-        (compileRobolang(path, text, testTarget, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success)?.let { path to it.rcxProgram }
+        (
+            compileRobolang(
+                path,
+                text,
+                testTarget,
+                messages = RobolangMessages.of(Language.ENGLISH),
+            ) as? RobolangResult.Success
+        )?.let {
+            path to
+                it.rcxProgram
+        }
     }.toMap()
 }
 
 /** The same for a robot with an NXT, with those that only it can run. */
 internal val nxtPrograms: Map<String, RobolangNxtProgram> by lazy {
     (testPrograms + documentedPrograms + examplePrograms).mapNotNull { (path, text) ->
-        val result = compileRobolang(path, text, testNxt, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success
+        val result = compileRobolang(
+            path,
+            text,
+            testNxt,
+            messages = RobolangMessages.of(Language.ENGLISH),
+        ) as? RobolangResult.Success
         result?.let { path to it.program as RobolangNxtProgram }
     }.toMap()
 }
@@ -36,11 +51,17 @@ internal val programsForBoth: Map<String, RobolangProgram> by lazy {
 }
 
 /** Translates [source], named [name], to Java. */
-internal fun translationOf(source: String, name: String = "test.robo"): Translation =
-    when (val result = compileRobolang(name, source, robotFor(source), messages = RobolangMessages.of(Language.ENGLISH))) {
-        is RobolangResult.Success -> translateRobolang(result.program)
-        is RobolangResult.Failure -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
-    }
+internal fun translationOf(source: String, name: String = "test.robo"): Translation = when (
+    val result = compileRobolang(
+        name,
+        source,
+        robotFor(source),
+        messages = RobolangMessages.of(Language.ENGLISH),
+    )
+) {
+    is RobolangResult.Success -> translateRobolang(result.program)
+    is RobolangResult.Failure -> throw AssertionError(result.diagnostics.joinToString("\n") { it.message })
+}
 
 /** The lines of the translation of [source], without indentation. */
 internal fun javaLinesOf(source: String): List<String> = translationOf(source).java.lines().map { it.trim() }

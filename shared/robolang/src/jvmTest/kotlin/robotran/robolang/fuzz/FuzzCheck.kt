@@ -27,8 +27,14 @@ fun checkHarmless(source: String) {
         is RobolangResult.Success -> runFor(result.program as RobolangRcxProgram, STEPS)
         is RobolangResult.Failure -> checkDiagnostics(result.diagnostics, source.removePrefix("\uFEFF").lines())
     }
-    val formatted = (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text ?: return
-    check(formatRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)) == FormatResult.Success(formatted)) { "Formatted again, it changes: $source" }
+    val formatted =
+        (formatRobolang(source, messages = RobolangMessages.of(Language.ENGLISH)) as? FormatResult.Success)?.text
+            ?: return
+    check(
+        formatRobolang(formatted, messages = RobolangMessages.of(Language.ENGLISH)) == FormatResult.Success(formatted),
+    ) {
+        "Formatted again, it changes: $source"
+    }
 }
 
 /**

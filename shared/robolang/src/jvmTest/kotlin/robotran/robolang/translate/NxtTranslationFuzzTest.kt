@@ -1,9 +1,5 @@
 package robotran.robolang.translate
 
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
@@ -11,6 +7,10 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.fuzz.ProgramWriter
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 class NxtTranslationFuzzTest {
     @Test

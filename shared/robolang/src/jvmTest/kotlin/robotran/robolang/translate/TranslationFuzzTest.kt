@@ -1,10 +1,5 @@
 package robotran.robolang.translate
 
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
@@ -13,6 +8,11 @@ import robotran.robolang.fuzz.ProgramWriter
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.rcxProgram
 import robotran.robolang.testTarget
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
 
 /** A translated program that was made at random behaves as in the interpreter. */
 class TranslationFuzzTest {
@@ -21,7 +21,10 @@ class TranslationFuzzTest {
         val programs = (1..randomPrograms).associate { number ->
             val text = ProgramWriter(Random(Fuzzing.seed + number)).write()
             "program $number of seed ${Fuzzing.seed}" to
-                assertIs<RobolangResult.Success>(compileRobolang("random", text, testTarget, messages = RobolangMessages.of(Language.ENGLISH)), text).rcxProgram
+                assertIs<RobolangResult.Success>(
+                    compileRobolang("random", text, testTarget, messages = RobolangMessages.of(Language.ENGLISH)),
+                    text,
+                ).rcxProgram
         }
         val comparison = RunComparison(programs)
         val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)

@@ -64,8 +64,9 @@ internal class BuiltRobotModel(
                 listOf(RobotPlan3D.HOLDER_TOP),
             )
         }
-        val high = brick.motors.map { solid(it, placement) } + listOfNotNull(pen) + brickColumn(placement, face, state) +
-            sensorsOn(SensorLevel.ON_CHASSIS, placement, state)
+        val high =
+            brick.motors.map { solid(it, placement) } + listOfNotNull(pen) + brickColumn(placement, face, state) +
+                sensorsOn(SensorLevel.ON_CHASSIS, placement, state)
         return SceneNode.Stack(
             footprint,
             listOf(SceneNode.Group(footprint, low), solid(chassis, placement), SceneNode.Group(footprint, high)),
@@ -75,8 +76,9 @@ internal class BuiltRobotModel(
 
     private fun brickColumn(placement: Placement, face: RobotFace, state: RobotState): SceneNode {
         val solid = solid(brick.body, brick.placeOn(placement))
-        val onTop = brick.eyes.of(face).map { solid(it, placement) } + sensorsOn(SensorLevel.ON_BRICK, placement, state) +
-            listOfNotNull(brick.beacon?.let { solid(it, placement) })
+        val onTop =
+            brick.eyes.of(face).map { solid(it, placement) } + sensorsOn(SensorLevel.ON_BRICK, placement, state) +
+                listOfNotNull(brick.beacon?.let { solid(it, placement) })
         val levels = listOf(solid, SceneNode.Group(solid.footprint, onTop))
         return SceneNode.Stack(solid.footprint, levels, listOf(RobotPlan3D.BRICK_TOP))
     }

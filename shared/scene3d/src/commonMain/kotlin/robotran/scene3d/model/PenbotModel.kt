@@ -99,8 +99,12 @@ internal class PenbotModel(
         return SceneNode.Group(footprint, parts.map { solid(it, placement.shifted(way)) })
     }
 
-    private fun around(placement: Placement, from: Double, to: Double, half: Double) =
-        ConvexPolygon.rectangle(from, -half, to, half).placed(placement.x, placement.y, placement.cosine, placement.sine)
+    private fun around(placement: Placement, from: Double, to: Double, half: Double) = ConvexPolygon.rectangle(
+        from,
+        -half,
+        to,
+        half,
+    ).placed(placement.x, placement.y, placement.cosine, placement.sine)
 
     private fun solid(body: Body, placement: Placement) = SceneNode.Solid(body, placement, element)
 }

@@ -125,7 +125,8 @@ internal class SensorSeats(
         return Placement(x, y, 0.0, round.cosine(angle), round.sine(angle))
     }
 
-    private fun ConvexPolygon.placed(placement: Placement) = placed(placement.x, placement.y, placement.cosine, placement.sine)
+    private fun ConvexPolygon.placed(placement: Placement) =
+        placed(placement.x, placement.y, placement.cosine, placement.sine)
 
     companion object {
         /** In centimetres over the floor: a sensor from there on is above the chassis. */

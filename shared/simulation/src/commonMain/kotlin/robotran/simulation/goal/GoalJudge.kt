@@ -9,11 +9,7 @@ import robotran.world.World
 import robotran.world.geometry.Trigonometry
 
 /** Evaluates how far one run meets the goals of [world], from its beginning. */
-internal class GoalJudge(
-    world: World,
-    trigonometry: Trigonometry,
-    messages: GoalMessages,
-) {
+internal class GoalJudge(world: World, trigonometry: Trigonometry, messages: GoalMessages) {
     private val places = ObjectLocations(world, trigonometry)
     private val evaluators = GoalEvaluators(world, places, messages, SentenceParts(world, trigonometry)).let {
         world.goals.map(it::of)

@@ -1,7 +1,5 @@
 package robotran.simulation.goal
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
@@ -21,6 +19,8 @@ import robotran.world.GoalCondition.PlaySound
 import robotran.world.GoalCondition.ShowOnDisplay
 import robotran.world.TouchKind
 import robotran.world.file.BuiltInWorlds
+import kotlin.test.Test
+import kotlin.test.assertEquals
 
 class ProgramGoalTest {
     private val running = RunState.Running(1)
@@ -135,7 +135,14 @@ class ProgramGoalTest {
                 } else {
                     RobotTarget.Rcx(50.0, 5.0)
                 }
-                val program = (compileRobolang("goals", source, target, messages = RobolangMessages.of(Language.ENGLISH)) as RobolangResult.Success).program
+                val program = (
+                    compileRobolang(
+                        "goals",
+                        source,
+                        target,
+                        messages = RobolangMessages.of(Language.ENGLISH),
+                    ) as RobolangResult.Success
+                ).program
                 val goals = listOf(Goal(InOrder(order.toList())))
                 return runToEnd(program, world.copy(goals = goals)).also { it.finish() }.state.goals.map { it.status }
             }

@@ -1,7 +1,5 @@
 package robotran.simulation.nxt
 
-import kotlin.io.encoding.Base64
-import kotlin.test.assertIs
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.ProgramRun
@@ -35,6 +33,8 @@ import robotran.world.RobotPlacement
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Pose
+import kotlin.io.encoding.Base64
+import kotlin.test.assertIs
 
 /** A program for an NXT given as its calls and the pauses between them. */
 class ScriptedNxt(build: ScriptedNxt.() -> Unit) : NxtProgram {
@@ -109,16 +109,25 @@ internal fun openWorld(robot: RobotDescription = ReadyRobots.NXT_PENBOT) = World
 )
 
 /** A session whose robots have been started with [programs], one each. */
-internal suspend fun nxtSession(world: World, vararg programs: BrickProgram): Session =
-    Session(world, programs.map { RobotProgramSet(listOf(it)) }, loadPhysicsEngine(), Language.ENGLISH).apply { pressRun() }
+internal suspend fun nxtSession(world: World, vararg programs: BrickProgram): Session = Session(
+    world,
+    programs.map {
+        RobotProgramSet(listOf(it))
+    },
+    loadPhysicsEngine(),
+    Language.ENGLISH,
+).apply { pressRun() }
 
-internal fun robolangNxt(source: String): BrickProgram =
-    assertIs<RobolangResult.Success>(compileRobolang("test", source, RobotTarget.Nxt(5.6, 11.4), messages = RobolangMessages.of(Language.ENGLISH))).program
+internal fun robolangNxt(source: String): BrickProgram = assertIs<RobolangResult.Success>(
+    compileRobolang("test", source, RobotTarget.Nxt(5.6, 11.4), messages = RobolangMessages.of(Language.ENGLISH)),
+).program
 
 /** The compiled program of the class [name] in the resources of the tests. */
 internal suspend fun nxj(name: String): BrickProgram {
     val prefix = "$name.java/"
     val classes = nxjPrograms.filterKeys { it.startsWith(prefix) }
         .entries.associate { it.key.removePrefix(prefix).removeSuffix(".class") to Base64.decode(it.value) }
-    return assertIs<NxjResult.Success>(linkNxj(name, classes, NxjLibrary.load().classFiles, name, messages = TinyVmMessages.of(Language.ENGLISH))).program
+    return assertIs<NxjResult.Success>(
+        linkNxj(name, classes, NxjLibrary.load().classFiles, name, messages = TinyVmMessages.of(Language.ENGLISH)),
+    ).program
 }

@@ -1,9 +1,5 @@
 package robotran.simulation.nxt
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
@@ -26,6 +22,10 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.time.Duration.Companion.minutes
 
 /**
  * Runs the examples and some Java programs on an NXT, and compares the reports with those in `resources/nxt-runs`. Their
@@ -71,7 +71,14 @@ class NxtRecordedRunsTest {
         val differences = exampleTexts.mapNotNull { (file, text) ->
             val target = RobotTarget.Nxt(5.6, 11.4)
             // Not all examples are for an NXT.
-            val ready = compileRobolang(file, text, target, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success ?: return@mapNotNull null
+            val ready =
+                compileRobolang(
+                    file,
+                    text,
+                    target,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ) as? RobolangResult.Success
+                    ?: return@mapNotNull null
             val facing = ready.program.lightSensorFacing?.let { LightFacing.valueOf(it.name) }
             difference(file.removeSuffix(".robo"), nxtPlain, ready.program, facing)
         }

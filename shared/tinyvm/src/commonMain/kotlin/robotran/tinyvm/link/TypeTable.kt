@@ -30,10 +30,11 @@ internal class TypeTable(private val files: ClassPath, private val messages: Lin
     val text: LinkedClass get() = classNamed("java/lang/String", CodeLocation(ROOT))
 
     /** The heap type with this [descriptor]. */
-    fun typeOf(descriptor: String, location: CodeLocation): HeapType = byDescriptor[descriptor] ?: when (descriptor[0]) {
-        'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), location)
-        else -> arrayType(descriptor, location)
-    }
+    fun typeOf(descriptor: String, location: CodeLocation): HeapType =
+        byDescriptor[descriptor] ?: when (descriptor[0]) {
+            'L' -> classNamed(descriptor.substring(1, descriptor.length - 1), location)
+            else -> arrayType(descriptor, location)
+        }
 
     /** The type of a class constant: a class by its name, an array by its descriptor. */
     fun typeNamed(name: String, location: CodeLocation): HeapType = when {

@@ -351,7 +351,13 @@ internal class CodeInterpreter(
                     val method = if (receiver == 0) null else types[words[receiver]].virtualMethods[code[next]]
                     val body = if (method == null || method.isSynchronized) null else method.body
                     val called =
-                        if (method == null || body == null) null else thread.push(top - code[next + 1], method.frameWords)
+                        if (method == null ||
+                            body == null
+                        ) {
+                            null
+                        } else {
+                            thread.push(top - code[next + 1], method.frameWords)
+                        }
                     frame.next = next + 2
                     if (method == null) {
                         frame.top = top

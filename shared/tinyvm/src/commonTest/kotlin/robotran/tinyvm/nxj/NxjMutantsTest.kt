@@ -1,8 +1,5 @@
 package robotran.tinyvm.nxj
 
-import kotlin.random.Random
-import kotlin.test.Test
-import kotlin.test.assertTrue
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
@@ -17,6 +14,9 @@ import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.TinyVmMessages
 import robotran.tinyvm.mutated
 import robotran.tinyvm.nxjPrograms
+import kotlin.random.Random
+import kotlin.test.Test
+import kotlin.test.assertTrue
 
 class NxjMutantsTest {
     @Test

@@ -1,8 +1,5 @@
 package robotran.tinyvm.programs
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -13,6 +10,9 @@ import robotran.rcxrom.log.romCalls
 import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 /** A program that keeps bytes in the front of the memory for objects, run twice on the same brick. */
 class PersistentMemoryTest {

@@ -1,11 +1,5 @@
 package robotran.tinyvm.programs
 
-import kotlin.test.Test
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
-import kotlin.time.Duration
-import kotlin.time.Duration.Companion.milliseconds
-import kotlin.time.measureTime
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -14,6 +8,12 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
+import kotlin.test.Test
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.milliseconds
+import kotlin.time.measureTime
 
 /** Programs that use up a resource; the brick must still respond. */
 class StressTest {

@@ -1,8 +1,5 @@
 package robotran.tinyvm.programs
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
@@ -14,6 +11,9 @@ import robotran.rcxrom.messages.BrickMessages
 import robotran.tinyvm.TinyVmResult
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 /** Two bricks, each with one of two test programs that belong together, in sight of each other. */
 class TwoBricksTest {

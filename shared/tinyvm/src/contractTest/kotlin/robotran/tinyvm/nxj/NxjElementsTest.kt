@@ -18,7 +18,14 @@ import kotlin.test.assertIs
 /** A run says where an object was stored in an array of another class. */
 class NxjElementsTest {
     private suspend fun runOf(path: String, mode: TinyVmMode): NxjBrickRun {
-        val result = linkNxj("Elements", nxjClassFilesOf(path), NxjLibrary.load().classFiles, mode = mode, messages = TinyVmMessages.of(Language.ENGLISH))
+        val result =
+            linkNxj(
+                "Elements",
+                nxjClassFilesOf(path),
+                NxjLibrary.load().classFiles,
+                mode = mode,
+                messages = TinyVmMessages.of(Language.ENGLISH),
+            )
         return NxjBrickRun(assertIs<NxjResult.Success>(result).program).also { it.run(LONGEST) }
     }
 

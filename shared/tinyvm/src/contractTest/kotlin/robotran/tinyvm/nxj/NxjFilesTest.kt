@@ -1,8 +1,5 @@
 package robotran.tinyvm.nxj
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
 import kotlinx.coroutines.test.runTest
 import robotran.language.Language
 import robotran.nxjlibrary.NxjLibrary
@@ -11,12 +8,22 @@ import robotran.tinyvm.NxjProgram
 import robotran.tinyvm.NxjResult
 import robotran.tinyvm.linkNxj
 import robotran.tinyvm.messages.TinyVmMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
 
 /** Files stay on the brick after the program. */
 class NxjFilesTest {
     private suspend fun program(): NxjProgram {
         val classes = nxjClassFilesOf("nxt/CountsItsRuns.java")
-        return assertIs<NxjResult.Success>(linkNxj("CountsItsRuns", classes, NxjLibrary.load().classFiles, messages = TinyVmMessages.of(Language.ENGLISH))).program
+        return assertIs<NxjResult.Success>(
+            linkNxj(
+                "CountsItsRuns",
+                classes,
+                NxjLibrary.load().classFiles,
+                messages = TinyVmMessages.of(Language.ENGLISH),
+            ),
+        ).program
     }
 
     private fun runOf(program: NxjProgram, files: List<NxtFile> = emptyList()) =

@@ -50,7 +50,8 @@ internal suspend fun downloadProgram(
     return TransferResult.Failure(sender.lastError, Remains.NO_PROGRAM)
 }
 
-private fun tooLarge(image: ByteArray, maxBytes: Int) = TransferResult.Failure(TowerError.TooLarge(image.size, maxBytes))
+private fun tooLarge(image: ByteArray, maxBytes: Int) =
+    TransferResult.Failure(TowerError.TooLarge(image.size, maxBytes))
 
 /** leJOS that was not heard may have understood, and then has deleted its program. */
 private fun failedToBegin(error: TowerError, isFirst: Boolean): TransferResult.Failure {

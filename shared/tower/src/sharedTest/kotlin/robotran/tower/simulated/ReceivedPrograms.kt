@@ -22,8 +22,9 @@ fun SimulatedLegoFirmware.programIn(slot: Int): FirmwareProgram {
 }
 
 /** A virtual brick on which [program] has run for [milliseconds]. */
-fun brickAfter(program: FirmwareProgram, milliseconds: Int): RcxBrick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH)).also { brick ->
-    brick.press(BrickButton.RUN)
-    brick.release(BrickButton.RUN)
-    repeat(milliseconds) { brick.tick() }
-}
+fun brickAfter(program: FirmwareProgram, milliseconds: Int): RcxBrick =
+    RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH)).also { brick ->
+        brick.press(BrickButton.RUN)
+        brick.release(BrickButton.RUN)
+        repeat(milliseconds) { brick.tick() }
+    }

@@ -8,8 +8,8 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.dp
-import robotran.runcontrol.MarkKind
 import robotran.runcontrol.CallCountLine
+import robotran.runcontrol.MarkKind
 import robotran.runcontrol.TimelineMark
 import robotran.ui.theme.RobotranColours
 import robotran.workshop.state.RunPaneState

@@ -65,7 +65,11 @@ internal fun DrawScope.drawSmallBrick(corner: Offset, highlighted: Boolean = tru
         block(Rect(corner + Offset(x, 74f), Size(14f, 10f)), BrickColours.OUTPUT, 2f)
     }
     block(Rect(corner + Offset(3f, 34f), Size(58f, 36f)), BrickColours.FACE, 4f)
-    block(Rect(corner + Offset(19f, 39f), Size(26f, 26f)), if (highlighted) BrickColours.GLASS else TowerColours.DARK_GLASS, 2f)
+    block(
+        Rect(corner + Offset(19f, 39f), Size(26f, 26f)),
+        if (highlighted) BrickColours.GLASS else TowerColours.DARK_GLASS,
+        2f,
+    )
     for (button in SmallButton.entries) {
         drawCircle(button.colour, 6f, corner + button.place)
         if (button == pointed) {

@@ -21,7 +21,14 @@ internal fun firmwareSentence(chosen: ChosenFirmware, needsLego: Boolean): Strin
         SendTexts.firmwareNone(spoken, chosen.name)
     }
 
-    is FirmwareFile.Success -> if (needsLego) forLego(chosen.name, file.firmware) else forLejos(chosen.name, file.firmware)
+    is FirmwareFile.Success -> if (needsLego) {
+        forLego(
+            chosen.name,
+            file.firmware,
+        )
+    } else {
+        forLejos(chosen.name, file.firmware)
+    }
 }
 
 @Composable

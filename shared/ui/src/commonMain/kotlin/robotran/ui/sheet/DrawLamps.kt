@@ -135,7 +135,13 @@ private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, position: Offset, radius
             val angle = ray * 2 * PI / RAYS
             val way = Offset(cos(angle).toFloat(), sin(angle).toFloat())
             val colour = if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE
-            drawLine(colour, position + way * (radius * 1.35f), position + way * (radius * 1.8f), radius / 5, StrokeCap.Round)
+            drawLine(
+                colour,
+                position + way * (radius * 1.35f),
+                position + way * (radius * 1.8f),
+                radius / 5,
+                StrokeCap.Round,
+            )
         }
     }
     drawCircle(bulbColour(lamp, on), radius, position)

@@ -21,9 +21,9 @@ import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.worldediting.AlignSide
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.canRotate
 import robotran.worldediting.form
@@ -77,7 +77,9 @@ private fun Actions(editor: EditorScope) {
         }
         if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
             Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { editor.make(WorldEdit.ScaleBy(GROWTH)) }
-            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") { editor.make(WorldEdit.ScaleBy(1 / GROWTH)) }
+            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") {
+                editor.make(WorldEdit.ScaleBy(1 / GROWTH))
+            }
         }
         if (editing.selection.any { it.kind == ElementKind.MARK }) {
             Action(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front") {

@@ -42,8 +42,8 @@ import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Snapping
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.written
 
 /**

@@ -16,8 +16,8 @@ import androidx.compose.ui.input.pointer.positionChanged
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Tool
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.elementsAt
 
 /** Handles touch and mouse input on the sheet. [making] returns the current world. */
@@ -56,12 +56,16 @@ private class SheetFinger(
         val there = editor.world.elementsAt(centimetres(down), reach)
         when {
             editor.editing.tool != Tool.SELECT -> draw(down)
-            handle != null -> drag(down, adding) { editor.make(WorldEdit.StartDrag(handle.handle.grip, centimetres(down))) }
+            handle != null -> drag(down, adding) {
+                editor.make(WorldEdit.StartDrag(handle.handle.grip, centimetres(down)))
+            }
 
             there.any {
                 it in editor.editing.selection
             } -> drag(down, adding) { editor.make(WorldEdit.StartDrag(DragHandle.Body, centimetres(down))) }
-            there.isNotEmpty() && !adding && !editor.editing.isMultiSelect -> drag(down, adding = false) { takeNew(down) }
+            there.isNotEmpty() && !adding && !editor.editing.isMultiSelect -> drag(down, adding = false) {
+                takeNew(down)
+            }
             adding || editor.editing.isMultiSelect -> box(down, adding)
             else -> push(down)
         }

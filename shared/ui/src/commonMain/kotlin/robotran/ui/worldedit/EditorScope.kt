@@ -4,9 +4,9 @@ import androidx.compose.runtime.Immutable
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 
 /** What the parts of the editor read, and how they send edits. */

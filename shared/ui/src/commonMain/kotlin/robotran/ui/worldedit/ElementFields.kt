@@ -8,10 +8,10 @@ import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.MarkFigure
 import robotran.world.WorldLimits
-import robotran.worldediting.WorldEdit
-import robotran.worldediting.WorldEditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
+import robotran.worldediting.WorldEditError
 import robotran.worldediting.name
 import robotran.worldediting.named
 

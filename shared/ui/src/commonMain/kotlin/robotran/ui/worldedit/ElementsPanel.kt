@@ -27,9 +27,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.listed
 
 /** A list of all elements on the sheet, for selection without seeing or pointing. */

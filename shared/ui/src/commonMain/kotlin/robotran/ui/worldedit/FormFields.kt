@@ -18,10 +18,10 @@ import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
 import robotran.worldediting.Form
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.corners
 import robotran.worldediting.form
 import robotran.worldediting.withForm

@@ -8,12 +8,12 @@ import robotran.ui.texts.WorldEditorTexts
 import robotran.world.GoalCondition
 import robotran.world.MarkFigure
 import robotran.world.TouchKind
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalField
 import robotran.worldediting.NumberSpec
+import robotran.worldediting.WorldEdit
 
 /** The input for a property of a goal. */
 @Composable

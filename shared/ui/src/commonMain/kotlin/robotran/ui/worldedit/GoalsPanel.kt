@@ -15,12 +15,12 @@ import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure
 import robotran.world.World
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.allGoals
 import robotran.worldediting.named
 import robotran.worldediting.newGoals
@@ -100,5 +100,7 @@ private fun addition(world: World, goal: Goal, into: Int?, lineWord: String): Wo
     val name = mark.name ?: world.uniqueName(lineWord)
     val add = WorldEdit.AddGoal(goal.copy(condition = condition.withLine(name)), into)
     if (mark.name != null) return add
-    return WorldEdit.Batch(listOf(WorldEdit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add))
+    return WorldEdit.Batch(
+        listOf(WorldEdit.Change(ElementRef(ElementKind.MARK, number), Element.OfMark(mark).named(name)), add),
+    )
 }

@@ -32,9 +32,9 @@ import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.named
 import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece

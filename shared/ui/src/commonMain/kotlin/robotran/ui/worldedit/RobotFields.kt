@@ -28,9 +28,9 @@ import robotran.world.pluggedSensors
 import robotran.world.robot.BrickBuild
 import robotran.world.robot.robotErrors
 import robotran.world.withPlugged
-import robotran.worldediting.WorldEditError
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEditError
 
 /** All properties of a robot. */
 @Composable

@@ -6,9 +6,9 @@ import robotran.ui.language.spoken
 import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.World
-import robotran.worldediting.WorldEditError
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ValidationError
+import robotran.worldediting.WorldEditError
 import robotran.worldediting.max
 
 /** A validation error as a sentence. */

@@ -5,9 +5,9 @@ import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.HasActor
 import robotran.world.WorldLimits
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.name
 import robotran.worldediting.named
 import robotran.worldediting.piece

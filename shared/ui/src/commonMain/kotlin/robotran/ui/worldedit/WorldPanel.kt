@@ -4,8 +4,8 @@ import androidx.compose.runtime.Composable
 import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
 import robotran.world.WorldLimits
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.SheetProperties
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.figures
 
 /** All properties of the world as a whole. */

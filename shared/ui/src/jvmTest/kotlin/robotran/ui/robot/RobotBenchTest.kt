@@ -31,9 +31,9 @@ import robotran.world.ReadyRobots
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
 import robotran.world.robot.things
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals

@@ -22,9 +22,9 @@ import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import kotlin.test.Test
 
 /** Writes pictures of work with an NXT to build/pictures for review. */

@@ -16,9 +16,9 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.piece
 import kotlin.test.Test
 import kotlin.test.assertFalse

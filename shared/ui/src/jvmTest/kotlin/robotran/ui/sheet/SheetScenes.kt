@@ -132,7 +132,13 @@ internal object SheetScenes {
     ) = SessionState(
         milliseconds = 0,
         robots = poses.map {
-            RobotSnapshot(RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state, RobotState(it, 0.0, 0.0, false, false, false), 0, emptyList(), 0)
+            RobotSnapshot(
+                RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state,
+                RobotState(it, 0.0, 0.0, false, false, false),
+                0,
+                emptyList(),
+                0,
+            )
         },
         blocks = blocks,
         lamps = lamps,

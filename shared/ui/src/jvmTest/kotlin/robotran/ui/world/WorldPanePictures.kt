@@ -95,7 +95,8 @@ class WorldPanePictures {
         )) {
             val sheets = worlds.map { file ->
                 val world = world(file.name.removeSuffix(".world.json"))
-                val session = Session(world, emptyList<robotran.simulation.RobotProgramSet>(), physics, Language.ENGLISH)
+                val session =
+                    Session(world, emptyList<robotran.simulation.RobotProgramSet>(), physics, Language.ENGLISH)
                 renderSheet(world, session.state, TILE, colours = colours).also { session.close() }
             }
             val contact = contactSheet(sheets)

@@ -8,10 +8,10 @@ import androidx.compose.ui.test.onNodeWithTag
 import robotran.world.MarkFigure
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.things
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -16,11 +16,11 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import robotran.worldediting.DragHandle
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.handlesOf
 import robotran.worldediting.things
 import kotlin.test.Test

@@ -13,11 +13,11 @@ import robotran.world.RobotColour
 import robotran.world.Shade
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
+import robotran.worldediting.WorldEdit
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -11,8 +11,8 @@ import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.piece
 import kotlin.test.Test
 

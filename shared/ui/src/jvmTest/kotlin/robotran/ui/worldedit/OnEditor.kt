@@ -23,9 +23,9 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
 import robotran.world.World
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Snapping
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.piece
 

@@ -17,8 +17,8 @@ import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
-import robotran.workshop.state.LinkProblem
 import robotran.workshop.state.AssignmentEditorState
+import robotran.workshop.state.LinkProblem
 import robotran.workshop.state.PupilLink
 
 /** Files and links of an assignment, for its author and for pupils. Each function returns the state of the page then. */
@@ -32,7 +32,8 @@ internal class AssignmentSharing(
     suspend fun saveForTeacher(page: AssignmentEditorState): AssignmentEditorState =
         save(page, teacherCopy(current.project), title + preferences.language.teacherSuffix)
 
-    suspend fun saveForPupils(page: AssignmentEditorState): AssignmentEditorState = save(page, pupilCopy(current.project), title)
+    suspend fun saveForPupils(page: AssignmentEditorState): AssignmentEditorState =
+        save(page, pupilCopy(current.project), title)
 
     suspend fun makeLink(page: AssignmentEditorState): AssignmentEditorState {
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
@@ -82,10 +83,14 @@ internal class AssignmentSharing(
         return save(page, name, FileKind.PROJECT, bytes)
     }
 
-    private suspend fun save(page: AssignmentEditorState, name: String, kind: FileKind, bytes: ByteArray): AssignmentEditorState =
-        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
-            is Saving.Saved -> page.copy(savedAs = saving.name)
-            is Saving.Failed -> page.copy(saveError = saving.reason)
-            Saving.Cancelled -> page
-        }
+    private suspend fun save(
+        page: AssignmentEditorState,
+        name: String,
+        kind: FileKind,
+        bytes: ByteArray,
+    ): AssignmentEditorState = when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+        is Saving.Saved -> page.copy(savedAs = saving.name)
+        is Saving.Failed -> page.copy(saveError = saving.reason)
+        Saving.Cancelled -> page
+    }
 }

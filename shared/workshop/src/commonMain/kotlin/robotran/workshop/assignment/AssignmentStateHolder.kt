@@ -28,9 +28,9 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ProjectEditor
+import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.Notice
 
 /**

@@ -6,11 +6,11 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockDrag
-import robotran.workshop.blocks.DragPayload
-import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockDrag
+import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockStep
+import robotran.workshop.blocks.DragPayload
 
 /** A user action on the blocks of the current program. Ignored while it is shown as text only, except [ViewChosen]. */
 sealed interface BlockEvent : ProgramEvent {

@@ -60,7 +60,14 @@ private fun ProgramFileMemory.droppedInto(now: BlocksState, load: DragPayload, s
 }
 
 private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: DragPayload) = when (load) {
-    is DragPayload.Blocks -> edited(now, BlockEdit.Delete(now.program.blocksIn(load.run).mapTo(mutableSetOf()) { it.id }))
+    is DragPayload.Blocks -> edited(
+        now,
+        BlockEdit.Delete(
+            now.program.blocksIn(load.run).mapTo(mutableSetOf()) {
+                it.id
+            },
+        ),
+    )
     is DragPayload.New -> null
     is DragPayload.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
 }
@@ -83,7 +90,10 @@ private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): Pr
 
 /** Inserts lines at [place], or outside of all blocks if they may only stand there. */
 private fun ProgramFileMemory.inserted(now: BlocksState, text: String, place: BlockPlace): ProgramFileMemory {
-    val isOutermost = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).blocks.any { it.head.form?.isOutermost == true }
+    val isOutermost = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).blocks.any {
+        it.head.form?.isOutermost ==
+            true
+    }
     return edited(now, BlockEdit.Insert(text, if (isOutermost) now.program.outside(place) else place))
 }
 

@@ -18,8 +18,8 @@ import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockList
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockList
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.lineOf

@@ -8,8 +8,8 @@ import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.blockLanguage
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.DragPayload
 
 /** The result of [compileSnippet]. */
 internal sealed interface SnippetResult {

@@ -25,8 +25,8 @@ import robotran.projects.charactersInFile
 import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotProgramSet
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.firstLength
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
@@ -35,9 +35,9 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
-import robotran.workshop.state.Snippet
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
+import robotran.workshop.state.Snippet
 import robotran.workshop.state.immediate
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -117,10 +117,11 @@ class ProgramsStateHolder(
     /**
      * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
      */
-    fun loads(world: World, firstSlots: List<Int>): List<RobotProgramSet> = world.robots.mapIndexed { index, placement ->
-        robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
-            ?: RobotProgramSet(emptyList())
-    }
+    fun loads(world: World, firstSlots: List<Int>): List<RobotProgramSet> =
+        world.robots.mapIndexed { index, placement ->
+            robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
+                ?: RobotProgramSet(emptyList())
+        }
 
     /**
      * Keeps the [files] that the robot [robot] has in its flash memory now, for its next run and for the project. Returns

@@ -26,10 +26,10 @@ import robotran.world.file.RobotFileResult
 import robotran.world.file.readRobot
 import robotran.world.file.writeRobot
 import robotran.world.robot.draftError
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 
 /**
  * Holds the robot in the workbench. Each of its states goes into the edited world at once, an impossible one as a

@@ -16,8 +16,8 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
-import robotran.workshop.state.Snippet
 import robotran.workshop.state.Notice
+import robotran.workshop.state.Snippet
 import robotran.world.World
 
 /**

@@ -33,10 +33,10 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.state.CompileStatus
-import robotran.workshop.state.Snippet
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.Snippet
 import robotran.world.World
 import robotran.world.robot.draftError
 

@@ -6,8 +6,8 @@ import robotran.brick.program.CallFrame
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
 import robotran.projects.ProjectSettings
-import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.CallCountLine
+import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunOutcome
 import robotran.runcontrol.RunSpeed
 import robotran.runcontrol.TimelineMark

@@ -18,12 +18,11 @@ interface Snippet : BrickProgram {
 }
 
 /** [program] as an [Snippet]. */
-internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): Snippet =
-    when (program) {
-        is RcxProgram -> ImmediateRcxProgram(program, robot, slot, source)
-        is NxtProgram -> ImmediateNxtProgram(program, robot, slot, source)
-        else -> error("There is no brick for ${program.name}.")
-    }
+internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
+    is RcxProgram -> ImmediateRcxProgram(program, robot, slot, source)
+    is NxtProgram -> ImmediateNxtProgram(program, robot, slot, source)
+    else -> error("There is no brick for ${program.name}.")
+}
 
 private class ImmediateRcxProgram(
     program: RcxProgram,

@@ -8,10 +8,10 @@ import robotran.world.World
 import robotran.world.pluggedSensors
 import robotran.world.robot.withSensor
 import robotran.world.withPlugged
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 
 /**
  * Missing sensors plugged into the ports of a robot, and how to take them out again.

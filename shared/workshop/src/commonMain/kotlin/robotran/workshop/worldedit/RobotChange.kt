@@ -3,10 +3,10 @@ package robotran.workshop.worldedit
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.World
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 
 /**
  * A whole robot replaced by another one, and how to bring it back.

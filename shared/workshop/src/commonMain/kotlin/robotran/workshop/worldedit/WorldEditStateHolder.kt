@@ -66,7 +66,8 @@ class WorldEditStateHolder(
     private fun open() {
         if (state != null) return
         val editing = lastEditing()
-        state = WorldEditState(editing.after(WorldEdit.Select(null)).after(WorldEdit.FinishChange), editing.world, origin())
+        state =
+            WorldEditState(editing.after(WorldEdit.Select(null)).after(WorldEdit.FinishChange), editing.world, origin())
     }
 
     /** The state to edit from: with groups and undo history if the world has not changed since the last edit. */

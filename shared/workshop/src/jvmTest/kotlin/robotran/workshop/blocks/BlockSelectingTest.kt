@@ -23,7 +23,10 @@ class BlockSelectingTest {
     fun `a block with all below it is a stack`() = onBlocks("beep\nrepeat 2 times\n  buzz\n  stop\nend\n") {
         send(BlockEvent.StackSelected(block("buzz")))
         assertEquals(listOf("buzz", "stop"), chosen)
-        drag(DragPayload.Blocks(state.runOf(block("buzz"))), BlockTarget.Between(checkNotNull(state.program.endOf(null))))
+        drag(
+            DragPayload.Blocks(state.runOf(block("buzz"))),
+            BlockTarget.Between(checkNotNull(state.program.endOf(null))),
+        )
         assertEquals("beep\nrepeat 2 times\nend\nbuzz\nstop\n", text)
     }
 

@@ -1,9 +1,5 @@
 package robotran.workshop.blocks
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertNotNull
-import kotlin.test.assertNull
 import robotran.blockediting.palette.Palette
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -11,11 +7,18 @@ import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.outlineRobolang
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
+import kotlin.test.assertNull
 
 class HelpWordTest {
     private fun wordOf(line: String, before: String = ""): String? {
         val text = before + line
-        return outlineRobolang(text, messages = RobolangMessages.of(Language.ENGLISH)).lines.first { line in it.span.textIn(text) }.helpWord(text)
+        return outlineRobolang(text, messages = RobolangMessages.of(Language.ENGLISH)).lines.first {
+            line in
+                it.span.textIn(text)
+        }.helpWord(text)
     }
 
     @Test

@@ -23,7 +23,8 @@ class SnippetRequestedTest {
     private val OnBlocks.pose: Pose get() = workshop.state.session.robot.pose
     private val OnBlocks.litLine: Int get() = workshop.state.shownProgramRun.runningLine
 
-    private fun OnBlocks.doNow(words: String) = send(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(block(words)))))
+    private fun OnBlocks.doNow(words: String) =
+        send(BlockEvent.SnippetRequested(DragPayload.Blocks(BlockRun(block(words)))))
 
     private fun OnBlocks.doPaletteNow(id: String) = send(BlockEvent.SnippetRequested(DragPayload.New(fromPalette(id))))
 

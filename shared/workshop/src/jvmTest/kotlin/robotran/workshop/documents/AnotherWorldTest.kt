@@ -22,8 +22,8 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeWorld
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.PaletteItem
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.piece
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -21,9 +21,9 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.file.writeRobot
 import robotran.world.file.writeWorld
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals

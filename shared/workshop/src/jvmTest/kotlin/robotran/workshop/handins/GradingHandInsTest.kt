@@ -198,7 +198,8 @@ internal class GradingHandInsTest : HandInsTesting() {
                     },
                 ),
             )
-        val session = Session(world, assertIs<RobotProgramSets.Success>(loads).loads, loadPhysicsEngine(), Language.ENGLISH)
+        val session =
+            Session(world, assertIs<RobotProgramSets.Success>(loads).loads, loadPhysicsEngine(), Language.ENGLISH)
         return session.runForGoals().report.toJson().also { session.close() }
     }
 

@@ -1,10 +1,5 @@
 package robotran.workshop.learning
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertTrue
-import kotlin.time.Duration.Companion.minutes
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -22,6 +17,11 @@ import robotran.projects.readRobotLoads
 import robotran.simulation.Session
 import robotran.simulation.grade.runForGoals
 import robotran.simulation.physics.loadPhysicsEngine
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+import kotlin.time.Duration.Companion.minutes
 
 class NqcVersionsTest {
     private val versions = NqcVersions()
@@ -39,7 +39,8 @@ class NqcVersionsTest {
     fun `translated programs have no mistakes and nothing to warn of`() {
         for (task in tasks) {
             for (program in listOfNotNull(versions.start(task), versions.solution(task))) {
-                val result = compileNqc(program.name, program.files.single().text, messages = NqcMessages.of(Language.ENGLISH))
+                val result =
+                    compileNqc(program.name, program.files.single().text, messages = NqcMessages.of(Language.ENGLISH))
                 assertEquals(emptyList(), assertIs<NqcResult.Success>(result, task.name).warnings, task.name)
                 assertTrue(versions.has(program), task.name)
             }

@@ -12,11 +12,11 @@ import robotran.world.PortSensor
 import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
+import robotran.worldediting.WorldEdit
 import robotran.worldediting.piece
 import kotlin.test.AfterTest
 import kotlin.test.Test

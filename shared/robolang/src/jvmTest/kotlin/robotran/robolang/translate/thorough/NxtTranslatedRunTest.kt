@@ -51,7 +51,12 @@ class NxtTranslatedRunTest {
         for (pen in listOf(MotorPort.A, null)) {
             val robot = testNxt.copy(left = MotorPort.C, right = MotorPort.B, pen = pen, isReversed = true)
             val programs = examplePrograms.mapNotNull { (path, text) ->
-                val result = compileRobolang(path, text, robot, messages = RobolangMessages.of(Language.ENGLISH)) as? RobolangResult.Success
+                val result = compileRobolang(
+                    path,
+                    text,
+                    robot,
+                    messages = RobolangMessages.of(Language.ENGLISH),
+                ) as? RobolangResult.Success
                 result?.let { path to it.program as RobolangNxtProgram }
             }.toMap()
             val nothing = Expectations("")

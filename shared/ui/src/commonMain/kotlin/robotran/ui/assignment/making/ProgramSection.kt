@@ -48,7 +48,11 @@ internal fun GoalSection(state: AssignmentEditorState, change: (Assignment) -> U
 
 /** What pupils begin with, the solution, and what may be used. */
 @Composable
-internal fun ProgramSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+internal fun ProgramSection(
+    state: AssignmentEditorState,
+    change: (Assignment) -> Unit,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
     Section(SchoolTexts.makePrograms(spoken), "make-program-section") {
         Start(state, onEvent)
         Solution(state, onEvent)

@@ -27,8 +27,8 @@ import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
-import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.group
 import robotran.workshop.event.BlockEvent
 

@@ -14,10 +14,10 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.workshop.blocks.BlockDrag
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 
 /**

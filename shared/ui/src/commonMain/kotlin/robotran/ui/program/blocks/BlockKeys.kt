@@ -15,9 +15,9 @@ import robotran.blockediting.Block
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockStep
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.blocks.lineOf
 import robotran.workshop.event.BlockEvent

@@ -45,8 +45,8 @@ import robotran.robolang.outline.PhrasePart
 import robotran.ui.parts.isTree
 import robotran.ui.parts.scrolledByReaders
 import robotran.ui.theme.LocalRobotranColours
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.blocksIn
 
 /**

@@ -25,9 +25,9 @@ import robotran.ui.parts.TreePlace
 import robotran.ui.parts.treePlace
 import robotran.ui.texts.BlockTexts
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.DragPayload
-import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockRow
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 

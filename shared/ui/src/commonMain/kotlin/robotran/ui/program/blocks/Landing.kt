@@ -4,8 +4,8 @@ import androidx.compose.foundation.lazy.LazyListItemInfo
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.ui.geometry.Offset
 import robotran.blockediting.BlockPlace
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeAbove
 import robotran.workshop.blocks.placeBelow

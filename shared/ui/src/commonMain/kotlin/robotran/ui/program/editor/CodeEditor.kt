@@ -194,7 +194,11 @@ private fun Overlays(
 
 /** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */
 @Composable
-private fun notesBesideTyping(notes: List<InlineDiagnostic>, draft: TextDocument, isWriting: Boolean): List<InlineDiagnostic> {
+private fun notesBesideTyping(
+    notes: List<InlineDiagnostic>,
+    draft: TextDocument,
+    isWriting: Boolean,
+): List<InlineDiagnostic> {
     var restingText by remember { mutableStateOf(draft.text) }
     LaunchedEffect(draft.text) {
         if (restingText != draft.text) {

@@ -242,7 +242,8 @@ internal class EditorControl(
         write(after)
     }
 
-    private fun TextDocument.withLineSelected(line: Int) = copy(selection = TextSelection(lines.start(line), lines.end(line)))
+    private fun TextDocument.withLineSelected(line: Int) =
+        copy(selection = TextSelection(lines.start(line), lines.end(line)))
 
     private companion object {
         val VERTICAL = setOf(CaretMove.UP, CaretMove.DOWN, CaretMove.PAGE_UP, CaretMove.PAGE_DOWN)

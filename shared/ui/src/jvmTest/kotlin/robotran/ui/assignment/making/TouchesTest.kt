@@ -18,10 +18,10 @@ import robotran.workshop.documents.Machine
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SolutionCheck
-import robotran.worldediting.WorldEdit
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
 import kotlin.math.abs
 import kotlin.math.ceil
 import kotlin.test.Test

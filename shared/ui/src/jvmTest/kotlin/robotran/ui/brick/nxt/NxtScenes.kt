@@ -34,7 +34,11 @@ internal object NxtScenes {
     val robot: RobotDescription = ReadyRobots.NXT_PENBOT
 
     /** Just switched on. */
-    val menu: NxtState = NxtBrick(listOf(Shown("Square"), Shown("Follow")), name = "yellow", messages = NxtMessages.of(Language.ENGLISH)).state
+    val menu: NxtState = NxtBrick(
+        listOf(Shown("Square"), Shown("Follow")),
+        name = "yellow",
+        messages = NxtMessages.of(Language.ENGLISH),
+    ).state
 
     /** The same with its sensors plugged in. The sonar is off. */
     val idle: NxtState = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).run {

@@ -11,8 +11,8 @@ import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent

@@ -18,5 +18,6 @@ class FoundLinesTest {
     }
 
     @Test
-    fun `without matches no line is marked`() = assertEquals(FoundLines(), FoundLines.of(TextDocument("beep\n"), emptyList()))
+    fun `without matches no line is marked`() =
+        assertEquals(FoundLines(), FoundLines.of(TextDocument("beep\n"), emptyList()))
 }

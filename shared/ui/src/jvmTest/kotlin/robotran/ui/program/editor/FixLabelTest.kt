@@ -1,9 +1,5 @@
 package robotran.ui.program.editor
 
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNotNull
 import robotran.language.Language
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
@@ -13,6 +9,10 @@ import robotran.projects.PENBOT_TARGET
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
 
 class FixLabelTest {
     private fun labelOf(source: String): FixLabel {

@@ -29,8 +29,8 @@ import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.Label
 import robotran.workshop.blocks.BlockCursor
-import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.at
 import robotran.workshop.blocks.helpWord
 import robotran.workshop.blocks.placeNested

@@ -75,7 +75,8 @@ internal fun AngleDial(degrees: Double, isLeft: Boolean, diameter: Dp, onTurn: (
 }
 
 private fun angleAt(position: Offset, size: Size, isLeft: Boolean): Double {
-    val clockwise = atan2((position.x - size.width / 2).toDouble(), (size.height / 2 - position.y).toDouble()) * HALF / PI
+    val clockwise =
+        atan2((position.x - size.width / 2).toDouble(), (size.height / 2 - position.y).toDouble()) * HALF / PI
     val turned = if (isLeft) -clockwise else clockwise
     return (round(turned / STEP) * STEP + FULL) % FULL
 }

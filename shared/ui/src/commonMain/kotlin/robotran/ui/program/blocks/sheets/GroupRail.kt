@@ -39,8 +39,8 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.event.BlockEvent
 
 /** The groups of the palette beside the blocks. A touch opens the palette at that group, or closes it. */
