@@ -361,16 +361,25 @@
       for (const choice of choices) choice.disabled = true;
       parts.hold();
       const rest = parts.bring().catch(() => undefined);
-      // Wait until it is drawn.
-      requestAnimationFrame(() => requestAnimationFrame(() => fadeOut(part('loading'))));
+      const isDone = () => {
+        removeEventListener('error', onError, true);
+        removeEventListener('unhandledrejection', onRejection);
+      };
+      trouble = null; // The app is there in spite of it.
+      if (document.hidden) isDone(); // Nothing is drawn that could fail.
+      // Wait until it is drawn. What goes wrong meanwhile is told, since nothing else would be seen.
+      requestAnimationFrame(() =>
+        requestAnimationFrame(() => {
+          if (!trouble) fadeOut(part('loading'));
+          isDone();
+        }),
+      );
       try {
         localStorage.setItem(VISITED, 'yes');
       } catch {
         // Without storage every visit is greeted like a later one.
       }
       coming.clear();
-      removeEventListener('error', onError, true);
-      removeEventListener('unhandledrejection', onRejection);
       whenIdle(() => rest.then(keepForLater).catch(() => undefined));
     },
   };

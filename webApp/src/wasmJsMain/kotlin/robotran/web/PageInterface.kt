@@ -96,7 +96,7 @@ private suspend fun runOf(project: Project, milliseconds: Int): JsAny = when (
 /** A promise rejected with an error that scripts can read. To them a Kotlin exception is an opaque object. */
 private fun refusal(words: String): JsAny = js("Promise.reject(new Error(words))")
 
-private fun runResult(report: String, callLog: String): JsAny = js("({ report, romLog })")
+private fun runResult(report: String, callLog: String): JsAny = js("({ report, romLog: callLog })")
 
 private fun publish(
     report: () -> String,

@@ -10,9 +10,13 @@ import robotran.world.World
 fun WorldEditing.after(edit: WorldEdit): WorldEditing {
     val calm = copy(error = null)
     return when (edit) {
-        is WorldEdit.TapAt, is WorldEdit.Select, is WorldEdit.SelectWithin, WorldEdit.SelectAll, is WorldEdit.SelectNext -> calm.chosen(
-            edit,
-        )
+        is WorldEdit.TapAt,
+        is WorldEdit.Select,
+        is WorldEdit.SelectWithin,
+        WorldEdit.SelectAll,
+        is WorldEdit.SelectNext,
+        -> calm.chosen(edit)
+
         is WorldEdit.StartDrag -> calm.grabbed(edit)
         is WorldEdit.DragTo -> calm.dragged(edit)
         WorldEdit.Drop -> calm.dropped()
