@@ -148,10 +148,13 @@
     }
   };
   const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted', error);
-  const onError = (event) =>
-    event.target instanceof HTMLScriptElement
-      ? fail('notFetched', event.target.src)
-      : failToStart(event.error || event.message);
+  /** Whether something was thrown that nobody caught, so that what should be drawn is not. */
+  let hasThrown = false;
+  const onError = (event) => {
+    if (event.target instanceof HTMLScriptElement) return fail('notFetched', event.target.src);
+    if (event.error) hasThrown = true;
+    return failToStart(event.error || event.message);
+  };
   const onRejection = (event) => failToStart(event.reason);
   addEventListener('error', onError, true);
   addEventListener('unhandledrejection', onRejection);
@@ -365,12 +368,11 @@
         removeEventListener('error', onError, true);
         removeEventListener('unhandledrejection', onRejection);
       };
-      trouble = null; // The app is there in spite of it.
       if (document.hidden) isDone(); // Nothing is drawn that could fail.
       // Wait until it is drawn. What goes wrong meanwhile is told, since nothing else would be seen.
       requestAnimationFrame(() =>
         requestAnimationFrame(() => {
-          if (!trouble) fadeOut(part('loading'));
+          if (!hasThrown) fadeOut(part('loading'));
           isDone();
         }),
       );
