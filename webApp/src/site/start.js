@@ -148,11 +148,15 @@
     }
   };
   const failToStart = (error) => fail(error && error.name === 'CompileError' ? 'oldBrowser' : 'notStarted', error);
-  /** Whether something was thrown that nobody caught, so that what should be drawn is not. */
+  // What another script throws, such as an extension's, does not keep the app from being drawn.
+  /** Whether the app threw something that nobody caught. */
   let hasThrown = false;
+  const isOfApp = (error) =>
+    (typeof WebAssembly === 'object' && WebAssembly.Exception && error instanceof WebAssembly.Exception) ||
+    /wasm/.test(String((error && error.stack) || ''));
   const onError = (event) => {
     if (event.target instanceof HTMLScriptElement) return fail('notFetched', event.target.src);
-    if (event.error) hasThrown = true;
+    if (isOfApp(event.error)) hasThrown = true;
     return failToStart(event.error || event.message);
   };
   const onRejection = (event) => failToStart(event.reason);
