@@ -1,7 +1,7 @@
 package robotran.benchmarks
 
 /** All benchmarks by name. */
-internal val BENCHMARKS: Map<String, suspend () -> Figure> =
+internal val BENCHMARKS: Map<String, suspend () -> Measurement> =
     mapOf(
         "reading" to ::readingSpeed,
         "mistakes" to ::mistakesTime,

@@ -12,21 +12,21 @@ import robotran.robolang.messages.RobolangMessages
 import kotlin.time.DurationUnit
 
 /** The time to read a long program as blocks. */
-internal suspend fun blocksTime(): Figure {
+internal suspend fun blocksTime(): Measurement {
     val program = longProgram()
     return milliseconds(program) { blocksOf(program.text, messages = RobolangMessages.of(Language.ENGLISH)) }
 }
 
 /** The time to move a block in a long program. */
-internal suspend fun blockEditTime(): Figure {
+internal suspend fun blockEditTime(): Measurement {
     val program = longProgram()
     val edit = BlockEdit.Move(BlockRun(program.blocks.last().id), BlockPlace(parent = null, slot = 0, index = 1))
     return milliseconds(program) { check(apply(program, edit) is BlockEditResult.Success) }
 }
 
-private fun milliseconds(program: BlockProgram, work: () -> Unit): Figure {
+private fun milliseconds(program: BlockProgram, work: () -> Unit): Measurement {
     val time = median(RUNS, work).toDouble(DurationUnit.MILLISECONDS)
-    return Figure(time, "ms", "${program.outline.lines.size} lines, ${program.all.size} blocks")
+    return Measurement(time, "ms", "${program.outline.lines.size} lines, ${program.all.size} blocks")
 }
 
 private fun longProgram(): BlockProgram =

@@ -8,10 +8,10 @@ import robotran.tinyvm.config.TinyVmCosts
  * Loops of each kind at the speed of a brick: the bytecodes and the virtual milliseconds that a thousand rounds take, and
  * how much faster than a brick this machine runs them.
  */
-internal suspend fun busyLoops(): Figure {
+internal suspend fun busyLoops(): Measurement {
     val loops = BUSY_LOOPS.map { (kind, body) -> measureLoop(kind, body) }
     val ratio = loops.sumOf { it.milliseconds } / loops.sumOf { it.realMilliseconds }
-    return Figure(
+    return Measurement(
         TinyVmCosts.BYTECODES_PER_MILLISECOND.toDouble(),
         "bytecodes/ms of a brick, ${rounded(ratio)} times as fast here",
         loops.joinToString("; ") { it.text },

@@ -5,7 +5,7 @@ import robotran.programs.JavaSettings
 import robotran.tinyvm.config.TinyVmSpeed
 
 /** The bytecodes per second of the virtual machine, in a loop of arithmetic, field access, array elements and calls. */
-internal suspend fun bytecodeSpeed(): Figure {
+internal suspend fun bytecodeSpeed(): Measurement {
     val speed = TinyVmSpeed.UNLIMITED
     val program = javaProgramOf("Mixed.java", MIXED, JavaSettings(speed = speed))
     val seconds =
@@ -14,7 +14,7 @@ internal suspend fun bytecodeSpeed(): Figure {
             repeat(RESUMES) { check(run.resume(STEPS) == ProgramStatus.Running) { "The loop came to an end." } }
         }
     val bytecodes = RESUMES.toLong() * STEPS * speed.bytecodesPerStep
-    return Figure(
+    return Measurement(
         bytecodes / seconds / 1e6,
         "million bytecodes/s",
         "${bytecodes / 1_000_000} million in ${rounded(seconds)} s",

@@ -12,7 +12,7 @@ import kotlin.time.DurationUnit
 import kotlin.time.TimeSource
 
 /** The compile time of a Java program. The note contains the first times, which include loading and warm-up. */
-internal suspend fun compileTime(): Figure {
+internal suspend fun compileTime(): Measurement {
     val library = LejosLibrary.classNames.associateWith { checkNotNull(LejosLibrary.classFile(it)) }
     val begun = TimeSource.Monotonic.markNow()
     val compiler = loadJavaCompiler(messages = JavaMessages.of(Language.ENGLISH))
@@ -23,7 +23,7 @@ internal suspend fun compileTime(): Figure {
     val note =
         "one of ${javaPrograms.size} examples; loading took ${milliseconds(loaded)}, with the first program " +
             "${milliseconds(first)}"
-    return Figure(all.toDouble(DurationUnit.MILLISECONDS) / javaPrograms.size, "ms", note)
+    return Measurement(all.toDouble(DurationUnit.MILLISECONDS) / javaPrograms.size, "ms", note)
 }
 
 private fun compile(compiler: JavaCompiler, program: Map.Entry<String, String>, library: Map<String, ByteArray>) {

@@ -1,11 +1,11 @@
 package robotran.benchmarks
 
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.Shade
@@ -27,7 +27,7 @@ internal fun crowdedWorld(barriers: Int, robots: Int, blocks: Int = 0, furnished
         walls = walls(),
         robots = List(robots) { robotAt(it, if (furnished && it % 2 == 1) LightFacing.FORWARD else LightFacing.DOWN) },
         barriers = List(barriers) { Barrier(barrierAt(it)) },
-        blocks = List(blocks) { Block(Shape.Circle(Point(60.0 + 30 * it, 48.0 + 80 * (it % 3)), 3.0)) },
+        blocks = List(blocks) { MovableBlock(Shape.Circle(Point(60.0 + 30 * it, 48.0 + 80 * (it % 3)), 3.0)) },
         marks = if (furnished) listOf(ring()) else emptyList(),
         lamps = if (furnished) listOf(Lamp(Point(100.0, 200.0)), Lamp(Point(300.0, 40.0))) else emptyList(),
         realism = if (furnished) 0.5 else 0.0,

@@ -12,7 +12,7 @@ import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
 /** The commands per second of the machine of LEGO's firmware, in a loop of arithmetic, comparisons and a second task. */
-internal suspend fun firmwareCommandSpeed(): Figure {
+internal suspend fun firmwareCommandSpeed(): Measurement {
     val program = nqcProgramOf("mixed.nqc", MIXED_NQC)
     val seconds = seconds {
         val rom = SilentRom()
@@ -23,7 +23,7 @@ internal suspend fun firmwareCommandSpeed(): Figure {
         }
     }
     val speed = COMMANDS / seconds
-    return Figure(
+    return Measurement(
         speed / 1e6,
         "million commands/s, ${rounded(speed / COMMANDS_OF_BRICK)} times as many as a real brick",
         "$COMMANDS in ${rounded(seconds)} s",
@@ -31,7 +31,7 @@ internal suspend fun firmwareCommandSpeed(): Figure {
 }
 
 /** The speed relative to real time of a session in which a program in NQC follows a line. */
-internal suspend fun nqcLineFollowerSpeed(): Figure {
+internal suspend fun nqcLineFollowerSpeed(): Measurement {
     val world = (
         readWorld(
             BuiltInWorlds.texts.getValue("line-loop.world.json"),
@@ -47,7 +47,7 @@ private suspend fun nqcProgramOf(name: String, source: String): RcxProgram = whe
     val result = ProgramCompiler(
         ANY_TARGET,
         language = Language.ENGLISH,
-    ).read(Program.of(name, source))
+    ).compileOrThrow(Program.of(name, source))
 ) {
     is ProgramResult.Success -> result.program as RcxProgram
     is ProgramResult.Failure -> error(result.diagnostics.first().message)

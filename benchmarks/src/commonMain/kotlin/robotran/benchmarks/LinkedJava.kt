@@ -14,7 +14,7 @@ internal suspend fun javaProgramOf(name: String, source: String, settings: JavaS
             ANY_TARGET,
             settings,
             language = Language.ENGLISH,
-        ).read(Program.of(name, source))
+        ).compileOrThrow(Program.of(name, source))
     ) {
         is ProgramResult.Success -> result.program as RcxProgram
         is ProgramResult.Failure -> error(result.diagnostics.first().message)

@@ -12,7 +12,7 @@ import kotlin.time.measureTime
  * @property value in [unit].
  * @property note the conditions of the measurement.
  */
-internal class Figure(private val value: Double, private val unit: String, private val note: String) {
+internal class Measurement(private val value: Double, private val unit: String, private val note: String) {
     val text: String get() = "${rounded(value)} $unit ($note)"
 }
 

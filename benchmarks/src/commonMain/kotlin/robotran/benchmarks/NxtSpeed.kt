@@ -18,16 +18,16 @@ import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
 
 /** The bytecodes per second of the machine of an NXT, in the same loop as [bytecodeSpeed]. */
-internal suspend fun nxjBytecodeSpeed(): Figure = nxjSpeed("Mixed", MIXED)
+internal suspend fun nxjBytecodeSpeed(): Measurement = nxjSpeed("Mixed", MIXED)
 
 /** The same in a loop with numbers of 64 bits. Some operations take the time of several bytecodes. */
-internal suspend fun nxjDoubleSpeed(): Figure = nxjSpeed("Doubles", DOUBLES)
+internal suspend fun nxjDoubleSpeed(): Measurement = nxjSpeed("Doubles", DOUBLES)
 
 /** The same in a loop that makes objects, which the collector takes back. */
-internal suspend fun nxjObjectSpeed(): Figure = nxjSpeed("Objects", OBJECTS)
+internal suspend fun nxjObjectSpeed(): Measurement = nxjSpeed("Objects", OBJECTS)
 
 /** The speed relative to real time of a session in which a Java program on an NXT follows a line. */
-internal suspend fun nxjLineFollowerSpeed(): Figure {
+internal suspend fun nxjLineFollowerSpeed(): Measurement {
     val world = (
         readWorld(
             BuiltInWorlds.texts.getValue("line-loop.world.json"),
@@ -39,7 +39,7 @@ internal suspend fun nxjLineFollowerSpeed(): Figure {
     return realTime(running(program, world.copy(robots = robots), loadPhysicsEngine()))
 }
 
-private suspend fun nxjSpeed(name: String, source: String): Figure {
+private suspend fun nxjSpeed(name: String, source: String): Measurement {
     val program = nxjProgramOf(name, source, JavaSettings(speed = TinyVmSpeed.UNLIMITED))
     val bytecodesPerStep = NxtCosts.UNLIMITED_BYTECODES_PER_MILLISECOND / NxtCosts.STEPS_PER_MILLISECOND
     val seconds = seconds {
@@ -51,7 +51,7 @@ private suspend fun nxjSpeed(name: String, source: String): Figure {
         }
     }
     val bytecodes = RESUMES.toLong() * STEPS * bytecodesPerStep
-    return Figure(
+    return Measurement(
         bytecodes / seconds / 1e6,
         "million bytecodes/s",
         "${bytecodes / 1_000_000} million in ${rounded(seconds)} s",
@@ -62,7 +62,7 @@ private suspend fun nxjSpeed(name: String, source: String): Figure {
 private suspend fun nxjProgramOf(name: String, source: String, settings: JavaSettings = JavaSettings()): NxtProgram {
     val target = RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4)
     val program = Program.of("$name.java", source)
-    return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).read(program)) {
+    return when (val result = ProgramCompiler(target, settings, Language.ENGLISH).compileOrThrow(program)) {
         is ProgramResult.Success -> result.program as NxtProgram
         is ProgramResult.Failure -> error(result.diagnostics.first().message)
     }

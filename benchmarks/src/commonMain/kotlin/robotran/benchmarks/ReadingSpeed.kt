@@ -12,15 +12,15 @@ import robotran.robolang.syntax.RobolangLimits
 internal val ANY_TARGET = RobotTarget.Rcx(millisecondsPerCentimetre = 50.0, millisecondsPerDegree = 5.0)
 
 /** The time to scan, parse and check a program of max length. */
-internal suspend fun readingSpeed(): Figure {
+internal suspend fun readingSpeed(): Measurement {
     val source = FIRST_LINE + PIECE.repeat((RobolangLimits.SOURCE_CHARACTERS - FIRST_LINE.length) / PIECE.length)
     val seconds = seconds { programOf(source) }
     val megabytes = source.length / 1e6
-    return Figure(megabytes / seconds, "MB/s", "${rounded(megabytes)} MB in ${rounded(seconds)} s")
+    return Measurement(megabytes / seconds, "MB/s", "${rounded(megabytes)} MB in ${rounded(seconds)} s")
 }
 
 /** The time to report ten thousand errors. */
-internal suspend fun mistakesTime(): Figure {
+internal suspend fun mistakesTime(): Measurement {
     val source = "repaet 4 tmes quikly\n".repeat(WRONG_LINES)
     var told = 0
     val seconds = seconds {
@@ -35,7 +35,7 @@ internal suspend fun mistakesTime(): Figure {
             ).diagnostics.size
     }
     check(told == WRONG_LINES) { "Only $told of $WRONG_LINES mistakes were told." }
-    return Figure(seconds, "s", "$told mistakes on as many lines")
+    return Measurement(seconds, "s", "$told mistakes on as many lines")
 }
 
 /** The valid program [source]. */

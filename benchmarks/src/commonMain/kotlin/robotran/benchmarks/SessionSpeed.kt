@@ -16,48 +16,48 @@ import kotlin.time.Duration.Companion.minutes
 import kotlin.time.DurationUnit
 
 /** The speed relative to real time of a session that drives and draws all the time on an empty sheet. */
-internal suspend fun openSheetSpeed(): Figure = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
+internal suspend fun openSheetSpeed(): Measurement = realTime(BuiltInWorlds.plain.copy(walls = emptyList()))
 
 /** The same with walls that the robot keeps hitting. */
-internal suspend fun wallsSpeed(): Figure = realTime(BuiltInWorlds.plain)
+internal suspend fun wallsSpeed(): Measurement = realTime(BuiltInWorlds.plain)
 
 /** The same in a crowded world: 40 barriers, 10 blocks, three robots, lamps, a mark, noise. */
-internal suspend fun heavyWorldSpeed(): Figure = realTime(heavyWorld())
+internal suspend fun heavyWorldSpeed(): Measurement = realTime(heavyWorld())
 
 /** The ratio of a session's time to the time of its dyn4j steps alone. */
-internal suspend fun tickAgainstStep(): Figure = againstStep(BuiltInWorlds.plain)
+internal suspend fun tickAgainstStep(): Measurement = againstStep(BuiltInWorlds.plain)
 
 /** The same in the crowded world. */
-internal suspend fun heavyTickAgainstStep(): Figure = againstStep(heavyWorld())
+internal suspend fun heavyTickAgainstStep(): Measurement = againstStep(heavyWorld())
 
 /** The speed relative to real time with a growing number of barriers. */
-internal suspend fun growthWithBarriers(): Figure = growth(listOf(1, 10, 100, 400)) {
+internal suspend fun growthWithBarriers(): Measurement = growth(listOf(1, 10, 100, 400)) {
     crowdedWorld(barriers = it, robots = 1)
 }
 
 /** The speed relative to real time with a growing number of robots, which all drive and draw. */
-internal suspend fun growthWithRobots(): Figure = growth(listOf(1, 2, 4, 8)) {
+internal suspend fun growthWithRobots(): Measurement = growth(listOf(1, 2, 4, 8)) {
     crowdedWorld(barriers = 40, robots = it)
 }
 
 /** An example of the heaviest sessions of pupils. */
 internal fun heavyWorld() = crowdedWorld(barriers = 40, robots = 3, blocks = 10, furnished = true)
 
-private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Figure {
+private suspend fun growth(sizes: List<Int>, world: (Int) -> World): Measurement {
     val physics = loadPhysicsEngine()
     val speeds = sizes.map { VIRTUAL_TIME / driving(world(it), physics) }
     val all = sizes.zip(speeds).joinToString { (size, speed) -> "$size: ${rounded(speed)}" }
     val unit = "times as slow with ${sizes.last()} as with ${sizes.first()}"
-    return Figure(speeds.first() / speeds.last(), unit, "times real time with $all")
+    return Measurement(speeds.first() / speeds.last(), unit, "times real time with $all")
 }
 
-private suspend fun againstStep(world: World): Figure {
+private suspend fun againstStep(world: World): Measurement {
     val physics = loadPhysicsEngine()
     val recorded = RecordedPhysics(physics)
     driveOnce(world, recorded)
     val bare = median { recorded.again() }
     val session = driving(world, physics)
-    return Figure(
+    return Measurement(
         session / bare,
         "times as long as its steps of dyn4j alone",
         "a minute of those in ${seconds(bare)} s",
@@ -65,15 +65,15 @@ private suspend fun againstStep(world: World): Figure {
 }
 
 /** The speed relative to real time of a session in which a Java program follows a line, at the brick's speed. */
-internal suspend fun lineFollowerSpeed(): Figure {
+internal suspend fun lineFollowerSpeed(): Measurement {
     val program = javaProgramOf(LINE_FOLLOWER, javaPrograms.getValue(LINE_FOLLOWER))
     return realTime(running(program, BuiltInWorlds.plain, loadPhysicsEngine()))
 }
 
-private suspend fun realTime(world: World): Figure = realTime(driving(world, loadPhysicsEngine()))
+private suspend fun realTime(world: World): Measurement = realTime(driving(world, loadPhysicsEngine()))
 
-internal fun realTime(time: Duration): Figure =
-    Figure(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
+internal fun realTime(time: Duration): Measurement =
+    Measurement(VIRTUAL_TIME / time, "times real time", "a minute in ${seconds(time)} s")
 
 /** The time for all robots to drive in [world] for [VIRTUAL_TIME]. */
 private fun driving(world: World, physics: PhysicsEngine): Duration = running(drivingProgram(), world, physics)

@@ -25,7 +25,7 @@ import kotlin.time.measureTime
  * The time of a frame while the mouse carries a block over a program of some 500 blocks, all over the list and into its
  * edges, where it scrolls.
  */
-internal suspend fun blockDragTime(): Figure = onScreen(DRAGGED_GROUPS, ProgramView.BLOCKS) { screen ->
+internal suspend fun blockDragTime(): Measurement = onScreen(DRAGGED_GROUPS, ProgramView.BLOCKS) { screen ->
     screen.mouse(PointerEventType.Move, FIRST_BLOCK)
     screen.mouse(PointerEventType.Press, FIRST_BLOCK)
     val times = screen.times { frame ->
@@ -38,7 +38,7 @@ internal suspend fun blockDragTime(): Figure = onScreen(DRAGGED_GROUPS, ProgramV
 }
 
 /** The time of a frame while the wheel scrolls through 2,000 lines that are shown in [view]. */
-internal suspend fun scrollTime(view: ProgramView): Figure = onScreen(SCROLLED_GROUPS, view) { screen ->
+internal suspend fun scrollTime(view: ProgramView): Measurement = onScreen(SCROLLED_GROUPS, view) { screen ->
     screen.mouse(PointerEventType.Move, PROGRAM)
     val before = screen.picture()
     val times = screen.times { mouse(PointerEventType.Scroll, PROGRAM, Offset(0f, SCROLL)) }
@@ -46,11 +46,11 @@ internal suspend fun scrollTime(view: ProgramView): Figure = onScreen(SCROLLED_G
     figureOf(times, "${SCROLLED_GROUPS * NESTED.size} lines")
 }
 
-private fun figureOf(times: List<Duration>, what: String): Figure {
+private fun figureOf(times: List<Duration>, what: String): Measurement {
     val sorted = times.sorted().map { it.toDouble(DurationUnit.MILLISECONDS) }
     val worst = rounded(sorted[sorted.size * 99 / 100])
     val note = "99th percentile $worst ms; $what, software rendering, 1280 by 800"
-    return Figure(sorted[sorted.size / 2], "ms a frame, the median", note)
+    return Measurement(sorted[sorted.size / 2], "ms a frame, the median", note)
 }
 
 /** A tablet's screen without a display. */
@@ -100,7 +100,7 @@ private class Screen(val workshop: Workshop) {
     }.drop(WARMING)
 }
 
-private suspend fun onScreen(groups: Int, view: ProgramView, measure: (Screen) -> Figure): Figure {
+private suspend fun onScreen(groups: Int, view: ProgramView, measure: (Screen) -> Measurement): Measurement {
     val workshop: Workshop = openWorkshop()
     val text = List(groups) { NESTED }.flatten().joinToString("\n", postfix = "\n")
     workshop.handle(ProgramEvent.DraftChanged(TextDocument(text).withCaret(0), EditKind.OTHER))

@@ -27,7 +27,7 @@ import kotlin.time.DurationUnit
 import kotlin.time.measureTime
 
 /** The UI benchmarks, which run on the JVM only. */
-internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
+internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Measurement> =
     mapOf(
         "frames" to { onEventThread { frameTime(DrawerTab.CHART, DrawerTab.LOG) } },
         "frames-log" to { onEventThread { frameTime(DrawerTab.LOG) } },
@@ -47,8 +47,8 @@ internal val SCREEN_BENCHMARKS: Map<String, suspend () -> Figure> =
     )
 
 /** The UI dispatches its work to the event thread; drawn on another thread, it may block forever. */
-private fun onEventThread(measure: suspend () -> Figure): Figure {
-    var figure: Figure? = null
+private fun onEventThread(measure: suspend () -> Measurement): Measurement {
+    var figure: Measurement? = null
     SwingUtilities.invokeAndWait { figure = runBlocking { measure() } }
     return checkNotNull(figure)
 }
@@ -57,7 +57,7 @@ private fun onEventThread(measure: suspend () -> Figure): Figure {
  * The time to simulate a sixtieth of a second in the crowded world and to draw the whole screen of a tablet with [tab]
  * of the drawer open, and [beside] next to it. Renders in software on one core.
  */
-private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure {
+private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Measurement {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
     workshop.handle(RunEvent.RunPressed)
     workshop.advance(EARLIER_MILLISECONDS)
@@ -73,7 +73,7 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
     val note =
         "99th percentile ${milliseconds(times[FRAMES * 99 / 100])} ms; $WIDTH by $HEIGHT, software rendering, $calls " +
             "ROM calls"
-    return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
+    return Measurement(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
 }
 
 /**
@@ -81,7 +81,7 @@ private suspend fun frameTime(tab: DrawerTab, beside: DrawerTab? = null): Figure
  * [kind], or as the sheet for null, [zoom] times as large as all of it. A camera around the paper turns all the time;
  * a sheet that [isPushed] moves all the time.
  */
-private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Boolean = false): Figure {
+private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Boolean = false): Measurement {
     val workshop = Workshop(heavyProject(), loadPhysicsEngine())
     workshop.handle(RunEvent.RunPressed)
     workshop.advance(EARLIER_MILLISECONDS)
@@ -111,7 +111,7 @@ private suspend fun viewTime(kind: CameraKind?, zoom: Double = 1.0, isPushed: Bo
             times[FRAMES * 99 / 100],
         )} ms; $WIDTH by $HEIGHT, software rendering, the world " +
             "alone"
-    return Figure(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
+    return Measurement(times[FRAMES / 2].toDouble(DurationUnit.MILLISECONDS), "ms a frame, the median", note)
 }
 
 private fun heavyProject(): Project {

@@ -21,7 +21,7 @@ import kotlin.time.measureTime
  * on a tablet's screen, in a program of 2,000 lines. The note contains the times for 20 lines and for the max program
  * length.
  */
-internal suspend fun keystrokeTime(): Figure {
+internal suspend fun keystrokeTime(): Measurement {
     val short = keystrokes(SHORT)
     val long = keystrokes(LONG)
     val full = keystrokes(FULL)
@@ -29,7 +29,7 @@ internal suspend fun keystrokeTime(): Figure {
         "at $SHORT lines ${rounded(short.milliseconds(MIDDLE))} and ${rounded(short.milliseconds(WORST))} ms; " +
         "at $FULL lines ${rounded(full.milliseconds(MIDDLE))} and ${rounded(full.milliseconds(WORST))} ms; drawn in " +
         "software, 1280 x 800"
-    return Figure(long.milliseconds(MIDDLE), "ms", note)
+    return Measurement(long.milliseconds(MIDDLE), "ms", note)
 }
 
 private suspend fun keystrokes(lines: Int): List<Duration> {

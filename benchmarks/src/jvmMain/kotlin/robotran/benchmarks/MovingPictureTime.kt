@@ -25,13 +25,13 @@ import kotlin.time.TimeSource
  * The time to make a moving picture of a minute's run in which the robot draws all the time, [faster] than it was, and
  * the size of the file.
  */
-internal suspend fun movingPictureTime(faster: Int): Figure {
+internal suspend fun movingPictureTime(faster: Int): Measurement {
     val source = Program.of("flowers.robo", FLOWERS)
     val program = (
         ProgramCompiler(
             PENBOT_TARGET,
             language = Language.ENGLISH,
-        ).read(source) as ProgramResult.Success
+        ).compileOrThrow(source) as ProgramResult.Success
     ).program
     val world = BuiltInWorlds.plain
     val player =
@@ -47,7 +47,7 @@ internal suspend fun movingPictureTime(faster: Int): Figure {
     val note = "${states.size} frames, ${rounded(bytes.size / BYTES_PER_MEGABYTE)} MB; " +
         "${rounded(repeated)} s of it to repeat the run"
     player.close()
-    return Figure(start.elapsedNow().toDouble(DurationUnit.SECONDS), "s", note)
+    return Measurement(start.elapsedNow().toDouble(DurationUnit.SECONDS), "s", note)
 }
 
 private class Frames(private val states: List<SessionState>, private val frames: WorldFrames) : FrameSource {

@@ -108,7 +108,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
         val programs =
             when (val read = readProgramFiles(files, console.messages)) {
                 is ProgramFiles.Success -> {
-                    read.remarks.forEach(console::complain)
+                    read.notes.forEach(console::complain)
                     read.programs.map { it to programOf(it) }
                 }
 

@@ -52,8 +52,8 @@ class BothModesTest {
                 val console = RecordingConsole()
                 val arguments = listOf("check") + mode + options + files.map { it.path }
                 val status = CommandLine(console, desktop = null).execute(arguments)
-                val mistakes = console.complaints.filterNot { it.endsWith("(a warning)") }
-                assertEquals(emptyList(), mistakes, "$mode")
+                val errors = console.complaints.filterNot { it.endsWith("(a warning)") }
+                assertEquals(emptyList(), errors, "$mode")
                 assertEquals(0, status, "$mode")
             }
         }

@@ -35,17 +35,17 @@ internal class RecordedRuns(private val tree: File) {
     /** Repeats all sessions and returns those whose report or ROM log differs from the record. */
     suspend fun differences(): Outcome {
         val physics = loadPhysicsEngine()
-        val reader = ProgramCompiler(target, language = Language.ENGLISH)
+        val compiler = ProgramCompiler(target, language = Language.ENGLISH)
         val robolang = files("examples", ".robo").map { file ->
             compare(
-                example(reader, Program(file.name, ProgramLanguage.ROBOLANG, file.readText()), physics),
+                example(compiler, Program(file.name, ProgramLanguage.ROBOLANG, file.readText()), physics),
                 file,
                 "shared/simulation",
             )
         }
         val java = files("examples/lejos", ".java").map { file ->
             val source = Program(file.name, ProgramLanguage.JAVA, file.readText())
-            compare(example(reader, source, physics), file, "shared/programs")
+            compare(example(compiler, source, physics), file, "shared/programs")
         }
         val projects = files("shared/projects/$RUNS", ".robotran").map { file ->
             compare(project(file.readText(), physics), file, "shared/projects")
@@ -53,8 +53,8 @@ internal class RecordedRuns(private val tree: File) {
         return Outcome(robolang.size, java.size, projects.size, (robolang + java + projects).filterNotNull())
     }
 
-    private suspend fun example(reader: ProgramCompiler, source: ProgramSource, physics: PhysicsEngine): Session {
-        val result = reader.read(source)
+    private suspend fun example(compiler: ProgramCompiler, source: ProgramSource, physics: PhysicsEngine): Session {
+        val result = compiler.compileOrThrow(source)
         check(result is ProgramResult.Success) { "$source has mistakes: $result" }
         val load = RobotProgramSet(listOf(result.program), lightFacing = lightFacingOf(result.program))
         return Session(BuiltInWorlds.plain, listOf(load), physics, Language.ENGLISH).apply {

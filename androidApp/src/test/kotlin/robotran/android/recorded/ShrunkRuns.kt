@@ -26,14 +26,14 @@ fun main(arguments: Array<String>) = runBlocking {
 }
 
 private suspend fun mistakeFaults(): List<String> {
-    val reader =
+    val compiler =
         ProgramCompiler(
             RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
             language = Language.ENGLISH,
         )
     val text = "public class Oops {\n  public static void main(String[] words) {\n    int count = \"five\";\n  }\n}\n"
-    val result = reader.read(Program("Oops.java", ProgramLanguage.JAVA, text))
+    val result = compiler.compileOrThrow(Program("Oops.java", ProgramLanguage.JAVA, text))
     val diagnostic = (result as? ProgramResult.Failure)?.diagnostics?.singleOrNull()
-    val isTold = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
-    return if (isTold) emptyList() else listOf("One mistake was to be told in words, and not $result")
+    val isReported = diagnostic != null && ("count" in diagnostic.message || "String" in diagnostic.message)
+    return if (isReported) emptyList() else listOf("One mistake was to be told in words, and not $result")
 }

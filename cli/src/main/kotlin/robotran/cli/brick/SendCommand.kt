@@ -58,7 +58,7 @@ internal class SendCommand(private val process: Console, private val towers: () 
 
     override fun run() {
         val programs = when (val read = readProgramFiles(files, console.messages)) {
-            is ProgramFiles.Success -> read.programs.also { read.remarks.forEach(console::complain) }
+            is ProgramFiles.Success -> read.programs.also { read.notes.forEach(console::complain) }
             is ProgramFiles.Failure -> refuse(read.reason)
         }
         val forLego = programs.count { it.source.isForLegoFirmware }

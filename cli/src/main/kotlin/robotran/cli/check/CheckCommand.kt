@@ -52,7 +52,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     }
 
     private fun tell(name: String, file: CheckedFile) {
-        file.remarks.forEach { console.say(sentences.warning(it)) }
+        file.notes.forEach { console.say(sentences.warning(it)) }
         when (file) {
             is CheckedFile.Robolang -> tell(name, file)
 
@@ -70,7 +70,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
 
             is CheckedFile.Described -> tell(
                 name,
-                listOfNotNull(file.mistake).map { "$name: ${it.message}" },
+                listOfNotNull(file.error).map { "$name: ${it.message}" },
                 file.warnings.map { "$name: ${it.message}" },
             )
 
@@ -81,11 +81,11 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
     private fun tell(name: String, checked: CheckedFile.Robolang) {
         when (val file = checked.file) {
             is RobolangFile.Ready -> {
-                val (mistakes, remarks) = checked.translated.partition { checked.isForBrick }
-                val refused = remarks.map { it.copy(message = sentences.refusedByBrick(it.message)) }
+                val (errors, notes) = checked.translated.partition { checked.isForBrick }
+                val refused = notes.map { it.copy(message = sentences.refusedByBrick(it.message)) }
                 tell(
                     name,
-                    mistakes.map { lineOf(name, it) },
+                    errors.map { lineOf(name, it) },
                     file.warnings.map { lineOf(name, it) } + refused.map { lineOf(name, it) },
                 )
             }
@@ -105,7 +105,7 @@ internal class CheckCommand(private val console: Console) : CoreCliktCommand("ch
         is CheckedFile.Robolang -> if (file.canRun) ExitCode.DONE else ExitCode.PROGRAM_FAILED
         is CheckedFile.Java -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
         is CheckedFile.Firmware -> if (file.diagnostics.isEmpty()) ExitCode.DONE else ExitCode.PROGRAM_FAILED
-        is CheckedFile.Described -> if (file.mistake == null) ExitCode.DONE else ExitCode.PROGRAM_FAILED
+        is CheckedFile.Described -> if (file.error == null) ExitCode.DONE else ExitCode.PROGRAM_FAILED
         is CheckedFile.Unreadable -> ExitCode.BAD_INPUT
     }
 }

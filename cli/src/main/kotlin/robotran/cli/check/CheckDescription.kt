@@ -28,9 +28,9 @@ internal fun checkDescription(name: String, language: Language): CheckedFile {
     return when (jsonKindOf(name, file.text)) {
         null -> CheckedFile.Unreadable(messages.notToBeChecked(name, PROGRAM_ENDINGS + DESCRIPTION_ENDINGS))
         FileKind.COURSE -> checkCourse(name, language)
-        FileKind.PROJECT -> checked(readProject(file.text, language), file.remarks)
-        FileKind.ROBOT -> checked(readRobot(file.text, language), file.remarks)
-        else -> checked(readWorld(file.text, language), file.remarks)
+        FileKind.PROJECT -> checked(readProject(file.text, language), file.notes)
+        FileKind.ROBOT -> checked(readRobot(file.text, language), file.notes)
+        else -> checked(readWorld(file.text, language), file.notes)
     }
 }
 
@@ -41,27 +41,27 @@ internal fun checkCourse(name: String, language: Language): CheckedFile =
 
         is CourseReading.Success -> when (val result = reading.result) {
             is CourseFileResult.Success -> CheckedFile.Described(null, result.warnings)
-            is CourseFileResult.Failure -> mistake(result.message, result.line, result.path)
+            is CourseFileResult.Failure -> error(result.message, result.line, result.path)
         }
     }
 
-private fun checked(result: ProjectFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is ProjectFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
-    is ProjectFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
+private fun checked(result: ProjectFileResult, notes: List<String>): CheckedFile = when (result) {
+    is ProjectFileResult.Success -> CheckedFile.Described(null, result.warnings, notes)
+    is ProjectFileResult.Failure -> error(result.message, result.line, result.path, notes)
 }
 
-private fun checked(result: RobotFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is RobotFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
-    is RobotFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
+private fun checked(result: RobotFileResult, notes: List<String>): CheckedFile = when (result) {
+    is RobotFileResult.Success -> CheckedFile.Described(null, result.warnings, notes)
+    is RobotFileResult.Failure -> error(result.message, result.line, result.path, notes)
 }
 
-private fun checked(result: WorldFileResult, remarks: List<String>): CheckedFile = when (result) {
-    is WorldFileResult.Success -> CheckedFile.Described(null, result.warnings, remarks)
-    is WorldFileResult.Failure -> mistake(result.message, result.line, result.path, remarks)
+private fun checked(result: WorldFileResult, notes: List<String>): CheckedFile = when (result) {
+    is WorldFileResult.Success -> CheckedFile.Described(null, result.warnings, notes)
+    is WorldFileResult.Failure -> error(result.message, result.line, result.path, notes)
 }
 
-private fun mistake(message: String, line: Int?, path: String, remarks: List<String> = emptyList()) =
-    CheckedFile.Described(JsonWarning(message, line, path), emptyList(), remarks)
+private fun error(message: String, line: Int?, path: String, notes: List<String> = emptyList()) =
+    CheckedFile.Described(JsonWarning(message, line, path), emptyList(), notes)
 
 private val DESCRIPTION_ENDINGS =
     listOf(FileKind.WORLD, FileKind.ROBOT, FileKind.PROJECT, FileKind.COURSE).map { it.extension }

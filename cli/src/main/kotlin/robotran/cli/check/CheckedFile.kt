@@ -44,7 +44,7 @@ internal sealed interface CheckedFile {
         val isForBrick: Boolean = false,
     ) : CheckedFile {
         val canRun: Boolean get() = file is RobolangFile.Ready && !(isForBrick && translated.isNotEmpty())
-        override val remarks: List<String> get() = file.remarks
+        override val notes: List<String> get() = file.notes
     }
 
     /**
@@ -56,7 +56,7 @@ internal sealed interface CheckedFile {
         val diagnostics: List<Diagnostic>,
         val warnings: List<Diagnostic>,
         val isCompiled: Boolean = false,
-        override val remarks: List<String> = emptyList(),
+        override val notes: List<String> = emptyList(),
     ) : CheckedFile
 
     /** A program for LEGO's own firmware, with all files that it includes. */
@@ -64,25 +64,25 @@ internal sealed interface CheckedFile {
         val program: NamedProgram,
         val diagnostics: List<Diagnostic>,
         val warnings: List<Diagnostic>,
-        override val remarks: List<String> = emptyList(),
+        override val notes: List<String> = emptyList(),
     ) : CheckedFile
 
     /**
      * A world, a robot, a project or a course.
      *
-     * @property mistake why it cannot be used, with its line; null if it can.
+     * @property error why it cannot be used, with its line; null if it can.
      */
     data class Described(
-        val mistake: JsonWarning?,
+        val error: JsonWarning?,
         val warnings: List<JsonWarning>,
-        override val remarks: List<String> = emptyList(),
+        override val notes: List<String> = emptyList(),
     ) : CheckedFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : CheckedFile
 
     /** How the file was read although it is unusual, in sentences. */
-    val remarks: List<String> get() = emptyList()
+    val notes: List<String> get() = emptyList()
 }
 
 /**
@@ -122,7 +122,7 @@ private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: 
 
         is ProgramFiles.Success -> {
             val program = files.programs.single()
-            val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
+            val result = runBlocking { compiler.forBrickOf(program.source, brick).compileOrThrow(program.source) }
             val diagnostics = (result as? ProgramResult.Failure)?.diagnostics
             CheckedFile.Java(diagnostics.orEmpty(), emptyList(), isCompiled = true)
         }
@@ -134,12 +134,12 @@ private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickK
 
         is ProgramFiles.Success -> {
             val program = files.programs.single()
-            val result = runBlocking { compiler.forBrickOf(program.source, brick).read(program.source) }
+            val result = runBlocking { compiler.forBrickOf(program.source, brick).compileOrThrow(program.source) }
             CheckedFile.Firmware(
                 program,
                 (result as? ProgramResult.Failure)?.diagnostics.orEmpty(),
                 (result as? ProgramResult.Success)?.warnings.orEmpty(),
-                files.remarks,
+                files.notes,
             )
         }
     }
@@ -163,7 +163,7 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
         when (kind.java) {
             JavaPlatform.LEJOS -> (compiler.buildImage(listOf(source)) as? ImageBuildResult.Failure)?.diagnostics
 
-            JavaPlatform.NXJ -> compiler.forTarget(kind.penbotTarget).readTranslation(source)
+            JavaPlatform.NXJ -> compiler.forTarget(kind.penbotTarget).compileTranslation(source)
                 .let { it as? ProgramResult.Failure }?.diagnostics
 
             null -> null
@@ -186,7 +186,7 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
         }
     }
     val source = Program.of(sources)
-    val result = runBlocking { compiler.forBrickOf(source, brick).read(source) }
+    val result = runBlocking { compiler.forBrickOf(source, brick).compileOrThrow(source) }
     val diagnostics = byFile((result as? ProgramResult.Failure)?.diagnostics.orEmpty(), sources)
     val warnings = byFile((result as? ProgramResult.Success)?.warnings.orEmpty(), sources)
     return read.mapValues { (_, file) ->
@@ -196,14 +196,14 @@ private fun checkJava(names: List<String>, compiler: ProgramCompiler, brick: Bri
             is TextFile.Success -> CheckedFile.Java(
                 diagnostics[file.name].orEmpty(),
                 warnings[file.name].orEmpty(),
-                remarks = file.remarks,
+                notes = file.notes,
             )
         }
     }
 }
 
 /** A diagnostic that belongs to none of the [sources] goes to the first. */
-private fun byFile(told: List<Diagnostic>, sources: List<SourceFile>): Map<String, List<Diagnostic>> =
-    told.groupBy { diagnostic ->
+private fun byFile(described: List<Diagnostic>, sources: List<SourceFile>): Map<String, List<Diagnostic>> =
+    described.groupBy { diagnostic ->
         (sources.find { it.name == diagnostic.file } ?: sources.first()).name
     }

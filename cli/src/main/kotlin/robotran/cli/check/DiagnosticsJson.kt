@@ -27,11 +27,11 @@ private fun json(name: String, file: CheckedFile): JsonObject = buildJsonObject 
     put("file", name)
     when (file) {
         is CheckedFile.Unreadable -> put("error", file.reason)
-        else -> put("diagnostics", JsonArray(file.remarks.map { json("warning", JsonWarning(it)) } + told(name, file)))
+        else -> put("diagnostics", JsonArray(file.notes.map { json("warning", JsonWarning(it)) } + rows(name, file)))
     }
 }
 
-private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file) {
+private fun rows(name: String, file: CheckedFile): List<JsonObject> = when (file) {
     is CheckedFile.Robolang -> {
         diagnosticsOf(file.file).map(::jsonOfRobolang) +
             file.translated.map { json(if (file.isForBrick) "mistake" else "warning", it) }
@@ -44,7 +44,7 @@ private fun told(name: String, file: CheckedFile): List<JsonObject> = when (file
     }
 
     is CheckedFile.Described -> {
-        listOfNotNull(file.mistake).map { json("mistake", it) } + file.warnings.map { json("warning", it) }
+        listOfNotNull(file.error).map { json("mistake", it) } + file.warnings.map { json("warning", it) }
     }
 
     is CheckedFile.Unreadable -> emptyList()

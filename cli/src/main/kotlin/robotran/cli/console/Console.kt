@@ -20,8 +20,8 @@ interface Console {
 }
 
 /** Prints what people should know about the file [name], although it could be read. */
-internal fun Console.warn(name: String, remarks: List<String>, warnings: List<JsonWarning>) {
-    remarks.forEach(::complain)
+internal fun Console.warn(name: String, notes: List<String>, warnings: List<JsonWarning>) {
+    notes.forEach(::complain)
     warnings.forEach { complain(messages.warning("$name: ${it.message}")) }
 }
 

@@ -1,12 +1,12 @@
 package robotran.cli.console
 
-import robotran.cli.messages.RunMessages
+import robotran.cli.messages.RunCommandMessages
 import robotran.simulation.ReportedShortfall
 import robotran.world.writeThousandths
 import kotlin.math.floor
 
 /** What a run lacked for a goal, with time, place and line, such as `5 cm short of the marked area. (at 2.5 s, ..)`. */
-internal fun RunMessages.textOf(shortfall: ReportedShortfall): String {
+internal fun RunCommandMessages.textOf(shortfall: ReportedShortfall): String {
     val line = shortfall.line
     val file = shortfall.file
     val details = listOfNotNull(

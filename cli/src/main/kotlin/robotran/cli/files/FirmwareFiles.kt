@@ -18,7 +18,7 @@ import kotlin.io.path.isRegularFile
  */
 internal fun readWithIncluded(name: String, language: ProgramLanguage, messages: FileMessages): ReadProgram {
     val files = LinkedHashMap<String, SourceFile>()
-    val remarks = mutableListOf<String>()
+    val notes = mutableListOf<String>()
     val waiting = ArrayDeque(listOf(name))
     while (waiting.isNotEmpty() && files.size < ProjectLimits.MAXIMUM_FILES) {
         val next = waiting.removeFirst()
@@ -28,7 +28,7 @@ internal fun readWithIncluded(name: String, language: ProgramLanguage, messages:
 
             is TextFile.Success -> {
                 files[next] = SourceFile(file.name, file.text)
-                remarks += file.remarks
+                notes += file.notes
                 for (included in language.support.files.includes(file.text)) {
                     when (val found = findIncluded(included, next, name)) {
                         is IncludedFile.Found -> waiting += found.name
@@ -45,7 +45,7 @@ internal fun readWithIncluded(name: String, language: ProgramLanguage, messages:
             }
         }
     }
-    return ReadProgram.Success(Program(nameOf(files.getValue(name).name), language, files.values.toList()), remarks)
+    return ReadProgram.Success(Program(nameOf(files.getValue(name).name), language, files.values.toList()), notes)
 }
 
 private sealed interface IncludedFile {

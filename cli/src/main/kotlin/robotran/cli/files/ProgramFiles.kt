@@ -15,9 +15,9 @@ import kotlin.io.path.name
 internal sealed interface ProgramFiles {
     /**
      * @property programs at least one, at most as many as fit on a brick, ordered by the first file of each.
-     * @property remarks how their files were read although they are unusual, in sentences.
+     * @property notes how their files were read although they are unusual, in sentences.
      */
-    data class Success(val programs: List<NamedProgram>, val remarks: List<String> = emptyList()) : ProgramFiles
+    data class Success(val programs: List<NamedProgram>, val notes: List<String> = emptyList()) : ProgramFiles
 
     /** The files cannot be used. [reason] is a sentence that names the file. */
     data class Failure(val reason: String) : ProgramFiles
@@ -42,15 +42,15 @@ internal fun readProgramFiles(names: List<String>, messages: FileMessages): Prog
     if (groups.size > BrickProgram.MAX_PROGRAMS) {
         return ProgramFiles.Failure(messages.tooManyPrograms(BrickProgram.MAX_PROGRAMS, groups.size))
     }
-    val remarks = mutableListOf<String>()
+    val notes = mutableListOf<String>()
     val programs =
         groups.map { files ->
             when (val result = readProgram(files, messages)) {
-                is ReadProgram.Success -> NamedProgram(files.first(), result.source).also { remarks += result.remarks }
+                is ReadProgram.Success -> NamedProgram(files.first(), result.source).also { notes += result.notes }
                 is ReadProgram.Failure -> return ProgramFiles.Failure(result.reason)
             }
         }
-    return ProgramFiles.Success(programs, remarks)
+    return ProgramFiles.Success(programs, notes)
 }
 
 private fun readProgram(names: List<String>, messages: FileMessages): ReadProgram {
@@ -68,15 +68,15 @@ private fun readProgram(names: List<String>, messages: FileMessages): ReadProgra
 }
 
 private fun readJava(names: List<String>, messages: FileMessages): ReadProgram {
-    val remarks = mutableListOf<String>()
+    val notes = mutableListOf<String>()
     val files =
         names.map { name ->
             when (val file = readJavaFile(name, isAlone = names.size == 1, messages)) {
-                is TextFile.Success -> SourceFile(file.name, file.text).also { remarks += file.remarks }
+                is TextFile.Success -> SourceFile(file.name, file.text).also { notes += file.notes }
                 is TextFile.Failure -> return ReadProgram.Failure(file.reason)
             }
         }
-    return ReadProgram.Success(Program.of(files).copy(name = nameOf(files.first().name)), remarks)
+    return ReadProgram.Success(Program.of(files).copy(name = nameOf(files.first().name)), notes)
 }
 
 /**

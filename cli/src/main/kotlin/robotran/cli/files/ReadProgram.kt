@@ -4,8 +4,8 @@ import robotran.programs.ProgramSource
 
 /** The result of reading the files of one program. */
 internal sealed interface ReadProgram {
-    /** @property remarks how its files were read although they are unusual, in sentences. */
-    data class Success(val source: ProgramSource, val remarks: List<String> = emptyList()) : ReadProgram
+    /** @property notes how its files were read although they are unusual, in sentences. */
+    data class Success(val source: ProgramSource, val notes: List<String> = emptyList()) : ReadProgram
 
     /** The program cannot be used. [reason] is a sentence that names the file. */
     data class Failure(val reason: String) : ReadProgram

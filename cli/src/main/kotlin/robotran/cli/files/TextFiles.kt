@@ -15,9 +15,9 @@ import java.nio.file.Path
 internal sealed interface TextFile {
     /**
      * @property name the path, with the name of the file as Robotran names such files.
-     * @property remarks how it was read although it is unusual, in sentences.
+     * @property notes how it was read although it is unusual, in sentences.
      */
-    data class Success(val text: String, val name: String, val changes: List<TextChange>, val remarks: List<String>) :
+    data class Success(val text: String, val name: String, val changes: List<TextChange>, val notes: List<String>) :
         TextFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */

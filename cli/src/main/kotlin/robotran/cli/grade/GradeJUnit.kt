@@ -31,7 +31,7 @@ private class JUnitSuite(
 ) {
     fun write(program: ProgramGrades) {
         val grades = (program as? ProgramGrades.Success)?.grades.orEmpty()
-        val figures = listOf(
+        val parameters = listOf(
             "name" to program.shownName,
             "tests" to maxOf(1, grades.size),
             "failures" to grades.count { !it.passed },
@@ -39,7 +39,7 @@ private class JUnitSuite(
             "skipped" to 0,
             "time" to grades.sumOf { it.seconds },
         )
-        xml.element("testsuite", *figures.toTypedArray()) {
+        xml.element("testsuite", *parameters.toTypedArray()) {
             when (program) {
                 is ProgramGrades.Failure -> case(program.shownName, 0.0) {
                     xml.element("error", "message" to program.reasons.first(), "type" to "mistakes") {

@@ -11,7 +11,7 @@ import robotran.simulation.grade.Grade
 
 /**
  * All grades as JSON: the file and title of the `world`, and `programs`. Each program has its file and either
- * `mistakes`, or the number of seeds it `passed` and its `runs`: `world` for a variation of the assignment's world,
+ * `errors`, or the number of seeds it `passed` and its `runs`: `world` for a variation of the assignment's world,
  * `seed`, `passed` and the `report` of `robotran run`.
  */
 internal fun gradeJson(worldFile: String, worldTitle: String, programs: List<ProgramGrades>): String {

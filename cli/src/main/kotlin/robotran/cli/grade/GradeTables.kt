@@ -30,8 +30,8 @@ internal class GradeTables(
         val rows = goalRows(program.grades.map { it.goals }, "")
         val table = render(listOf(messages.goalHeading(), messages.seedsMetHeading(), messages.worstHeading()), rows)
         val failed = program.grades.filterNot { it.passed }
-        val told = failed.take(MAX_REPORTED).flatMap { failure(program.name, it) }
-        return (listOf(table, sentence(program)) + told + rest(failed)).joinToString("\n")
+        val described = failed.take(MAX_REPORTED).flatMap { failure(program.name, it) }
+        return (listOf(table, sentence(program)) + described + rest(failed)).joinToString("\n")
     }
 
     /**
@@ -87,9 +87,9 @@ internal class GradeTables(
     private fun failure(program: String, grade: Grade): List<String> {
         val goal = firstUnmet(grade.goals)
         val missed = messages.seedMissed(grade.seed, goal?.sentence, goal?.let(::percent).orEmpty())
-        val told = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
+        val described = grade.report.error?.let { messages.seedFailed(missed, it) } ?: missed
         val shortfall = firstShortfall(grade.report.goals)?.let { "  ${messages.textOf(it)}" }
-        return listOfNotNull(told, shortfall, commandFor(program, grade.seed)?.let { "  $it" })
+        return listOfNotNull(described, shortfall, commandFor(program, grade.seed)?.let { "  $it" })
     }
 
     private fun inWords() = messages.seeds(seeds.first, seeds.last)

@@ -65,7 +65,7 @@ internal class GradingTasks(private val console: Console) {
                 console.complain(reason.orEmpty())
                 return null
             }
-            read.remarks.forEach(console::complain)
+            read.notes.forEach(console::complain)
             val programs = read.programs.map { program ->
                 ProjectProgram.of(program.source) ?: run {
                     console.complain(messages.compiled(program.path))

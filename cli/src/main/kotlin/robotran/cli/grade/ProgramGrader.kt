@@ -55,7 +55,7 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         val names = request.programs.distinct()
         val shownNames = shownNames(names)
         val loadings = names.associateWith { loading(it, shownNames.getValue(it), place, request) }
-        loadings.values.filterIsInstance<RobotProgramsResult.Success>().flatMap { it.remarks }.distinct()
+        loadings.values.filterIsInstance<RobotProgramsResult.Success>().flatMap { it.notes }.distinct()
             .forEach(console::complain)
         loadings.values.filterIsInstance<RobotProgramsResult.Failure>().flatMap {
             it.reasons
@@ -117,9 +117,9 @@ internal class ProgramGrader(private val console: Console, private val desktop: 
         request: GradeRequest,
     ): RobotProgramsResult = when (val read = readSubmission(listOf(name), console, shownName)) {
         is SubmissionResult.Success -> {
-            val reader =
+            val compiler =
                 ProgramCompiler(PENBOT_TARGET, request.options.java, console.language, request.options.firmware)
-            readLoads(place, reader, read.handIn.namedByClasses(), request.options.robots)
+            readLoads(place, compiler, read.handIn.namedByClasses(), request.options.robots)
         }
 
         is SubmissionResult.Failure -> RobotProgramsResult.Failure(listOf(read.reason), isReadable = false)

@@ -50,7 +50,7 @@ internal fun gradesOf(result: GradedHandIn, files: SubmittedFiles, shownName: St
             ProgramGrades.Success(name, shown, result.runs.map { it.grade }, result.runs.map { it.world.name })
         }
 
-        is GradedHandIn.HasMistakes -> ProgramGrades.Failure(name, shown, result.reasons, isReadable = true)
+        is GradedHandIn.HasErrors -> ProgramGrades.Failure(name, shown, result.reasons, isReadable = true)
         is GradedHandIn.Failed -> ProgramGrades.Failure(name, shown, result.reasons, isReadable = false)
 
         is GradedHandIn.Unusable -> {

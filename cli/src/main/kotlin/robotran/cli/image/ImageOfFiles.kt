@@ -27,8 +27,8 @@ internal sealed interface ImageOfFiles {
 internal fun buildImage(files: List<String>, language: Language, version: LejosVersion): ImageOfFiles =
     when (val read = readProgramFiles(files, CommandMessages.of(language))) {
         is ProgramFiles.Success -> when (val built = buildImageOf(read.programs, language, version)) {
-            is ImageOfFiles.Success -> ImageOfFiles.Success(built.image, read.remarks + built.warnings)
-            is ImageOfFiles.Failure -> ImageOfFiles.Failure(read.remarks + built.lines, built.code)
+            is ImageOfFiles.Success -> ImageOfFiles.Success(built.image, read.notes + built.warnings)
+            is ImageOfFiles.Failure -> ImageOfFiles.Failure(read.notes + built.lines, built.code)
         }
 
         is ProgramFiles.Failure -> ImageOfFiles.Failure(listOf(read.reason), ExitCode.BAD_INPUT)

@@ -33,7 +33,7 @@ internal fun readDescribedRobot(name: String, console: Console): DescribedRobot 
         is TextFile.Success -> {
             when (val result = readRobot(file.text, console.language)) {
                 is RobotFileResult.Success -> {
-                    console.warn(name, file.remarks, result.warnings)
+                    console.warn(name, file.notes, result.warnings)
                     DescribedRobot.Success(result.robot)
                 }
 

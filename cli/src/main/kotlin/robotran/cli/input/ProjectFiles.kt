@@ -58,7 +58,7 @@ private fun readProjectText(name: String, console: Console): ReadProject =
         is TextFile.Success -> {
             when (val result = readProject(file.text, console.language)) {
                 is ProjectFileResult.Success -> {
-                    console.warn(name, file.remarks, result.warnings)
+                    console.warn(name, file.notes, result.warnings)
                     ReadProject.Success(result.project)
                 }
 

@@ -24,17 +24,17 @@ internal sealed interface RobolangFile {
         val source: String,
         val program: RobolangProgram,
         val warnings: List<Diagnostic>,
-        override val remarks: List<String> = emptyList(),
+        override val notes: List<String> = emptyList(),
     ) : RobolangFile
 
-    data class HasErrors(val diagnostics: List<Diagnostic>, override val remarks: List<String> = emptyList()) :
+    data class HasErrors(val diagnostics: List<Diagnostic>, override val notes: List<String> = emptyList()) :
         RobolangFile
 
     /** The file cannot be read. [reason] is a sentence that names the file. */
     data class Unreadable(val reason: String) : RobolangFile
 
     /** How the file was read although it is unusual, in sentences. */
-    val remarks: List<String> get() = emptyList()
+    val notes: List<String> get() = emptyList()
 }
 
 /**
@@ -59,9 +59,9 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                     file.text,
                     result.program,
                     result.warnings,
-                    file.remarks,
+                    file.notes,
                 )
-                is RobolangResult.Failure -> RobolangFile.HasErrors(result.diagnostics, file.remarks)
+                is RobolangResult.Failure -> RobolangFile.HasErrors(result.diagnostics, file.notes)
             }
         }
     }

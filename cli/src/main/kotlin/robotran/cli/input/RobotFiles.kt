@@ -33,9 +33,9 @@ internal fun readRobotBuild(text: String): RobotFile? =
 internal sealed interface RobotProgramsResult {
     /**
      * @property loads one per robot, in the world's order.
-     * @property remarks how files of the others were read although they are unusual, in sentences.
+     * @property notes how files of the others were read although they are unusual, in sentences.
      */
-    data class Success(val loads: List<RobotProgramSet>, val remarks: List<String> = emptyList()) : RobotProgramsResult
+    data class Success(val loads: List<RobotProgramSet>, val notes: List<String> = emptyList()) : RobotProgramsResult
 
     /** The programs cannot run. Each of [reasons] is one line of text. If the files are readable, they have errors. */
     data class Failure(val reasons: List<String>, val isReadable: Boolean = true) : RobotProgramsResult
@@ -47,17 +47,17 @@ internal sealed interface RobotProgramsResult {
  */
 internal fun readLoads(
     place: LoadedWorld,
-    reader: ProgramCompiler,
+    compiler: ProgramCompiler,
     own: Submission,
     others: List<RobotFile>,
 ): RobotProgramsResult {
     val world = place.world
-    val messages = CommandMessages.of(reader.language)
+    val messages = CommandMessages.of(compiler.language)
     val given = mutableMapOf<String, List<NamedProgram>>()
-    val remarks = mutableListOf<String>()
+    val notes = mutableListOf<String>()
     for ((robot, files) in others.groupBy({ it.robot }, { it.file })) {
         when (val read = readProgramFiles(files, messages)) {
-            is ProgramFiles.Success -> given[robot] = read.programs.also { remarks += read.remarks }
+            is ProgramFiles.Success -> given[robot] = read.programs.also { notes += read.notes }
             is ProgramFiles.Failure -> return RobotProgramsResult.Failure(listOf(read.reason))
         }
     }
@@ -69,7 +69,7 @@ internal fun readLoads(
     val result = runBlocking {
         readRobotLoads(
             world,
-            reader,
+            compiler,
             given.mapValues { (_, programs) ->
                 programs.map { it.source }
             },
@@ -77,11 +77,11 @@ internal fun readLoads(
     }
     val choices = robots + ProjectRobot(first, firstProgram = own.firstProgram, lightFacing = own.lightFacing)
     return when (result) {
-        is RobotProgramSets.Success -> RobotProgramsResult.Success(loadsWith(choices, world, result.loads), remarks)
+        is RobotProgramSets.Success -> RobotProgramsResult.Success(loadsWith(choices, world, result.loads), notes)
 
         is RobotProgramSets.Failure -> {
             val target = world.robots.firstOrNull { it.name == result.robot }?.description?.target
-            val itsReader = if (target == null) reader else reader.forTarget(target)
+            val itsReader = if (target == null) compiler else compiler.forTarget(target)
             RobotProgramsResult.Failure(linesOf(result, given[result.robot].orEmpty(), itsReader))
         }
     }
@@ -91,9 +91,9 @@ internal fun readLoads(
 private fun linesOf(
     mistaken: RobotProgramSets.Failure,
     programs: List<NamedProgram>,
-    reader: ProgramCompiler,
+    compiler: ProgramCompiler,
 ): List<String> = programs
     .flatMap { program ->
-        val result = runBlocking { reader.read(program.source) }
+        val result = runBlocking { compiler.compileOrThrow(program.source) }
         (result as? ProgramResult.Failure)?.diagnostics.orEmpty().map { lineOf(program, it) }
     }.ifEmpty { mistaken.diagnostics.map { if (it.file.isEmpty()) it.message else lineOf(it.file, it) } }

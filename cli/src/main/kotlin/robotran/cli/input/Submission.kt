@@ -52,7 +52,7 @@ internal fun readSubmission(names: List<String>, console: Console, linkName: Str
     linkOutside(found, names)?.let { return SubmissionResult.Failure(console.messages.leadsOutside(it)) }
     return when (val files = readProgramFiles(found, console.messages)) {
         is ProgramFiles.Success -> {
-            files.remarks.forEach(console::complain)
+            files.notes.forEach(console::complain)
             SubmissionResult.Success(Submission(files.programs))
         }
 

@@ -43,7 +43,7 @@ internal fun readWorldFile(name: String, console: Console): World? {
         }
     return when (val result = readWorld(file.text, console.language)) {
         is WorldFileResult.Success -> {
-            console.warn(name, file.remarks, result.warnings)
+            console.warn(name, file.notes, result.warnings)
             result.world
         }
 

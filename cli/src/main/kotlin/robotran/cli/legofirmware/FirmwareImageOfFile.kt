@@ -29,7 +29,7 @@ internal fun firmwareImageOf(
     language: Language,
 ): FirmwareImageOfFile {
     val compiler = ProgramCompiler(PENBOT_TARGET, language = language, firmware = settings)
-    return when (val result = runBlocking { compiler.read(program.source) }) {
+    return when (val result = runBlocking { compiler.compileOrThrow(program.source) }) {
         is ProgramResult.Success -> FirmwareImageOfFile.Success(
             checkNotNull(result.firmwareImage) { "${program.path} is not for LEGO's firmware." },
             result.warnings.map { CommandMessages.of(language).warning(lineOf(program, it)) },

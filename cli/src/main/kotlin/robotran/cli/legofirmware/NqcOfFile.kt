@@ -15,7 +15,7 @@ import robotran.language.Language
 import robotran.programs.FirmwareSettings
 import robotran.programs.Program
 import robotran.robolang.messages.NqcTranslationMessages
-import robotran.robolang.nqc.NqcRemark
+import robotran.robolang.nqc.NqcTranslationNote
 import robotran.robolang.nqc.translateToNqc
 
 /** What a Robolang program becomes for LEGO's own firmware. */
@@ -39,19 +39,19 @@ internal fun nqcOf(name: String, language: Language): NqcOfFile =
         is RobolangFile.Unreadable -> NqcOfFile.Failure(listOf(file.reason), ExitCode.BAD_INPUT)
 
         is RobolangFile.HasErrors -> {
-            NqcOfFile.Failure(file.remarks + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
+            NqcOfFile.Failure(file.notes + file.diagnostics.map { lineOf(name, it) }, ExitCode.PROGRAM_FAILED)
         }
 
         is RobolangFile.Ready -> {
             val translation = translateToNqc(file.program, NqcTranslationMessages.of(language))
-            val (lost, changed) = translation.remarks.partition { it.isLost }
+            val (lost, changed) = translation.notes.partition { it.isLost }
             val source = Program.of(translation.fileName, translation.nqc)
-            val line = { remark: NqcRemark -> "$name:${remark.range.line}:${remark.range.column}: ${remark.message}" }
+            val line = { note: NqcTranslationNote -> "$name:${note.range.line}:${note.range.column}: ${note.message}" }
             val messages = CommandMessages.of(language)
             NqcOfFile.Success(
                 NamedProgram(name, source),
                 lost.map(line),
-                file.remarks + changed.map { messages.warning(line(it)) },
+                file.notes + changed.map { messages.warning(line(it)) },
             )
         }
     }
@@ -69,10 +69,10 @@ internal fun firmwareImageOf(name: String, settings: FirmwareSettings, language:
 
         is ProgramFiles.Success -> {
             when (val built = firmwareImageOf(read.programs.single(), settings, language)) {
-                is FirmwareImageOfFile.Failure -> FirmwareImageOfFile.Failure(read.remarks + built.lines, built.code)
+                is FirmwareImageOfFile.Failure -> FirmwareImageOfFile.Failure(read.notes + built.lines, built.code)
                 is FirmwareImageOfFile.Success -> FirmwareImageOfFile.Success(
                     built.image,
-                    read.remarks + built.warnings,
+                    read.notes + built.warnings,
                 )
             }
         }

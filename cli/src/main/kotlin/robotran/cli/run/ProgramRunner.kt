@@ -187,7 +187,7 @@ internal class ProgramRunner(private val console: Console, private val desktop: 
             readLoads(place, compilerFor(request, request.java), own, request.robots)
     ) {
         is RobotProgramsResult.Success -> {
-            loading.remarks.forEach(console::complain)
+            loading.notes.forEach(console::complain)
             loading.loads
         }
 

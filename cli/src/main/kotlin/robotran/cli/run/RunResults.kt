@@ -43,7 +43,7 @@ internal class RunResults(
                 outputs.memory?.let { name -> session.memory()?.let { writeOutput(name, memoryListing(it)) } },
             )
         report.error?.let { console.complain(it) }
-        session.remarks.forEach {
+        session.warnings.forEach {
             console.complain(listOfNotNull(it.place(PlaceMessages.of(console.language)), it.message).joinToString(": "))
         }
         val forgotten = session.callLog.total - session.callLog.entries.size
@@ -74,9 +74,9 @@ internal class RunResults(
         val deviationCauses = session.explain()
         if (deviationCauses.isEmpty()) console.say(messages.nothingStrayed())
         val several = session.world.robots.size > 1
-        for ((robot, told) in deviationCauses.groupBy { it.robot }) {
+        for ((robot, described) in deviationCauses.groupBy { it.robot }) {
             if (several) console.say("$robot:")
-            told.forEach { console.say(it.sentence) }
+            described.forEach { console.say(it.sentence) }
         }
     }
 
@@ -117,7 +117,7 @@ internal class RunResults(
     }
 
     private fun goalLines(goals: List<GoalReport>, indentation: String): List<String> = goals.flatMap { goal ->
-        val told = if (goal.met) {
+        val described = if (goal.met) {
             messages.goalMet(goal.goal)
         } else {
             messages.goalNotMet(
@@ -129,6 +129,6 @@ internal class RunResults(
             )
         }
         val missing = goal.shortfall?.takeIf { goal.parts.isEmpty() }?.let { "$indentation  ${messages.textOf(it)}" }
-        listOfNotNull("$indentation$told", missing) + goalLines(goal.parts, "$indentation  ")
+        listOfNotNull("$indentation$described", missing) + goalLines(goal.parts, "$indentation  ")
     }
 }

@@ -97,12 +97,12 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private fun writeJavaKit(kit: String): ExitCode {
         val files =
             when (val read = readProgramFiles(programs, sentences)) {
-                is ProgramFiles.Success -> read.programs.single().also { read.remarks.forEach(console::complain) }
+                is ProgramFiles.Success -> read.programs.single().also { read.notes.forEach(console::complain) }
                 is ProgramFiles.Failure -> return refuse(read.reason)
             }
         val kind = brick ?: likelyBrickOf(files.source) ?: BrickKind.default
-        val reader = ProgramCompiler(kind.penbotTarget, language = spoken.language)
-        return when (val result = runBlocking { reader.read(files.source) }) {
+        val compiler = ProgramCompiler(kind.penbotTarget, language = spoken.language)
+        return when (val result = runBlocking { compiler.compileOrThrow(files.source) }) {
             is Reading.Failure -> {
                 result.diagnostics.forEach { console.complain(lineOf(files, it)) }
                 ExitCode.PROGRAM_FAILED
@@ -169,12 +169,12 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         val file = readRobolangFile(program, spoken.language, brick)
     ) {
         is RobolangFile.Ready -> {
-            file.remarks.forEach(console::complain)
+            file.notes.forEach(console::complain)
             write(program, file)
         }
 
         is RobolangFile.HasErrors -> {
-            file.remarks.forEach(console::complain)
+            file.notes.forEach(console::complain)
             file.diagnostics.forEach { console.complain(lineOf(program, it)) }
             ExitCode.PROGRAM_FAILED
         }

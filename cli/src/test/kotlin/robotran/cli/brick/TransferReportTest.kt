@@ -68,8 +68,8 @@ class TransferReportTest {
                 TowerError.FirmwareRefused,
             )
         for (language in Language.entries) {
-            val told = errors.map { CommandMessages.of(language).sentence(it) }
-            assertEquals(errors.size, told.toSet().size, "$told")
+            val described = errors.map { CommandMessages.of(language).sentence(it) }
+            assertEquals(errors.size, described.toSet().size, "$described")
             val remains = listOf(null, 3).flatMap { slot ->
                 Remains.entries.map { CommandMessages.of(language).sentence(it, slot) }
             }

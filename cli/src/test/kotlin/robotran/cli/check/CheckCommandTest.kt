@@ -47,10 +47,10 @@ class CheckCommandTest : CommandTest() {
         val (mistaken, ready) = Json.parseToJsonElement(console.said.single()).jsonArray.map { it.jsonObject }
         assertEquals(wrong, mistaken.getValue("file").jsonPrimitive.content)
         val diagnostic = mistaken.getValue("diagnostics").jsonArray.single().jsonObject
-        val told = listOf("code", "severity", "line", "column", "endColumn", "text").map {
+        val described = listOf("code", "severity", "line", "column", "endColumn", "text").map {
             diagnostic.getValue(it).jsonPrimitive.content
         }
-        assertEquals(listOf("unknown-command", "mistake", "1", "1", "7", "foward"), told)
+        assertEquals(listOf("unknown-command", "mistake", "1", "1", "7", "foward"), described)
         assertContains(diagnostic.getValue("message").jsonPrimitive.content, "\"foward\"")
         val fix = diagnostic.getValue("fix").jsonObject
         assertEquals(
@@ -71,9 +71,9 @@ class CheckCommandTest : CommandTest() {
         console.complaints.clear()
         assertEquals(0, check(many))
         assertEquals(emptyList(), console.complaints)
-        val remarks = console.said.filter { "A real brick would refuse this program. " in it }
-        assertEquals(refused.size, remarks.size)
-        assertTrue(remarks.all { it.endsWith(" (a warning)") }, "$remarks")
+        val notes = console.said.filter { "A real brick would refuse this program. " in it }
+        assertEquals(refused.size, notes.size)
+        assertTrue(notes.all { it.endsWith(" (a warning)") }, "$notes")
         assertContains(console.said.last(), "has no mistakes.")
         assertEquals(1, check(many, "--lejos", "3.0"))
         assertEquals(refused, console.complaints.map { it.substringAfter(": ") })

@@ -15,7 +15,7 @@ class DescriptionCheckTest : CommandTest() {
 
     private val world = BuiltInWorlds.texts.getValue("plain.world.json")
     private val misspelt = world.replaceFirst("\"walls\"", "\"wals\"")
-    private val remark = "wals is not known and does nothing; perhaps \"walls\" is meant."
+    private val note = "wals is not known and does nothing; perhaps \"walls\" is meant."
 
     private val course =
         """{"format": "robotran-course", "version": 1, "title": "C", "assignments": ["one.robotran"]}"""
@@ -41,7 +41,7 @@ class DescriptionCheckTest : CommandTest() {
             console.said.clear()
             assertEquals(0, check(file))
             assertContains(console.said.first(), "$file: Line ")
-            assertContains(console.said.first(), remark)
+            assertContains(console.said.first(), note)
             assertEquals("$file has no mistakes.", console.said.last())
         }
     }
@@ -72,23 +72,23 @@ class DescriptionCheckTest : CommandTest() {
         val warning = found[0].getValue("diagnostics").jsonArray.single().jsonObject
         assertEquals("warning", warning.getValue("severity").jsonPrimitive.content)
         assertEquals("wals", warning.getValue("path").jsonPrimitive.content)
-        val mistake = found[1].getValue("diagnostics").jsonArray.single().jsonObject
-        assertEquals("mistake", mistake.getValue("severity").jsonPrimitive.content)
-        assertEquals("3", mistake.getValue("line").jsonPrimitive.content)
+        val error = found[1].getValue("diagnostics").jsonArray.single().jsonObject
+        assertEquals("mistake", error.getValue("severity").jsonPrimitive.content)
+        assertEquals("3", error.getValue("line").jsonPrimitive.content)
     }
 
     @Test
     fun `run, grade and robot tell misspelt fields, too, and go on`() {
         val file = program(misspelt, "a.world.json")
         assertEquals(0, commandLine.execute(listOf("run", square, "--world", file, "--for", "1")))
-        assertContains(console.complaints.joinToString("\n"), remark)
+        assertContains(console.complaints.joinToString("\n"), note)
         console.complaints.clear()
         val goals = program(
             misspelt.replaceFirst("\"atLeast\": 40", "\"atMost\": 900"),
             "b.world.json",
         )
         commandLine.execute(listOf("grade", goals, square))
-        assertContains(console.complaints.joinToString("\n"), remark)
+        assertContains(console.complaints.joinToString("\n"), note)
         console.complaints.clear()
         val robot = program(
             """{ "format": "robotran-robot", "version": 1, "title": "Wide", "wheels": { "trak": 12 } }""",

@@ -71,8 +71,8 @@ class LejosCheckTest : CommandTest() {
         assertEquals(0, check(file))
         assertEquals(listOf("$file has no mistakes."), console.said)
         assertEquals(1, check("--lejos", "2.1", file))
-        val told = console.complaints.single()
-        assertTrue(told.startsWith("$file: Talk.main:5:1: leJOS 2.1 has no Message."), told)
+        val described = console.complaints.single()
+        assertTrue(described.startsWith("$file: Talk.main:5:1: leJOS 2.1 has no Message."), described)
     }
 
     @Test
@@ -83,9 +83,12 @@ class LejosCheckTest : CommandTest() {
         )
         for (program in listOf("$classes/Join.class", "$classes", compiled.jar(compiled.entries(classes)))) {
             assertEquals(1, check(program))
-            val told = console.complaints.single()
-            assertTrue(told.startsWith("$program: Join.main:5:1: leJOS on a real brick has no StringBuilder."), told)
-            assertContains(told, "-source 1.3")
+            val described = console.complaints.single()
+            assertTrue(
+                described.startsWith("$program: Join.main:5:1: leJOS on a real brick has no StringBuilder."),
+                described,
+            )
+            assertContains(described, "-source 1.3")
             console.complaints.clear()
             assertEquals(0, check("--forgiving", program))
             assertEquals(2, commandLine.execute(listOf("run", program, "--for", "1")))

@@ -16,13 +16,13 @@ class HiddenCharactersTest : CommandTest() {
     private val hidden = "\u001B[31m\u001B]0;title\u0007\b\u009B\u202E"
     private val seen = "\\u001b[31m\\u001b]0;title\\u0007\\u0008\\u009b\\u202e"
 
-    private fun told() = (console.said + console.complaints + console.mentions).joinToString("\n")
+    private fun described() = (console.said + console.complaints + console.mentions).joinToString("\n")
 
     private fun tell(vararg arguments: String): String {
         console.said.clear()
         console.complaints.clear()
         commandLine.execute(arguments.toList())
-        return told().also { assertHarmless(it) }
+        return described().also { assertHarmless(it) }
     }
 
     private fun assertHarmless(text: String) {
@@ -66,7 +66,7 @@ class HiddenCharactersTest : CommandTest() {
         program(thrower, "class/Jo\u0007/X.java")
         val reports = listOf("csv", "html", "junit", "report").associateWith { "$folder/out.$it" }
         tell("grade", world, "$folder/class", *reports.flatMap { listOf("--${it.key}", it.value) }.toTypedArray())
-        assertContains(told(), "Ida")
+        assertContains(described(), "Ida")
         for ((kind, file) in reports) {
             val text = Path.of(file).readText()
             assertHarmless(text)

@@ -33,16 +33,16 @@ class UnexpectedTest : CommandTest() {
         for (problem in problems) {
             console.complaints.clear()
             assertEquals(70, CommandLine(console, BrokenDesktop(problem)).execute(listOf("app")))
-            val told = console.complaints.single()
-            assertContains(told, "Something went wrong in Robotran itself.")
-            assertTrue('\n' !in told && "\tat " !in told, told)
+            val described = console.complaints.single()
+            assertContains(described, "Something went wrong in Robotran itself.")
+            assertTrue('\n' !in described && "\tat " !in described, described)
         }
         console.complaints.clear()
         val arguments = listOf("run", square, "--picture", "$folder/x.png", "--language", "de")
         assertEquals(70, CommandLine(console, BrokenDesktop(problems.first())).execute(arguments))
-        val told = console.complaints.last()
-        assertContains(told, "In Robotran selbst ist etwas schiefgegangen.")
-        assertContains(told, "IllegalArgumentException: the cause\\u001b[31m (UnexpectedTest.kt:")
+        val described = console.complaints.last()
+        assertContains(described, "In Robotran selbst ist etwas schiefgegangen.")
+        assertContains(described, "IllegalArgumentException: the cause\\u001b[31m (UnexpectedTest.kt:")
     }
 
     @Test

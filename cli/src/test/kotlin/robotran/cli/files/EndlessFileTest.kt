@@ -45,14 +45,14 @@ class EndlessFileTest : CommandTest() {
                 )
             for (file in files) {
                 val name = if (ending == "class") file.substringAfterLast('/') else file
-                val told = "$name is not a file with an end but a device or a pipe, which cannot be read."
+                val described = "$name is not a file with an end but a device or a pipe, which cannot be read."
                 if (ending == "world.json") {
-                    assertEquals(told, refusal("run", square, "--world", file))
-                    assertEquals(told, refusal("grade", file, square))
-                    assertEquals(told, refusal("link", file))
+                    assertEquals(described, refusal("run", square, "--world", file))
+                    assertEquals(described, refusal("grade", file, square))
+                    assertEquals(described, refusal("link", file))
                 } else {
-                    assertEquals(told, refusal("run", file))
-                    if (ending != "robotran") assertEquals(told, refusal("run", square, "--robot", "red=$file"))
+                    assertEquals(described, refusal("run", file))
+                    if (ending != "robotran") assertEquals(described, refusal("run", square, "--robot", "red=$file"))
                 }
             }
         }

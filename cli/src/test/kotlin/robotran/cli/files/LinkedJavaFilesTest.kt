@@ -24,10 +24,10 @@ class LinkedJavaFilesTest : CommandTest() {
         console.complaints.clear()
         console.said.clear()
         assertEquals(2, commandLine.execute(command.toList()), "${command.toList()}")
-        val told = console.complaints.filter {
+        val described = console.complaints.filter {
             "$link is a link to a file outside of its folder, and is not read." in it
         }
-        assertEquals(1, told.size, "${command.toList()}: ${console.complaints}")
+        assertEquals(1, described.size, "${command.toList()}: ${console.complaints}")
     }
 
     @Test

@@ -61,10 +61,10 @@ class OutputsTest : CommandTest() {
         )
         for ((input, commands) in inputs) {
             for (command in commands) {
-                val told = refusal(*command.toTypedArray(), input)
+                val described = refusal(*command.toTypedArray(), input)
                 assertEquals(
                     "$input is read by this command, so nothing is written there. Choose another name for the result.",
-                    told,
+                    described,
                     "$command",
                 )
             }
@@ -96,8 +96,8 @@ class OutputsTest : CommandTest() {
 
     @Test
     fun `two results do not go to one file`() {
-        val told = refusal("run", program("beep\n"), "--report", "$folder/x.txt", "--memory", "$folder/./x.txt")
-        assertContains(told, "Two results would go to")
+        val described = refusal("run", program("beep\n"), "--report", "$folder/x.txt", "--memory", "$folder/./x.txt")
+        assertContains(described, "Two results would go to")
     }
 
     @Test

@@ -28,11 +28,11 @@ class UnusualFileTest : CommandTest() {
 
     private fun execute(vararg arguments: String): Int = commandLine.execute(arguments.toList())
 
-    private fun assertRemark(remark: String, vararg arguments: String) {
+    private fun assertRemark(note: String, vararg arguments: String) {
         console.complaints.clear()
         console.said.clear()
         assertEquals(0, execute(*arguments), "${arguments.toList()}: ${console.complaints}")
-        assertContains((console.complaints + console.said).joinToString("\n"), remark)
+        assertContains((console.complaints + console.said).joinToString("\n"), note)
     }
 
     @Test
@@ -41,8 +41,8 @@ class UnusualFileTest : CommandTest() {
         for ((extension, text) in programs) {
             for ((charset, name) in encodings) {
                 val path = file("Karl$extension", text.toByteArray(charset))
-                val remark = "$path is in $name, not in UTF-8. It was read all the same."
-                for (command in listOf("run", "check", "link", "build")) assertRemark(remark, command, path)
+                val note = "$path is in $name, not in UTF-8. It was read all the same."
+                for (command in listOf("run", "check", "link", "build")) assertRemark(note, command, path)
             }
         }
     }
@@ -59,8 +59,8 @@ class UnusualFileTest : CommandTest() {
         for ((extension, text) in programs) {
             for (name in listOf("Karl$extension.txt", "Karl${extension.uppercase()}", "Karl$extension.TXT")) {
                 val path = file(name, text.encodeToByteArray())
-                val remark = "$path was read as ${folder.resolve("Karl$extension")}."
-                for (command in listOf("run", "check", "link", "build")) assertRemark(remark, command, path)
+                val note = "$path was read as ${folder.resolve("Karl$extension")}."
+                for (command in listOf("run", "check", "link", "build")) assertRemark(note, command, path)
                 assertTrue(folder.resolve(name).toFile().delete())
             }
         }

@@ -72,8 +72,8 @@ class NqcCheckTest : CommandTest() {
         assertEquals(1, execute("check", main, "--json"))
         val file = Json.parseToJsonElement(console.said.single()).jsonArray.single().jsonObject
         assertEquals(main, file.getValue("file").jsonPrimitive.content)
-        val mistake = file.getValue("diagnostics").jsonArray.single().jsonObject
-        assertEquals(listOf(header, "3"), listOf("file", "line").map { mistake.getValue(it).jsonPrimitive.content })
+        val error = file.getValue("diagnostics").jsonArray.single().jsonObject
+        assertEquals(listOf(header, "3"), listOf("file", "line").map { error.getValue(it).jsonPrimitive.content })
     }
 
     @Test

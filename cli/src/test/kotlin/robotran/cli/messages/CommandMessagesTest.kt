@@ -20,9 +20,9 @@ class CommandMessagesTest {
         val wrong = messages.flatMap { message ->
             val arguments = argumentsOf(message)
             val markers = arguments.flatMap { if (it is List<*>) it else listOf(it) }.map { "$it" }
-            val english = told(message, Language.ENGLISH, arguments)
+            val english = described(message, Language.ENGLISH, arguments)
             (Language.entries - Language.ENGLISH).flatMap { language ->
-                val other = told(message, language, arguments)
+                val other = described(message, language, arguments)
                 markers.filter {
                     (it in english) != (it in other)
                 }.map { "${message.name} in $language and $it: $other" }
@@ -34,13 +34,13 @@ class CommandMessagesTest {
     @Test
     fun `no message is the same in two languages, and all end alike`() {
         val wrong = messages.filter { message ->
-            val told = Language.entries.map { told(message, it, argumentsOf(message)) }
-            told.toSet().size < told.size || told.map { it.endsWith('.') }.toSet().size > 1
+            val described = Language.entries.map { described(message, it, argumentsOf(message)) }
+            described.toSet().size < described.size || described.map { it.endsWith('.') }.toSet().size > 1
         }
         assertEquals(emptyList(), wrong.map { it.name })
     }
 
-    private fun told(message: Method, language: Language, arguments: List<Any>): String =
+    private fun described(message: Method, language: Language, arguments: List<Any>): String =
         message.invoke(CommandMessages.of(language), *arguments.toTypedArray()).let {
             if (it is List<*>) it.joinToString() else "$it"
         }

@@ -15,9 +15,9 @@ class MissingSensorRunTest : CommandTest() {
 
     @Test
     fun `a touch sensor is missing on port 2 is missed`() {
-        val told = complaintsAbout("Sensor.S1.setTypeAndMode(1, 0x20);\nSensor.S2.setTypeAndMode(1, 0x20);")
-        assertContains(told.single(), "touch sensor is missing on port 2")
-        assertContains(told.single(), "Line 6")
+        val described = complaintsAbout("Sensor.S1.setTypeAndMode(1, 0x20);\nSensor.S2.setTypeAndMode(1, 0x20);")
+        assertContains(described.single(), "touch sensor is missing on port 2")
+        assertContains(described.single(), "Line 6")
     }
 
     @Test
@@ -38,8 +38,8 @@ class MissingSensorRunTest : CommandTest() {
 
     @Test
     fun `rotation sensors are missed by a navigator that needs them`() {
-        val told = complaintsAbout("new josx.robotics.RotationNavigator(5.6f, 11.2f, 1f);")
-        assertContains(told.single(), "Rotation sensors are missing on ports 1 and 3")
+        val described = complaintsAbout("new josx.robotics.RotationNavigator(5.6f, 11.2f, 1f);")
+        assertContains(described.single(), "Rotation sensors are missing on ports 1 and 3")
     }
 
     @Test

@@ -30,7 +30,7 @@ class UnfinishedRobotTest : CommandTest() {
 
     private fun world(text: String) = assertIs<WorldFileResult.Success>(readWorld(text, Language.ENGLISH)).world
 
-    private fun told(vararg arguments: String): String {
+    private fun described(vararg arguments: String): String {
         console.said.clear()
         console.complaints.clear()
         assertEquals(2, commandLine.execute(arguments.toList()))
@@ -40,21 +40,21 @@ class UnfinishedRobotTest : CommandTest() {
 
     @Test
     fun `a run is refused in a sentence, in a world and in a project`() {
-        assertEquals(reason, told("run", ahead, "--world", unfinished))
+        assertEquals(reason, described("run", ahead, "--world", unfinished))
         assertContains(
-            told("run", ahead, "--world", unfinished, "--language", "de"),
+            described("run", ahead, "--world", unfinished, "--language", "de"),
             "Der Roboter yellow ist nicht fertig",
         )
-        assertEquals(reason, told("run", program(writeProject(Project(world(unfinishedText))), "mine.robotran")))
+        assertEquals(reason, described("run", program(writeProject(Project(world(unfinishedText))), "mine.robotran")))
     }
 
     @Test
     fun `grading is refused once, not for each hand-in`() {
         val wrong = program("forwrd 30\n", "wrong.robo")
-        assertEquals(reason, told("grade", unfinished, ahead, wrong))
+        assertEquals(reason, described("grade", unfinished, ahead, wrong))
         val checks = AssignmentChecks(1..2, listOf(WorldVariation("other", world(unfinishedText))))
         val assignment = Project(world(worldText("")), assignment = Assignment("a-1", checks = checks))
-        assertEquals(reason, told("grade", program(writeProject(assignment), "a.robotran"), ahead, wrong))
+        assertEquals(reason, described("grade", program(writeProject(assignment), "a.robotran"), ahead, wrong))
     }
 
     @Test

@@ -71,9 +71,9 @@ class OpenRequestTest {
         val pipe = folder.resolve("pipe.robo")
         val made = ProcessBuilder("mkfifo", "$pipe").start()
         check(made.waitFor(10, TimeUnit.SECONDS) && made.exitValue() == 0)
-        var told = ""
-        assertNull(openedFile(pipe) { told = it })
-        assertContains(told, "pipe.robo")
+        var described = ""
+        assertNull(openedFile(pipe) { described = it })
+        assertContains(described, "pipe.robo")
     }
 
     @Test

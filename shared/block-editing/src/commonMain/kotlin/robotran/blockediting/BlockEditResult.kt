@@ -64,8 +64,8 @@ sealed interface BlockEditError {
     /** The `if` has an `else` already. */
     data object ElseExists : BlockEditError
 
-    /** [text] is no value; [mistake] says why, if the parser knows. */
-    data class NoValue(val text: String, val mistake: Diagnostic?) : BlockEditError
+    /** [text] is no value; [error] says why, if the parser knows. */
+    data class NoValue(val text: String, val error: Diagnostic?) : BlockEditError
 
     /** A number is needed here. */
     data object NumberNeeded : BlockEditError
@@ -113,5 +113,5 @@ sealed interface BlockEditError {
     data class ValueUnknown(val name: String) : BlockEditError
 
     /** The blocks cannot be tried: the [line], from 1, has a mistake; [message] says which one. */
-    data class Mistaken(val line: Int, val message: String) : BlockEditError
+    data class CompileError(val line: Int, val message: String) : BlockEditError
 }

@@ -70,7 +70,7 @@ internal class ConstructEdits(private val program: BlockProgram) {
         val line = blocksOf("if $condition", program.messages).outline.lines
         val value = line.first().parts.filterIsInstance<PhrasePart.Value>().singleOrNull()
         if (line.size > 1 || value == null || line.first().comment != null) {
-            return BlockEditError.NoValue(condition, line.first().mistake)
+            return BlockEditError.NoValue(condition, line.first().error)
         }
         val kind = literalKind(value.value.form)
         return if (kind == null || kind == ValueKind.CONDITION) null else BlockEditError.ConditionNeeded

@@ -16,7 +16,7 @@ internal class ItemEdits(private val program: BlockProgram) {
         val start = change.start + change.inserted.indexOf(item)
         val result = resultOf(program, listOf(change), SourceSpan(start, start + item.length))
         val placed = (result as? BlockEditResult.Success)?.let { it.program.partAt(it.selection) as? PhrasePart.Value }
-        return if (placed == null || item.isEmpty()) refused(BlockEditError.NoValue(item, mistake = null)) else result
+        return if (placed == null || item.isEmpty()) refused(BlockEditError.NoValue(item, error = null)) else result
     }
 
     fun remove(edit: BlockEdit.RemoveItem): BlockEditResult {

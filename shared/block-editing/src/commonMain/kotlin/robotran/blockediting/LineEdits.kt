@@ -52,7 +52,7 @@ internal class LineEdits(private val program: BlockProgram) {
 
     fun applyFix(edit: BlockEdit.ApplyFix): BlockEditResult {
         val line = line(edit.line) ?: return refused(BlockEditError.NotFound)
-        val fix = line.mistake?.fix ?: return refused(BlockEditError.NoFix)
+        val fix = line.error?.fix ?: return refused(BlockEditError.NoFix)
         val fixed = program.outline.lines[fix.range.line - 1].span.start - 1
         val text = fix.replacement.replace("\n", lineBreakOf(program))
         val change = change(fixed + fix.range.column, fixed + fix.range.endColumn, text)

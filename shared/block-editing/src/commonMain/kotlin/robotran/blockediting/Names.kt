@@ -41,7 +41,7 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
                 overlaps(it.visibleAt, name.visibleAt)
         }
     if (isTaken) return refused(BlockEditError.NameTaken(new))
-    val places = (name.uses + usesInMistakes(program, name)).sortedBy { it.start }
+    val places = (name.uses + usesInErrors(program, name)).sortedBy { it.start }
     val changes = places.map { TextEdit(it.start, it.textIn(program.text), new) }
     val before = places.takeWhile { it.start < name.declaredAt.start }
     val start = name.declaredAt.start + before.sumOf { new.length - it.length }
@@ -50,9 +50,9 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
 
 private fun overlaps(one: IntRange, other: IntRange) = one.first <= other.last && other.first <= one.last
 
-private fun usesInMistakes(program: BlockProgram, name: DeclaredName): List<SourceSpan> {
+private fun usesInErrors(program: BlockProgram, name: DeclaredName): List<SourceSpan> {
     val known = program.outline.names.flatMapTo(mutableSetOf()) { it.uses }
-    val lines = program.outline.lines.filter { it.form == null && it.mistake != null && it.index in name.visibleAt }
+    val lines = program.outline.lines.filter { it.form == null && it.error != null && it.index in name.visibleAt }
     return lines.flatMap { line ->
         val text = line.span.textIn(program.text)
         robolangTokens(text).filter { token ->

@@ -44,7 +44,7 @@ internal class PartEdits(private val program: BlockProgram) {
         val alone = outlineRobolang(VALUE_LINE + text, program.messages).lines
         val isValue = alone.size == 1 && alone.first().comment == null &&
             alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
-        if (!isValue) return refused(BlockEditError.NoValue(text, alone.first().mistake))
+        if (!isValue) return refused(BlockEditError.NoValue(text, alone.first().error))
         val line = program.lineAt(part.span.start)
         // An operand with a weaker operator inside needs brackets.
         for (attempt in listOf(text, "($text)")) {
@@ -57,7 +57,7 @@ internal class PartEdits(private val program: BlockProgram) {
             if (!isFit) return refused(checkNotNull(errorOf(part.use.kind)))
             return doneWith(program, after, changes, placed)
         }
-        return refused(BlockEditError.NoValue(text, mistake = null))
+        return refused(BlockEditError.NoValue(text, error = null))
     }
 
     /** The unit behind a number takes its singular or plural. */

@@ -52,7 +52,7 @@ internal fun BlockProgram.errorAt(
     for (block in blocks) {
         val form = block.head.form
         val isSetting =
-            form?.isSetting == true || block.head.mistake?.code == DiagnosticCode.SETTING_OUTSIDE_ROBOT
+            form?.isSetting == true || block.head.error?.code == DiagnosticCode.SETTING_OUTSIDE_ROBOT
         val isRead = block is Block.Command || block is Block.Construct
         when {
             isInRobot && isRead && !isSetting -> return BlockEditError.OnlySettings

@@ -132,7 +132,7 @@ class BlocksOfTest {
         assertEquals(": repeat 4 times\n  : if left bumper\n    beep\n    forward 20\n: end\nstop", shapeOf(program))
         val choice = assertIs<Block.Construct>(program.find("if"))
         assertNull(choice.foot)
-        assertNotNull(choice.head.mistake?.fix)
+        assertNotNull(choice.head.error?.fix)
     }
 
     @Test
@@ -155,7 +155,7 @@ class BlocksOfTest {
     @Test
     fun `a text that is too long is one loose block with the message`() {
         val program = blocksOf("beep\n".repeat(200_001), messages = RobolangMessages.of(Language.ENGLISH))
-        assertNotNull(assertIs<Block.Loose>(program.blocks.single()).head.mistake)
+        assertNotNull(assertIs<Block.Loose>(program.blocks.single()).head.error)
         assertEquals(program.text, textOf(program))
     }
 

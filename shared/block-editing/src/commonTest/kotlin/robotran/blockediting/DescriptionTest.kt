@@ -63,19 +63,19 @@ class DescriptionTest {
     fun `an edit is told with what it was about and where that is now`() {
         val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
 
-        fun told(edit: BlockEdit, language: Language = Language.ENGLISH) =
+        fun described(edit: BlockEdit, language: Language = Language.ENGLISH) =
             describe(program, edit, program.done(edit), BlockMessages.of(language))
         val beep = BlockRun(program.idOf("beep"))
         val inRepeat = BlockPlace(program.idOf("repeat"), 0, 1)
-        assertEquals("Moved: beep, 2 of 4 in repeat 4 times", told(BlockEdit.Move(beep, inRepeat)))
+        assertEquals("Moved: beep, 2 of 4 in repeat 4 times", described(BlockEdit.Move(beep, inRepeat)))
         assertEquals(
             "Verschoben: beep, 2 von 4 in repeat 4 times",
-            told(BlockEdit.Move(beep, inRepeat), Language.GERMAN),
+            described(BlockEdit.Move(beep, inRepeat), Language.GERMAN),
         )
-        assertEquals("Added: 2 blocks, 1 of 4", told(BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))))
-        assertEquals("Doubled: beep, 2 of 3", told(BlockEdit.Duplicate(beep)))
-        assertEquals("Deleted: forward 20 cm", told(BlockEdit.Delete(setOf(program.idOf("forward")))))
-        assertEquals("Now: forward 35 cm", told(BlockEdit.Replace(program.span("20"), "35")))
+        assertEquals("Added: 2 blocks, 1 of 4", described(BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))))
+        assertEquals("Doubled: beep, 2 of 3", described(BlockEdit.Duplicate(beep)))
+        assertEquals("Deleted: forward 20 cm", described(BlockEdit.Delete(setOf(program.idOf("forward")))))
+        assertEquals("Now: forward 35 cm", described(BlockEdit.Replace(program.span("20"), "35")))
     }
 
     @Test
@@ -83,7 +83,7 @@ class DescriptionTest {
         val program = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH))
 
         /** What is told when [edit] is undone, and when it is redone. */
-        fun told(edit: BlockEdit): Pair<String?, String?> {
+        fun described(edit: BlockEdit): Pair<String?, String?> {
             val edited = program.done(edit).program
             val undone = blocksOf(program.text, previous = edited, messages = RobolangMessages.of(Language.ENGLISH))
             return describeChange(edited, undone, english) to
@@ -96,22 +96,22 @@ class DescriptionTest {
         val beep = BlockRun(program.idOf("beep"))
         assertEquals(
             "Now: beep, 1 of 2" to "Now: beep, 2 of 4 in repeat 4 times",
-            told(BlockEdit.Move(beep, BlockPlace(program.idOf("repeat"), 0, 1))),
+            described(BlockEdit.Move(beep, BlockPlace(program.idOf("repeat"), 0, 1))),
         )
-        assertEquals("Now: beep, 1 of 2" to "Gone: beep", told(BlockEdit.Delete(setOf(program.idOf("beep")))))
+        assertEquals("Now: beep, 1 of 2" to "Gone: beep", described(BlockEdit.Delete(setOf(program.idOf("beep")))))
         val two = BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))
-        assertEquals("Gone: 2 blocks" to "Now: 2 blocks, 1 of 4", told(two))
+        assertEquals("Gone: 2 blocks" to "Now: 2 blocks, 1 of 4", described(two))
         assertEquals(
             "Now: forward 20 cm, 1 of 3 in repeat 4 times" to "Now: forward 35 cm, 1 of 3 in repeat 4 times",
-            told(BlockEdit.Replace(program.span("20"), "35")),
+            described(BlockEdit.Replace(program.span("20"), "35")),
         )
         assertEquals(
             "Now: if left bumper, 2 of 2" to "Gone: if left bumper",
-            told(BlockEdit.Delete(setOf(program.idOf("if")))),
+            described(BlockEdit.Delete(setOf(program.idOf("if")))),
         )
         val loop = program.idOf("repeat")
         assertEquals("Gone: else" to "Now: else", toldOfElse())
-        assertEquals("Now: repeat 4 times, 1 of 1 in if left bumper", told(BlockEdit.Delete(setOf(loop))).first)
+        assertEquals("Now: repeat 4 times, 1 of 1 in if left bumper", described(BlockEdit.Delete(setOf(loop))).first)
         assertNull(
             describeChange(
                 program,

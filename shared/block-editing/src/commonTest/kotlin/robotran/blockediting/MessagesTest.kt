@@ -22,7 +22,7 @@ class MessagesTest {
         BlockEditError.LooseEnd,
         BlockEditError.NoSuchConstruct,
         BlockEditError.ElseExists,
-        BlockEditError.NoValue("2,5 +", mistake = null),
+        BlockEditError.NoValue("2,5 +", error = null),
         BlockEditError.NumberNeeded,
         BlockEditError.ConditionNeeded,
         BlockEditError.ListNeeded,
@@ -38,7 +38,7 @@ class MessagesTest {
         BlockEditError.NoPlaceForValue,
         BlockEditError.NothingToTry,
         BlockEditError.ValueUnknown("side"),
-        BlockEditError.Mistaken(3, "X."),
+        BlockEditError.CompileError(3, "X."),
     )
 
     private fun said(messages: BlockMessages): List<String> =

@@ -35,7 +35,7 @@ interface Brick {
     val loudness: Int get() = if (isSounding) FULL_VOLUME else 0
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
-    val remarks: List<RuntimeWarning>
+    val warnings: List<RuntimeWarning>
 
     /**
      * The sensors that the running program expects at the input ports or, if none runs, those of the last one; each

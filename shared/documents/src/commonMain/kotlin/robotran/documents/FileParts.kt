@@ -58,7 +58,7 @@ internal class GivenFile(val file: IncomingFile) {
 
     fun isNamedAs(kind: FileKind): Boolean = name.endsWith(kind.extension)
 
-    fun remarks(language: Language): List<String> = if (isNamedAs(FileKind.RCX_IMAGE)) {
+    fun notes(language: Language): List<String> = if (isNamedAs(FileKind.RCX_IMAGE)) {
         emptyList()
     } else {
         (reading as? TextReading.Success)?.changes.orEmpty().map { sentenceFor(it, shownName, language) }

@@ -32,7 +32,7 @@ sealed interface OpenFilesResult {
      * @property programs to be added to the existing ones.
      * @property courses whole courses, to be kept on the device.
      * @property robot replaces a robot in the world that is open then.
-     * @property remarks what people should know about the files, in sentences: how they were read although they are
+     * @property notes what people should know about the files, in sentences: how they were read although they are
      * unusual, and fields that are probably misspelt.
      */
     data class Success(
@@ -41,7 +41,7 @@ sealed interface OpenFilesResult {
         val programs: List<ProjectProgram>,
         val courses: List<Course> = emptyList(),
         val robot: RobotDescription? = null,
-        val remarks: List<String> = emptyList(),
+        val notes: List<String> = emptyList(),
     ) : OpenFilesResult
 
     /** None of the files was opened. */
@@ -118,7 +118,7 @@ suspend fun openFiles(files: List<IncomingFile>, language: Language): OpenFilesR
             programs,
             parts.filterIsInstance<Part.OfCourse>().map { it.course },
             robots.singleOrNull(),
-            given.flatMap { it.remarks(language) } + reader.warnings,
+            given.flatMap { it.notes(language) } + reader.warnings,
         )
     }
 }

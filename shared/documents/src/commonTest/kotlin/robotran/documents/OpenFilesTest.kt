@@ -160,23 +160,23 @@ class OpenFilesTest {
                 assertEquals(text, opened.programs.single().files.single().text)
                 assertEquals(
                     listOf("Karl$extension is in $encoding, not in UTF-8. It was read all the same."),
-                    opened.remarks,
+                    opened.notes,
                 )
             }
             for (name in listOf("Karl$extension.txt", "Karl${extension.uppercase()}", "Karl$extension.TXT")) {
                 val opened = opened(file(name, text))
                 assertEquals("Karl$extension", opened.programs.single().files.single().name)
-                assertEquals(listOf("$name was read as Karl$extension."), opened.remarks)
+                assertEquals(listOf("$name was read as Karl$extension."), opened.notes)
             }
-            assertEquals(emptyList(), opened(file("Karl$extension", text)).remarks)
+            assertEquals(emptyList(), opened(file("Karl$extension", text)).notes)
         }
     }
 
     @Test
     fun `a misspelt field of a world, a robot, a project or a course is a remark`() = runTest {
         val text = writeWorld(world).replaceFirst("\"paper\"", "\"tsk\": \"Go.\", \"paper\"")
-        val remark = opened(file("town.world.json", text)).remarks.single()
-        assertTrue(remark.startsWith("town.world.json: Line ") && "\"task\"" in remark, remark)
+        val note = opened(file("town.world.json", text)).notes.single()
+        assertTrue(note.startsWith("town.world.json: Line ") && "\"task\"" in note, note)
     }
 
     @Test

@@ -57,5 +57,6 @@ suspend fun fixedStatements(statements: String): String {
     return text.substringAfter("InterruptedException {\n").removeSuffix("\n}\n}\n")
 }
 
-/** Asserts that [told] ends with the sentence [advice], which says what to do instead. */
-fun assertAdvice(advice: String, told: Diagnostic) = assertTrue(told.message.endsWith(" $advice"), told.message)
+/** Asserts that [described] ends with the sentence [advice], which says what to do instead. */
+fun assertAdvice(advice: String, described: Diagnostic) =
+    assertTrue(described.message.endsWith(" $advice"), described.message)

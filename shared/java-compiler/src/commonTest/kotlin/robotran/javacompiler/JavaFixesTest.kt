@@ -74,26 +74,26 @@ class JavaFixesTest {
 
     @Test
     fun `each fix for an RCX leaves fewer mistakes`() = runTest {
-        for (text in (statements + ofRcx).map(::program) + sources) check(text) { mistakesOf(compile(it)) }
+        for (text in (statements + ofRcx).map(::program) + sources) check(text) { errorsOf(compile(it)) }
     }
 
     @Test
     fun `each fix for an NXT leaves fewer mistakes`() = runTest {
-        for (text in (statements + ofNxt).map(::nxtProgram) + sources) check(text) { mistakesOf(compileForNxt(it)) }
+        for (text in (statements + ofNxt).map(::nxtProgram) + sources) check(text) { errorsOf(compileForNxt(it)) }
     }
 
     /** The errors or warnings: a semicolon behind `while (...)` is Java, but hardly ever what was meant. */
-    private fun mistakesOf(result: CompilationResult): List<Diagnostic> = when (result) {
+    private fun errorsOf(result: CompilationResult): List<Diagnostic> = when (result) {
         is CompilationResult.Success -> result.warnings
         is CompilationResult.Failure -> result.diagnostics
     }
 
-    private suspend fun check(text: String, mistakes: suspend (String) -> List<Diagnostic>) {
-        val before = mistakes(text)
+    private suspend fun check(text: String, errors: suspend (String) -> List<Diagnostic>) {
+        val before = errors(text)
         assertTrue(before.isNotEmpty(), text)
         for (fix in before.mapNotNull { it.fix }) {
             val fixed = withFix(text, fix)
-            val after = mistakes(fixed)
+            val after = errors(fixed)
             assertTrue(after.size < before.size, "$fixed\n${after.joinToString("\n") { it.message }}")
         }
     }

@@ -27,8 +27,8 @@ class NxjDifferencesTest {
     @Test
     fun `the mistake says what to write instead`() = runTest {
         for ((statement, code) in INSTEAD) {
-            val told = nxtDiagnostic(statement)
-            assertAdvice("Write $code.", told)
+            val described = nxtDiagnostic(statement)
+            assertAdvice("Write $code.", described)
             val text = nxtProgram(statement)
             assertIs<CompilationResult.Success>(compileForNxt(text, isForgiving = true), text)
         }
@@ -36,15 +36,15 @@ class NxjDifferencesTest {
 
     @Test
     fun `a constructor is told with those that are there`() = runTest {
-        val told = nxtDiagnostic("Object o = new EmptyStackException(\"late\");")
-        assertContains(told.message, "new EmptyStackException()")
+        val described = nxtDiagnostic("Object o = new EmptyStackException(\"late\");")
+        assertContains(described.message, "new EmptyStackException()")
     }
 
     @Test
     fun `no loop with a colon goes through a Vector`() = runTest {
-        val told = nxtDiagnostic("Vector<String> v = null; for (String s : v) LCD.clear();")
-        assertContains(told.message, JavaMessages.of(Language.ENGLISH).onlyArraysAndLists())
-        assertContains(told.message, "i < vector.size()")
+        val described = nxtDiagnostic("Vector<String> v = null; for (String s : v) LCD.clear();")
+        assertContains(described.message, JavaMessages.of(Language.ENGLISH).onlyArraysAndLists())
+        assertContains(described.message, "i < vector.size()")
     }
 
     @Test

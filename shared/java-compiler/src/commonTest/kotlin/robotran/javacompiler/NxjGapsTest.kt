@@ -14,7 +14,7 @@ import kotlin.test.assertTrue
 
 /** What an NXT lacks is told with what to use instead. */
 class NxjGapsTest {
-    private suspend fun assertTold(remedy: NxjRemedy, vararg statements: String) {
+    private suspend fun assertDiagnostics(remedy: NxjRemedy, vararg statements: String) {
         for (text in statements) {
             assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), nxtDiagnostic(text))
         }
@@ -22,51 +22,71 @@ class NxjGapsTest {
 
     @Test
     fun `classes of computers are told with what to use instead`() = runTest {
-        assertTold(NxjRemedy.BUTTONS, "Scanner s = null;", "int c = System.in.read();")
-        assertTold(NxjRemedy.SORT_ARRAY, "Collections.sort(null);")
-        assertTold(NxjRemedy.HASH_MAP, "Map<String, Integer> m = new TreeMap<String, Integer>();", "LinkedHashMap m;")
-        assertTold(NxjRemedy.NULL, "Optional<String> o = null;")
-        assertTold(NxjRemedy.LINKED_LIST, "ArrayDeque<String> d = null;")
-        assertTold(NxjRemedy.LONG_OR_DOUBLE, "BigInteger b = null;")
+        assertDiagnostics(NxjRemedy.BUTTONS, "Scanner s = null;", "int c = System.in.read();")
+        assertDiagnostics(NxjRemedy.SORT_ARRAY, "Collections.sort(null);")
+        assertDiagnostics(
+            NxjRemedy.HASH_MAP,
+            "Map<String, Integer> m = new TreeMap<String, Integer>();",
+            "LinkedHashMap m;",
+        )
+        assertDiagnostics(NxjRemedy.NULL, "Optional<String> o = null;")
+        assertDiagnostics(NxjRemedy.LINKED_LIST, "ArrayDeque<String> d = null;")
+        assertDiagnostics(NxjRemedy.LONG_OR_DOUBLE, "BigInteger b = null;")
     }
 
     @Test
     fun `members of computers are told with what to use instead`() = runTest {
-        assertTold(NxjRemedy.JOIN_TEXTS, "String s = String.format(\"%d\", 3);", "System.out.printf(\"x\");")
-        assertTold(NxjRemedy.TOKENIZER, "String[] s = \"a b\".split(\" \");")
-        assertTold(NxjRemedy.INDEX_OF, "boolean b = \"a\".contains(\"b\");")
-        assertTold(NxjRemedy.ARRAY_LOOP, "int h = Arrays.hashCode(new int[3]);", "Arrays.setAll(new int[3], null);")
-        assertTold(NxjRemedy.FILL_LIST, "List<String> l = Arrays.asList(\"a\");", "List<String> l = List.of(\"a\");")
-        assertTold(NxjRemedy.LOOP, "List<String> l = null; l.stream();", "new ArrayList<String>().forEach(null);")
-        assertTold(NxjRemedy.CALCULATE, "int i = Math.floorMod(3, 2);")
-        assertTold(NxjRemedy.END_THREAD, "Thread.currentThread().stop();")
-        assertTold(NxjRemedy.COMPARE_CHARACTERS, "boolean b = Character.isLetter('a');")
-        assertTold(NxjRemedy.SUBSTRINGS, "new StringBuilder().insert(0, \"a\");")
+        assertDiagnostics(NxjRemedy.JOIN_TEXTS, "String s = String.format(\"%d\", 3);", "System.out.printf(\"x\");")
+        assertDiagnostics(NxjRemedy.TOKENIZER, "String[] s = \"a b\".split(\" \");")
+        assertDiagnostics(NxjRemedy.INDEX_OF, "boolean b = \"a\".contains(\"b\");")
+        assertDiagnostics(
+            NxjRemedy.ARRAY_LOOP,
+            "int h = Arrays.hashCode(new int[3]);",
+            "Arrays.setAll(new int[3], null);",
+        )
+        assertDiagnostics(
+            NxjRemedy.FILL_LIST,
+            "List<String> l = Arrays.asList(\"a\");",
+            "List<String> l = List.of(\"a\");",
+        )
+        assertDiagnostics(
+            NxjRemedy.LOOP,
+            "List<String> l = null; l.stream();",
+            "new ArrayList<String>().forEach(null);",
+        )
+        assertDiagnostics(NxjRemedy.CALCULATE, "int i = Math.floorMod(3, 2);")
+        assertDiagnostics(NxjRemedy.END_THREAD, "Thread.currentThread().stop();")
+        assertDiagnostics(NxjRemedy.COMPARE_CHARACTERS, "boolean b = Character.isLetter('a');")
+        assertDiagnostics(NxjRemedy.SUBSTRINGS, "new StringBuilder().insert(0, \"a\");")
         assertAdvice(
             "Write for (int i = text.length() - 1; i >= 0; i--) { back = back + text.charAt(i); }.",
             nxtDiagnostic("new StringBuilder().reverse();"),
         )
-        assertTold(NxjRemedy.INSTANCEOF, "String n = \"\".getClass().getName();")
+        assertDiagnostics(NxjRemedy.INSTANCEOF, "String n = \"\".getClass().getName();")
     }
 
     @Test
     fun `old leJOS NXJ is told with what to use now`() = runTest {
-        assertTold(NxjRemedy.NXT_MOTOR, "Motor.A.setPower(50);")
-        assertTold(NxjRemedy.ALWAYS_REGULATED, "Motor.A.regulateSpeed(true);", "Motor.B.smoothAcceleration(true);")
-        assertTold(NxjRemedy.ROTATION_SPEED, "int s = Motor.A.getActualSpeed();")
-        assertTold(NxjRemedy.IS_MOVING, "boolean b = Motor.A.isRotating();")
-        assertTold(NxjRemedy.DIFFERENTIAL_PILOT, "TachoPilot p = null;")
-        assertTold(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot p = null; p.setMoveSpeed(3);")
-        assertTold(NxjRemedy.NAVIGATOR, "SimpleNavigator n = null;")
+        assertDiagnostics(NxjRemedy.NXT_MOTOR, "Motor.A.setPower(50);")
+        assertDiagnostics(
+            NxjRemedy.ALWAYS_REGULATED,
+            "Motor.A.regulateSpeed(true);",
+            "Motor.B.smoothAcceleration(true);",
+        )
+        assertDiagnostics(NxjRemedy.ROTATION_SPEED, "int s = Motor.A.getActualSpeed();")
+        assertDiagnostics(NxjRemedy.IS_MOVING, "boolean b = Motor.A.isRotating();")
+        assertDiagnostics(NxjRemedy.DIFFERENTIAL_PILOT, "TachoPilot p = null;")
+        assertDiagnostics(NxjRemedy.PILOT_SPEEDS, "DifferentialPilot p = null; p.setMoveSpeed(3);")
+        assertDiagnostics(NxjRemedy.NAVIGATOR, "SimpleNavigator n = null;")
     }
 
     @Test
     fun `what leJOS NXJ has and no world can mean is told with what to use instead`() = runTest {
-        assertTold(NxjRemedy.BALANCE, "SegowayPilot p = null;", "Ballbot b = null;")
-        assertTold(NxjRemedy.LINE_MAP, "SVGMapLoader l = null;")
-        assertTold(NxjRemedy.NO_COMPUTER, "NXTNavigationModel m = null;", "PIDTuner t = null;")
-        assertTold(NxjRemedy.ODOMETRY, "GPSPoseProvider p = null;")
-        assertTold(NxjRemedy.PIXELS, "LCD.drawLine(0, 0, 9, 9);", "TiledLayer l = null;")
+        assertDiagnostics(NxjRemedy.BALANCE, "SegowayPilot p = null;", "Ballbot b = null;")
+        assertDiagnostics(NxjRemedy.LINE_MAP, "SVGMapLoader l = null;")
+        assertDiagnostics(NxjRemedy.NO_COMPUTER, "NXTNavigationModel m = null;", "PIDTuner t = null;")
+        assertDiagnostics(NxjRemedy.ODOMETRY, "GPSPoseProvider p = null;")
+        assertDiagnostics(NxjRemedy.PIXELS, "LCD.drawLine(0, 0, 9, 9);", "TiledLayer l = null;")
         val imports = mapOf(
             "lejos.robotics.mapping.NavigationModel" to NxjRemedy.NO_COMPUTER,
             "lejos.robotics.mapping.SVGMapLoader" to NxjRemedy.LINE_MAP,
@@ -76,8 +96,8 @@ class NxjGapsTest {
             "lejos.robotics.kinematics.RobotArm" to NxjRemedy.DIFFERENTIAL_PILOT,
         )
         for ((name, remedy) in imports) {
-            val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told)
+            val described = nxtDiagnosticOf("import $name;\nclass Robot { }")
+            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), described)
         }
     }
 
@@ -99,40 +119,49 @@ class NxjGapsTest {
             "lejos.nxt.comm.LCPBTResponder" to NxjRemedy.BLUETOOTH,
         )
         for ((name, remedy) in imports) {
-            val told = nxtDiagnosticOf("import $name;\nclass Robot { }")
-            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), told)
+            val described = nxtDiagnosticOf("import $name;\nclass Robot { }")
+            assertAdvice(JavaMessages.of(Language.ENGLISH).insteadInNxj(remedy), described)
         }
-        assertTold(NxjRemedy.DRAW, "LCD.showNumber(3);")
-        assertTold(NxjRemedy.SENSOR_PORT, "Sensor.S1.activate();")
-        assertTold(NxjRemedy.NXT_BUTTONS, "Button.RUN.waitForPress();")
-        assertTold(NxjRemedy.MOTOR_OF_PORT, "EV3LargeRegulatedMotor m = null;")
+        assertDiagnostics(NxjRemedy.DRAW, "LCD.showNumber(3);")
+        assertDiagnostics(NxjRemedy.SENSOR_PORT, "Sensor.S1.activate();")
+        assertDiagnostics(NxjRemedy.NXT_BUTTONS, "Button.RUN.waitForPress();")
+        assertDiagnostics(NxjRemedy.MOTOR_OF_PORT, "EV3LargeRegulatedMotor m = null;")
     }
 
     @Test
     fun `add-ons and chips without a place in a world are told with what to use instead`() = runTest {
-        assertTold(NxjRemedy.SENSORS, "NXTCam c = null;", "DGPSSensor g = null;")
-        assertTold(NxjRemedy.COMPASS, "CompassSensor c = null;")
-        assertTold(NxjRemedy.GYRO, "CruizcoreGyro g = null;")
-        assertTold(NxjRemedy.ACCELERATION, "TiltSensor t = null;")
-        assertTold(NxjRemedy.DISTANCE, "EOPD e = null;")
-        assertTold(NxjRemedy.COUNT_TURNS, "AngleSensor a = null;")
-        assertTold(NxjRemedy.THERMOMETER, "RCXTemperatureSensor t = null;")
-        assertTold(NxjRemedy.RCX_LINK, "IRLink i = null;")
-        assertTold(NxjRemedy.ONE_PORT_EACH, "TouchMUX m = null;", "SensorMux m = null;")
-        assertTold(NxjRemedy.THREE_MOTORS, "PFLink p = null;", "MServo s = null;", "RCXMotorMultiplexer m = null;")
-        assertTold(NxjRemedy.MENU_SETTINGS, "Button.loadSettings();", "Sound.loadSettings();")
-        assertTold(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();", "int checks = VM.VM_TYPECHECKS;")
-        assertTold(NxjRemedy.NXT_LISTENERS, "int bit = NXTEvent.USER1;", "int type = NXTEvent.RS485;")
-        assertTold(NxjRemedy.PRINT, "Assertion.test(\"x\", true);")
+        assertDiagnostics(NxjRemedy.SENSORS, "NXTCam c = null;", "DGPSSensor g = null;")
+        assertDiagnostics(NxjRemedy.COMPASS, "CompassSensor c = null;")
+        assertDiagnostics(NxjRemedy.GYRO, "CruizcoreGyro g = null;")
+        assertDiagnostics(NxjRemedy.ACCELERATION, "TiltSensor t = null;")
+        assertDiagnostics(NxjRemedy.DISTANCE, "EOPD e = null;")
+        assertDiagnostics(NxjRemedy.COUNT_TURNS, "AngleSensor a = null;")
+        assertDiagnostics(NxjRemedy.THERMOMETER, "RCXTemperatureSensor t = null;")
+        assertDiagnostics(NxjRemedy.RCX_LINK, "IRLink i = null;")
+        assertDiagnostics(NxjRemedy.ONE_PORT_EACH, "TouchMUX m = null;", "SensorMux m = null;")
+        assertDiagnostics(
+            NxjRemedy.THREE_MOTORS,
+            "PFLink p = null;",
+            "MServo s = null;",
+            "RCXMotorMultiplexer m = null;",
+        )
+        assertDiagnostics(NxjRemedy.MENU_SETTINGS, "Button.loadSettings();", "Sound.loadSettings();")
+        assertDiagnostics(NxjRemedy.BREAKPOINTS, "VM.getVM();", "NXT.boot();", "int checks = VM.VM_TYPECHECKS;")
+        assertDiagnostics(NxjRemedy.NXT_LISTENERS, "int bit = NXTEvent.USER1;", "int type = NXTEvent.RS485;")
+        assertDiagnostics(NxjRemedy.PRINT, "Assertion.test(\"x\", true);")
         val comm = "lejos.nxt.comm"
-        assertTold(NxjRemedy.BLUETOOTH_BY_NAME, "$comm.Bluetooth.btRead(null, 0, 0);", "$comm.Bluetooth.getPin();")
-        assertTold(NxjRemedy.BLUETOOTH, "$comm.USB.usbReset();", "$comm.RS485.hsEnable(0, 0);")
+        assertDiagnostics(
+            NxjRemedy.BLUETOOTH_BY_NAME,
+            "$comm.Bluetooth.btRead(null, 0, 0);",
+            "$comm.Bluetooth.getPin();",
+        )
+        assertDiagnostics(NxjRemedy.BLUETOOTH, "$comm.USB.usbReset();", "$comm.RS485.hsEnable(0, 0);")
     }
 
     @Test
     fun `calls without a class are told`() = runTest {
-        assertTold(NxjRemedy.PRINT, "println(\"x\");")
-        assertTold(NxjRemedy.WAIT, "sleep(100);", "delay(100);")
+        assertDiagnostics(NxjRemedy.PRINT, "println(\"x\");")
+        assertDiagnostics(NxjRemedy.WAIT, "sleep(100);", "delay(100);")
     }
 
     @Test
@@ -147,11 +176,11 @@ class NxjGapsTest {
             NewerJava.NUMBER_STYLE to "int x = 1_000;",
         )
         for ((feature, statements) in programs) {
-            val told = nxtDiagnostic(statements)
+            val described = nxtDiagnostic(statements)
             val sentences = "${JavaMessages.of(
                 Language.ENGLISH,
             ).newerJava(feature)} ${JavaMessages.of(Language.ENGLISH).insteadOf(feature)}"
-            assertEquals(sentences, told.message, statements)
+            assertEquals(sentences, described.message, statements)
         }
     }
 
@@ -166,10 +195,10 @@ class NxjGapsTest {
                 JavaMessages.of(Language.ENGLISH).insteadOf(it)
         }
         val before = "LCD.drawInt(1, 0, 0)\nMap<String, Integer> map = new HashMap<>();\nmap.put(null, null);"
-        val (semicolon, told) = toldOf(before)
+        val (semicolon, described) = toldOf(before)
         assertEquals(8, semicolon.first)
         assertContains(semicolon.second, "\";\"")
-        assertEquals(9 to diamond, told)
+        assertEquals(9 to diamond, described)
         val after = toldOf("List<String> list = new ArrayList<>();\nlist.add(null)\nint x = 3;")
         assertEquals(listOf(8 to diamond, 9 to semicolon.second), after)
         // One sentence a line: the other one follows when this one is mended.
@@ -178,15 +207,15 @@ class NxjGapsTest {
 
     @Test
     fun `an unequal of another language is told beside a missing semicolon`() = runTest {
-        val told = toldOf("int x = 3\nif (x <> 4) x = 2;\nList<String> list = new ArrayList<>();")
-        assertEquals(listOf(8, 9, 10), told.map { it.first })
-        assertEquals(JavaMessages.of(Language.ENGLISH).foreignWord("<>", "!="), told[1].second)
+        val described = toldOf("int x = 3\nif (x <> 4) x = 2;\nList<String> list = new ArrayList<>();")
+        assertEquals(listOf(8, 9, 10), described.map { it.first })
+        assertEquals(JavaMessages.of(Language.ENGLISH).foreignWord("<>", "!="), described[1].second)
     }
 
     @Test
     fun `a diamond in a text or comment is none`() = runTest {
-        val told = toldOf("// new ArrayList<>()\nLCD.drawString(\"new ArrayList<>\", 0, 0)\nint x = 3;")
-        assertEquals(listOf(9), told.map { it.first })
+        val described = toldOf("// new ArrayList<>()\nLCD.drawString(\"new ArrayList<>\", 0, 0)\nint x = 3;")
+        assertEquals(listOf(9), described.map { it.first })
     }
 
     @Test
@@ -198,8 +227,9 @@ class NxjGapsTest {
 
     @Test
     fun `missing imports and typing errors are mended`() = runTest {
-        val told = nxtDiagnosticOf("public class Robot { public static void main(String[] a) { Motor.A.forward(); } }")
-        assertContains(told.message, "import lejos.nxt.*;")
+        val described =
+            nxtDiagnosticOf("public class Robot { public static void main(String[] a) { Motor.A.forward(); } }")
+        assertContains(described.message, "import lejos.nxt.*;")
         assertContains(nxtDiagnostic("Motor.A.foward();").message, "forward")
         assertContains(nxtDiagnostic("new ArrayList<String>().contans(null);").message, "contains")
         assertContains(nxtDiagnostic("UltrasonicSenor s = null;").message, "UltrasonicSensor")
@@ -214,8 +244,8 @@ class NxjGapsTest {
                 JavaMessages.of(Language.SPANISH),
             )
         for (remedy in NxjRemedy.entries) {
-            val told = all.map { messages: JavaMessages -> messages.insteadInNxj(remedy) }
-            assertTrue(told.all { it.length in 8..LONGEST && it.last() in ".;0" }, told.toString())
+            val described = all.map { messages: JavaMessages -> messages.insteadInNxj(remedy) }
+            assertTrue(described.all { it.length in 8..LONGEST && it.last() in ".;0" }, described.toString())
         }
         for (feature in listOf(NewerJava.DIAMOND, NewerJava.TEXT_IN_SWITCH)) {
             assertEquals(all.size, all.map { it.newerJava(feature) }.toSet().size)
@@ -236,15 +266,15 @@ class NxjGapsTest {
 
     @Test
     fun `of two classes the one with types in angle brackets is Java's`() = runTest {
-        suspend fun told(statement: String) =
+        suspend fun described(statement: String) =
             nxtDiagnosticOf("import javax.microedition.lcdui.*;\n" + nxtProgram(statement))
         assertAdvice(
             JavaMessages.of(Language.ENGLISH).importIt("import java.util.List;"),
-            told("List<String> names = null;"),
+            described("List<String> names = null;"),
         )
         assertAdvice(
             JavaMessages.of(Language.ENGLISH).importIt("import javax.microedition.lcdui.List;"),
-            told("List menu = null;"),
+            described("List menu = null;"),
         )
     }
 }

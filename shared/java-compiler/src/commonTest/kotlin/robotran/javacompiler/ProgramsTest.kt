@@ -12,7 +12,7 @@ import kotlin.test.assertTrue
 class ProgramsTest {
     @Test
     fun `the mistakes of the test programs are those that their comments name`() = runTest {
-        val expected = testPrograms.mapValues { (_, text) -> linesWithMistakes(text) }.filterValues { it.isNotEmpty() }
+        val expected = testPrograms.mapValues { (_, text) -> linesWithErrors(text) }.filterValues { it.isNotEmpty() }
         val found = testPrograms.mapValues { (path, text) ->
             when (val result = compileProgram(path, text)) {
                 is CompilationResult.Failure -> result.diagnostics.map { it.range?.line }
@@ -24,10 +24,10 @@ class ProgramsTest {
 
     @Test
     fun `each mistake of the test programs is told in words of our own`() = runTest {
-        val told = testPrograms.filterKeys { it.startsWith("mistakes/") }.flatMap { (path, text) ->
+        val described = testPrograms.filterKeys { it.startsWith("mistakes/") }.flatMap { (path, text) ->
             assertIs<CompilationResult.Failure>(compileProgram(path, text)).diagnostics.map { it.message }
         }
-        assertTrue(told.none { message -> ECJ_WORDS.any { it in message } }, told.joinToString("\n"))
+        assertTrue(described.none { message -> ECJ_WORDS.any { it in message } }, described.joinToString("\n"))
     }
 
     @Test
@@ -54,7 +54,7 @@ class ProgramsTest {
         compiler().compile(listOf(SourceFile(path.substringAfterLast('/'), text)), library)
 
     /** The lines with compiler errors and the lines that the linker rejects; the compiler reports both. */
-    private fun linesWithMistakes(text: String): List<Int> {
+    private fun linesWithErrors(text: String): List<Int> {
         val named = text.lines().filter {
             it.startsWith("// error ")
         }.map { it.removePrefix("// error ").trim().toInt() }

@@ -56,8 +56,8 @@ class NxjNamesTest {
                 JavaMessages.of(Language.GERMAN),
                 JavaMessages.of(Language.SPANISH),
             )
-        val told = messages.flatMap { language -> NxjRemedy.entries.map(language::insteadInNxj) } + nxjCodes
-        val wrong = told.filter { sentence -> WORD.findAll(sentence).any { it.value in lacking } }
+        val described = messages.flatMap { language -> NxjRemedy.entries.map(language::insteadInNxj) } + nxjCodes
+        val wrong = described.filter { sentence -> WORD.findAll(sentence).any { it.value in lacking } }
         assertEquals(emptyList(), wrong)
     }
 

@@ -46,8 +46,8 @@ fun <T> readJson(text: String, language: Language, read: (JsonCursor) -> T): Jso
         JsonReading.Success(value, warningsOf(doubled, questions.misspelt(), json, language))
     } catch (refusal: JsonValidationException) {
         refusedBecause(refusal, json, language)
-    } catch (mistake: JsonSyntaxException) {
-        JsonReading.Failure(mistake.sentence(language), mistake.line, "")
+    } catch (error: JsonSyntaxException) {
+        JsonReading.Failure(error.sentence(language), error.line, "")
     }
 }
 

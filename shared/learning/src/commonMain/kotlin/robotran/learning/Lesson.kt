@@ -66,7 +66,7 @@ class Lesson internal constructor(
         ?: onOtherBricks.values.map { it.value }.firstOrNull { it.isIn(world.withPupilsPenbot()) }
 
     /** The language of [program]. */
-    val code: ProgramLanguage get() = languageOf(program)
+    val programLanguage: ProgramLanguage get() = languageOf(program)
 
     /** [solution] and [otherSolutions]. */
     val solutions: List<SourceFile> get() = listOf(solution) + otherSolutions

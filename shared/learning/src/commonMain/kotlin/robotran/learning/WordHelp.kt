@@ -25,14 +25,15 @@ data class WordHelp(
 ) {
     companion object {
         /**
-         * Returns the help in [language] on a [word] of [code] for a [brick], such as `forward` or `Motor.forward`;
+         * Returns the help in [language] on a [word] of [programLanguage] for a [brick], such as `forward` or `Motor.forward`;
          * null if there is none.
          */
-        fun of(language: Language, code: ProgramLanguage, word: String, brick: BrickKind): WordHelp? =
-            code.help?.on(word, language, brick)
+        fun of(language: Language, programLanguage: ProgramLanguage, word: String, brick: BrickKind): WordHelp? =
+            programLanguage.help?.on(word, language, brick)
 
         /** The words of a programming language that have an entry, in the order of their file. */
-        fun words(code: ProgramLanguage, brick: BrickKind): List<String> = code.help?.words(brick).orEmpty()
+        fun words(programLanguage: ProgramLanguage, brick: BrickKind): List<String> =
+            programLanguage.help?.words(brick).orEmpty()
     }
 }
 
@@ -41,12 +42,23 @@ data class WordHelp(
  * no help, and in comments.
  *
  * @param language the pupil's language.
- * @param code the language of the program.
+ * @param programLanguage the language of the program.
  * @param brick the robot's brick; the program may name another.
  */
-fun helpOn(language: Language, code: ProgramLanguage, text: String, offset: Int, brick: BrickKind): WordHelp? {
+fun helpOn(
+    language: Language,
+    programLanguage: ProgramLanguage,
+    text: String,
+    offset: Int,
+    brick: BrickKind,
+): WordHelp? {
     val range = wordRange(text, offset) ?: return null
-    return code.help?.at(text, range, language, code.support.code.brickOf(TextLines(text)) ?: brick)
+    return programLanguage.help?.at(
+        text,
+        range,
+        language,
+        programLanguage.support.code.brickOf(TextLines(text)) ?: brick,
+    )
 }
 
 /** Returns the word of [text] that [offset] is in or at the end of; null if there is none or it is in a comment. */

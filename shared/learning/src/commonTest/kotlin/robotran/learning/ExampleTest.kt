@@ -37,7 +37,9 @@ class ExampleTest {
         val examples = examples(ProgramLanguage.ROBOLANG).filter(::isForNxt)
         assertTrue(examples.size > 5, "${examples.size} examples")
         for (help in examples) {
-            val result = nxtReader.read(Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()))
+            val result = nxtReader.compileOrThrow(
+                Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()),
+            )
             val told = (result as? ProgramResult.Failure)?.diagnostics
             val ready = assertIs<ProgramResult.Success>(result, "${help.word}: $told")
             assertEquals(emptyList<Diagnostic>(), ready.warnings, help.word)
@@ -67,12 +69,12 @@ class ExampleTest {
 
     private fun isForNxt(help: WordHelp): Boolean = "brick nxt" in help.example.orEmpty()
 
-    private fun examples(code: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<WordHelp> =
-        WordHelp.words(code, brick).mapNotNull { WordHelp.of(Language.ENGLISH, code, it, brick) }
+    private fun examples(programLanguage: ProgramLanguage, brick: BrickKind = BrickKind.RCX): List<WordHelp> =
+        WordHelp.words(programLanguage, brick).mapNotNull { WordHelp.of(Language.ENGLISH, programLanguage, it, brick) }
             .filter { it.example != null }.distinctBy { it.example }
 
     private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
-        val result = (if (brick == BrickKind.NXT) nxtReader else reader).read(source)
+        val result = (if (brick == BrickKind.NXT) nxtReader else reader).compileOrThrow(source)
         val ready = assertIs<ProgramResult.Success>(result, "$word: ${(result as? ProgramResult.Failure)?.diagnostics}")
         assertEquals(emptyList<Diagnostic>(), ready.warnings, word)
         val session =

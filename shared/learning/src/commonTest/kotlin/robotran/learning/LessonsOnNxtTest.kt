@@ -66,7 +66,11 @@ class LessonsOnNxtTest {
                 Language.entries.flatMap { partsOf(lesson.text(it)) } + lesson.program.text + lesson.solution.text
             val java = said.joinToString("\n")
             assertFalse("josx" in java || "Sensor.S" in java || "RCX" in java || "on 2 facing" in java, lesson.name)
-            if (lesson.code == ProgramLanguage.JAVA) assertTrue("import lejos.nxt" in lesson.program.text, lesson.name)
+            if (lesson.programLanguage ==
+                ProgramLanguage.JAVA
+            ) {
+                assertTrue("import lejos.nxt" in lesson.program.text, lesson.name)
+            }
         }
         for (lesson in Lessons.all) {
             val said = Language.entries.flatMap { partsOf(lesson.text(it)) } + lesson.program.text

@@ -86,7 +86,7 @@ class LessonsTest {
 
     @Test
     fun `what a lesson's program begins with is known to the help`() {
-        val words = Lessons.all.filter { it.code == ProgramLanguage.ROBOLANG }.map { lesson ->
+        val words = Lessons.all.filter { it.programLanguage == ProgramLanguage.ROBOLANG }.map { lesson ->
             lesson.program.text.lines().first { it.isNotBlank() && !it.startsWith("//") }
         }
         for (line in words) {

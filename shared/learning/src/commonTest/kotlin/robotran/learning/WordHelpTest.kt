@@ -14,10 +14,10 @@ import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 class WordHelpTest {
-    private fun english(code: ProgramLanguage, text: String): WordHelp? =
-        helpOn(Language.ENGLISH, code, text.replace("|", ""), text.indexOf('|'), brick = BrickKind.RCX)
+    private fun english(programLanguage: ProgramLanguage, text: String): WordHelp? =
+        helpOn(Language.ENGLISH, programLanguage, text.replace("|", ""), text.indexOf('|'), brick = BrickKind.RCX)
 
-    private fun wordIn(code: ProgramLanguage, text: String): String? = english(code, text)?.word
+    private fun wordIn(programLanguage: ProgramLanguage, text: String): String? = english(programLanguage, text)?.word
 
     @Test
     fun `every word of the grammar and every function has help in every language`() {

@@ -55,10 +55,10 @@ class WorldGalleryTest {
     @Test
     fun `the figures in a task are the same in every language`() {
         for (found in all) {
-            val figures = Language.entries.map { language ->
+            val parameters = Language.entries.map { language ->
                 Regex("[0-9]+").findAll(found.world(language).task).map { it.value }.toSet()
             }
-            assertEquals(1, figures.toSet().size, "${found.name}: $figures")
+            assertEquals(1, parameters.toSet().size, "${found.name}: $parameters")
         }
     }
 

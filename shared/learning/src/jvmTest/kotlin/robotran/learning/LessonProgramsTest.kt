@@ -20,7 +20,7 @@ class LessonProgramsTest {
 
     @Test
     fun `programs and solutions in Robolang look as the formatter writes them`() {
-        for (lesson in tasks.filter { it.code == ProgramLanguage.ROBOLANG }) {
+        for (lesson in tasks.filter { it.programLanguage == ProgramLanguage.ROBOLANG }) {
             for (file in listOf(lesson.program, lesson.solution)) {
                 assertEquals(
                     file.text,

@@ -4,7 +4,7 @@ import robotran.language.Language
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.VariableTable
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
 import robotran.legofirmware.run.LegoFirmwareRun
@@ -18,7 +18,7 @@ import robotran.rcxrom.program.Rom
  *
  * @property lines where its code comes from, for the log and the debugger.
  * @property variables who knows which variable, for the debugger; null if every task knows all that the image names.
- * @property language of the remarks about a run.
+ * @property language of the warnings about a run.
  */
 class FirmwareProgram(
     override val name: String,
@@ -33,7 +33,7 @@ class FirmwareProgram(
 
     /** Starts a new run on a firmware of its own, which knows nothing of earlier runs. */
     override fun start(rom: Rom): LegoFirmwareRun {
-        val machine = FirmwareMachine(rom, RunMessages.of(language))
+        val machine = FirmwareMachine(rom, FirmwareRunMessages.of(language))
         machine.begin()
         return FirmwareRun(machine, code)
     }

@@ -1,7 +1,7 @@
 package robotran.legofirmware
 
 import robotran.language.Language
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.legofirmware.shell.LegoShell
 import robotran.rcxrom.program.RcxFirmware
 import robotran.rcxrom.program.RcxProgram
@@ -11,7 +11,7 @@ import robotran.rcxrom.program.ShellHardware
 /**
  * LEGO's own firmware for a virtual RCX. It runs [FirmwareProgram]s; a slot with another program is empty for it.
  *
- * @property language of its remarks and explanations.
+ * @property language of its warnings and explanations.
  */
 internal data class LegoFirmware(private val language: Language) : RcxFirmware {
     override fun load(programs: List<RcxProgram?>, firstSlot: Int, hardware: ShellHardware): RcxShell = LegoShell(
@@ -19,6 +19,6 @@ internal data class LegoFirmware(private val language: Language) : RcxFirmware {
         codeOf = { (it as? FirmwareProgram)?.code },
         firstSlot,
         hardware,
-        RunMessages.of(language),
+        FirmwareRunMessages.of(language),
     )
 }

@@ -47,7 +47,7 @@ private fun runOnBrick(image: RcxImage) {
     repeat(RUN_MILLISECONDS) { brick.tick() }
     val instructions = 2 * RUN_MILLISECONDS / 2
     assertTrue(brick.log.total < CALLS_AT_START + instructions * CALLS_OF_INSTRUCTION, "${brick.log.total} calls")
-    assertTrue(brick.remarks.size <= REMARKS)
+    assertTrue(brick.warnings.size <= REMARKS)
     val state = brick.firmwareState as FirmwareState
     assertTrue(state.variables.all { it in Short.MIN_VALUE..Short.MAX_VALUE })
 }

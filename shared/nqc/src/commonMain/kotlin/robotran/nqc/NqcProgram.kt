@@ -37,7 +37,7 @@ class NqcProgram internal constructor(
     /**
      * The program for the brick.
      *
-     * @param language of the remarks about a run.
+     * @param language of the warnings about a run.
      */
     fun forBrick(language: Language): FirmwareProgram = FirmwareProgram(name, image, lineTable, language, variables)
 }

@@ -5,13 +5,13 @@ import robotran.legofirmware.image.FirmwareTarget
 /**
  * A small program and what the original compiler says about it.
  *
- * @property mistakes its errors and warnings, each with its line; 0 if it names none.
+ * @property errors its errors and warnings, each with its line; 0 if it names none.
  */
 internal class ErrorCase(
     val name: String,
     val target: FirmwareTarget,
     val source: String,
-    val mistakes: List<Pair<String, Int>>,
+    val errors: List<Pair<String, Int>>,
 ) {
     companion object {
         private const val INDENT = "    "
@@ -26,13 +26,13 @@ internal class ErrorCase(
             val (name, target) = lines.first().split(' ')
             val source = lines.drop(1).takeWhile { it.startsWith(INDENT) }
             val printed = lines.drop(1 + source.size)
-            val mistakes = printed.mapIndexedNotNull { index, line ->
+            val errors = printed.mapIndexedNotNull { index, line ->
                 val text = MISTAKE.matchEntire(line)?.groupValues?.get(1)
                 val place = printed.getOrNull(index + 1)?.let { LINE.matchEntire(it) }
                 text?.let { it to (place?.groupValues?.get(1)?.toInt() ?: 0) }
             }
             val firmware = FirmwareTarget.entries.first { "[${it.word}]" == target }
-            return ErrorCase(name, firmware, source.joinToString("") { it.removePrefix(INDENT) + "\n" }, mistakes)
+            return ErrorCase(name, firmware, source.joinToString("") { it.removePrefix(INDENT) + "\n" }, errors)
         }
     }
 }

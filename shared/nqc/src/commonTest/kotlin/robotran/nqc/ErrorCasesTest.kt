@@ -16,17 +16,17 @@ class ErrorCasesTest {
     fun `each program has the mistake of the original compiler in its line`() {
         val failures = ErrorCase.all.mapNotNull { case ->
             val found = diagnosticsOf(case)
-            val isEqual = if (case.mistakes.isEmpty()) {
+            val isEqual = if (case.errors.isEmpty()) {
                 found.all { originalOf(it) == null }
             } else {
-                case.mistakes.distinctBy { it.second }.all { (text, line) ->
+                case.errors.distinctBy { it.second }.all { (text, line) ->
                     found.any { matches(it, text) && (line == 0 || it.range?.line == (OTHER_LINES[case.name] ?: line)) }
                 }
             }
             val said = found.joinToString("\n  ") {
                 "${it.range?.line}:${it.range?.column} ${it.code?.id} ${it.message}"
             }
-            if (isEqual) null else "${case.name} ${case.mistakes}\n${case.source}  $said"
+            if (isEqual) null else "${case.name} ${case.errors}\n${case.source}  $said"
         }
         assertTrue(failures.isEmpty(), failures.joinToString("\n"))
     }
@@ -40,7 +40,7 @@ class ErrorCasesTest {
                 NqcOptions(case.target),
                 messages = NqcMessages.of(Language.ENGLISH),
             ) is NqcResult.Failure
-            val failed = case.mistakes.any { (text, _) -> text !in WARNINGS }
+            val failed = case.errors.any { (text, _) -> text !in WARNINGS }
             assertEquals(failed, fails, case.name)
         }
     }

@@ -97,7 +97,7 @@ class NxtBrick(
     override val log: CallLog get() = hardware.log
     override val sounds: SoundTrack get() = hardware.speaker.track
     override val isSounding: Boolean get() = hardware.speaker.sounding
-    override val remarks: List<RuntimeWarning> get() = shell.remarks
+    override val warnings: List<RuntimeWarning> get() = shell.warnings
     override val expectedSensors: List<ExpectedSensor> get() = hardware.expectations.all
     override val isPaused: Boolean get() = shell.isPaused
     override val debuggableRun: DebuggableRun? get() = shell.debuggableRun

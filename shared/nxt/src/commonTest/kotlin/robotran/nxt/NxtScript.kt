@@ -23,7 +23,7 @@ internal class NxtScript(private val path: String, private val text: String) {
     private val found = mutableListOf<String>()
     private var network = BluetoothNetwork()
     private val bricks =
-        linkedMapOf("NXT" to Bench(NxtBrick(emptyList(), network, messages = NxtMessages.of(Language.ENGLISH))))
+        linkedMapOf("NXT" to TestBrick(NxtBrick(emptyList(), network, messages = NxtMessages.of(Language.ENGLISH))))
     private var bench = bricks.getValue("NXT")
     private val brick get() = bench.brick
     private var result = 0
@@ -64,7 +64,7 @@ internal class NxtScript(private val path: String, private val text: String) {
         when (action) {
             "programs" -> beginWith(words.map(::scriptedProgram))
             "robot" -> bricks[rest] =
-                Bench(NxtBrick(emptyList(), network, rest, messages = NxtMessages.of(Language.ENGLISH)))
+                TestBrick(NxtBrick(emptyList(), network, rest, messages = NxtMessages.of(Language.ENGLISH)))
             "on" -> bench = bricks.getValue(rest)
             "press" -> brick.press(buttonOf(rest))
             "release" -> brick.release(buttonOf(rest))
@@ -90,7 +90,7 @@ internal class NxtScript(private val path: String, private val text: String) {
     private fun beginWith(programs: List<NxtProgram?>) {
         network = BluetoothNetwork()
         bricks.clear()
-        bench = Bench(NxtBrick(programs, network, messages = NxtMessages.of(Language.ENGLISH)))
+        bench = TestBrick(NxtBrick(programs, network, messages = NxtMessages.of(Language.ENGLISH)))
         bricks["NXT"] = bench
     }
 
@@ -192,7 +192,7 @@ internal class NxtScript(private val path: String, private val text: String) {
     }
 
     /** A brick with what is plugged into it. */
-    private class Bench(val brick: NxtBrick) {
+    private class TestBrick(val brick: NxtBrick) {
         val motors = mutableListOf<FreeMotor>()
         var echoes = DoubleArray(0)
         private var soundsHeard = 0L

@@ -24,7 +24,7 @@ class RegulatorProperties :
                 speed,
                 pause,
                 ->
-                val bench = Bench()
+                val bench = RegulatedMotor()
                 bench.start(speed.toFloat(), one, hold = true)
                 bench.pass(pause)
                 bench.start(speed.toFloat(), two, hold = true)
@@ -37,7 +37,7 @@ class RegulatorProperties :
 
         "many moves one after the other add up" {
             checkAll(50, Arb.list(Arb.int(-400..400), 5..15)) { ways ->
-                val bench = Bench()
+                val bench = RegulatedMotor()
                 var target = 0
                 for (way in ways) {
                     target += way
@@ -51,7 +51,7 @@ class RegulatorProperties :
 
         "with any battery and a load that the motor can carry, a turn ends where it should" {
             checkAll(100, Arb.double(5.5, 9.3), Arb.double(0.0, 20.0), Arb.boolean()) { volts, load, hold ->
-                val bench = Bench(FreeMotor(MotorPort.A, volts, load))
+                val bench = RegulatedMotor(FreeMotor(MotorPort.A, volts, load))
                 bench.start(400f, 500, hold)
                 bench.await() shouldBeLessThan 60_000
                 if (hold) (bench.count - 500) shouldBeInRange -8..8
@@ -60,7 +60,7 @@ class RegulatorProperties :
         }
     })
 
-private class Bench(private val motor: FreeMotor = FreeMotor(MotorPort.A)) {
+private class RegulatedMotor(private val motor: FreeMotor = FreeMotor(MotorPort.A)) {
     private val brick = NxtBrick(emptyList(), messages = NxtMessages.of(Language.ENGLISH)).apply {
         runSnippet(checkNotNull(scriptedProgram("endless")))
     }

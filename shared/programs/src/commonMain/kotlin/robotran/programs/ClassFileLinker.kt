@@ -19,7 +19,7 @@ internal class ClassFileLinker(
     private val imageMessages: ImageMessages,
 ) : ProgramLinker {
     /** Links what another compiler made, unless it uses what the brick that it is for does not have. */
-    fun read(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
+    fun link(source: ProgramSource.CompiledClasses, gaps: CompiledGaps): ProgramResult {
         val result = link(compiledOf(source))
         val mistakes = if (result is ProgramResult.Success) gaps.find(source.classFiles) else emptyList()
         return if (mistakes.isEmpty()) result else ProgramResult.Failure(mistakes)

@@ -16,7 +16,7 @@ internal class CompiledGaps(settings: JavaSettings, private val messages: LejosM
     /** The mistakes in [classFiles], which must link; at most one per line. */
     fun find(classFiles: Map<String, ByteArray>): List<Diagnostic> {
         if (missing.isEmpty()) return emptyList()
-        return memberMistakes(classFiles) { use -> differenceOf(use)?.let(::messageOf) }
+        return memberErrors(classFiles) { use -> differenceOf(use)?.let(::messageOf) }
     }
 
     private fun differenceOf(use: MemberUse): LejosDifference? =

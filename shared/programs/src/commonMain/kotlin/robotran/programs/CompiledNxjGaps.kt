@@ -8,7 +8,7 @@ import robotran.nxjlibrary.NxjLibrary
 /** Finds in class files from another compiler what leJOS NXJ lacks. */
 internal class CompiledNxjGaps(private val library: NxjLibrary, private val messages: JavaMessages) {
     /** The mistakes in [classFiles], which must link; at most one per line. */
-    fun find(classFiles: Map<String, ByteArray>): List<Diagnostic> = memberMistakes(classFiles) { use ->
+    fun find(classFiles: Map<String, ByteArray>): List<Diagnostic> = memberErrors(classFiles) { use ->
         library.differenceFor(use.owner, use.member)
             ?.let { missingInNxj(use.owner.substringAfterLast('/'), use.member, messages) }
     }

@@ -52,14 +52,14 @@ internal class FixVerification(private val compile: (ProgramSource) -> ProgramRe
 fun isBetter(before: List<Diagnostic>, after: List<Diagnostic>, file: String, fix: SourceFix): Boolean {
     val known = before.mapTo(mutableSetOf()) { keyOf(it, it.range?.line) }
     val added = fix.replacement.count { it == '\n' }
-    return after.size < before.size && after.all { mistake ->
-        val line = mistake.range?.line
+    return after.size < before.size && after.all { error ->
+        val line = error.range?.line
         val lineBefore = when {
-            line == null || mistake.file != file || line <= fix.range.line -> line
+            line == null || error.file != file || line <= fix.range.line -> line
             line <= fix.range.line + added -> fix.range.line
             else -> line - added
         }
-        keyOf(mistake, lineBefore) in known
+        keyOf(error, lineBefore) in known
     }
 }
 

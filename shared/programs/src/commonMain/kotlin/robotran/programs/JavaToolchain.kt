@@ -46,8 +46,8 @@ internal class JavaToolchain(
 
     /** Links what another compiler made. */
     fun link(source: ProgramSource.CompiledClasses): ProgramResult = when (platform) {
-        JavaPlatform.LEJOS -> classFiles.read(source, CompiledGaps(settings, JavaMessages.of(language)))
-        JavaPlatform.NXJ -> nxjLinker().read(source, settings.mode, JavaMessages.of(language))
+        JavaPlatform.LEJOS -> classFiles.link(source, CompiledGaps(settings, JavaMessages.of(language)))
+        JavaPlatform.NXJ -> nxjLinker().link(source, settings.mode, JavaMessages.of(language))
     }
 
     fun link(compiled: CompiledSource): ProgramResult = linked(compiled, linker())

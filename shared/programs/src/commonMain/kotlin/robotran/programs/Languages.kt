@@ -43,7 +43,7 @@ internal class CompilerSettings(
 )
 
 /**
- * This program, which was compiled to [compiled], in the language [to], with remarks in [language]. Null if programs in
+ * This program, which was compiled to [compiled], in the language [to], with notes in [language]. Null if programs in
  * its language are not translated.
  */
 fun Program.translated(compiled: BrickProgram, to: ProgramLanguage, language: Language): ProgramTranslation? =

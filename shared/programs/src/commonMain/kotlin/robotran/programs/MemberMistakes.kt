@@ -6,7 +6,7 @@ import robotran.tinyvm.diagnostic.MemberUse
 import robotran.tinyvm.memberUsesOf
 
 /** The uses of members in [classFiles], which must link, of which [messageOf] says something; at most one per line. */
-internal fun memberMistakes(classFiles: Map<String, ByteArray>, messageOf: (MemberUse) -> String?): List<Diagnostic> =
+internal fun memberErrors(classFiles: Map<String, ByteArray>, messageOf: (MemberUse) -> String?): List<Diagnostic> =
     memberUsesOf(classFiles).mapNotNull { use -> messageOf(use)?.let { use to it } }
         .distinctBy { (use, _) -> Triple(use.className, use.methodName, use.sourceLine) }
         .map { (use, message) ->

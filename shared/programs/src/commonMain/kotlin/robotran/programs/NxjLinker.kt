@@ -14,11 +14,11 @@ internal class NxjLinker(
     private val messages: TinyVmMessages,
 ) : ProgramLinker {
     /** Links what another compiler made, unless it uses what leJOS NXJ lacks and the [mode] is true to the brick. */
-    fun read(source: ProgramSource.CompiledClasses, mode: TinyVmMode, messages: JavaMessages): ProgramResult {
+    fun link(source: ProgramSource.CompiledClasses, mode: TinyVmMode, messages: JavaMessages): ProgramResult {
         val result = link(compiledOf(source))
         if (result !is ProgramResult.Success || mode == TinyVmMode.FORGIVING) return result
-        val mistakes = CompiledNxjGaps(library, messages).find(source.classFiles)
-        return if (mistakes.isEmpty()) result else ProgramResult.Failure(mistakes)
+        val errors = CompiledNxjGaps(library, messages).find(source.classFiles)
+        return if (errors.isEmpty()) result else ProgramResult.Failure(errors)
     }
 
     override fun link(program: CompiledProgram): ProgramResult = with(program) {

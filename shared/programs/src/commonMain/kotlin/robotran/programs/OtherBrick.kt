@@ -9,13 +9,13 @@ import robotran.programs.messages.ProgramMessages
 /** Tells that a program is for another kind of brick, at the place where it says so. */
 internal class OtherBrick(private val robot: BrickKind, private val messages: ProgramMessages) {
     /** The mistake in [source] if it cannot run on the robot; null if it can. */
-    fun mistakeIn(source: ProgramSource): Diagnostic? {
+    fun errorIn(source: ProgramSource): Diagnostic? {
         val program = brickOf(source)?.takeIf { it != robot } ?: return null
         return diagnosticOf(source, messages.forOtherBrick(program.label, robot.label))
     }
 
     /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
-    fun mistakeInImage(source: ProgramSource): Diagnostic? {
+    fun errorInImage(source: ProgramSource): Diagnostic? {
         if (source.isForLegoFirmware) return diagnosticOf(source, messages.noImageForFirmware())
         val program = brickOf(source) ?: robot
         return if (program.java ==

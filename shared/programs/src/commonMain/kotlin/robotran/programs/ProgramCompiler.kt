@@ -21,6 +21,8 @@ import kotlin.coroutines.cancellation.CancellationException
  * @param target the robot that programs run on. A program for another kind of brick has a mistake.
  * @param java how Java programs run.
  * @param firmware how programs for LEGO's own firmware are compiled.
+ * @param compilesBeside whether a slow compiler may work beside the caller, in a thread or worker of its own. Without it
+ * all results come on the caller's thread, which tests of screens need: their dispatcher resumes on any thread.
  * @property language the language of compiler messages and runtime messages.
  */
 class ProgramCompiler private constructor(
@@ -35,7 +37,8 @@ class ProgramCompiler private constructor(
         java: JavaSettings = JavaSettings(),
         language: Language,
         firmware: FirmwareSettings = FirmwareSettings(),
-    ) : this(target, java, firmware, language, LoadedJava())
+        compilesBeside: Boolean = true,
+    ) : this(target, java, firmware, language, LoadedJava(compilesBeside))
 
     private val javaTools = JavaToolchain(target.kind, java, language, loaded)
     private val settings = CompilerSettings(target, language, javaTools, firmware)
@@ -62,7 +65,7 @@ class ProgramCompiler private constructor(
 
     /** Loads what compiling [source] needs. */
     suspend fun prepareFor(source: ProgramSource): CompilerLoading = attempt {
-        if (mistakenBrick(source) == null) {
+        if (wrongBrick(source) == null) {
             when (source) {
                 is Program -> compilerOf(source.language).load()
                 is ProgramSource.CompiledClasses -> javaTools.loadLibrary()
@@ -72,8 +75,8 @@ class ProgramCompiler private constructor(
     }
 
     /** The mistake that [source] is for another brick, unless its compiler tells that by itself. */
-    private fun mistakenBrick(source: ProgramSource): Diagnostic? =
-        if (source is Program && compilerOf(source.language).tellsOtherBrick) null else otherBrick.mistakeIn(source)
+    private fun wrongBrick(source: ProgramSource): Diagnostic? =
+        if (source is Program && compilerOf(source.language).tellsOtherBrick) null else otherBrick.errorIn(source)
 
     private suspend fun attempt(load: suspend () -> Unit): CompilerLoading = try {
         load()
@@ -91,7 +94,7 @@ class ProgramCompiler private constructor(
      * The fixes of its mistakes are known to help; only those of a slow compiler are not tried out.
      */
     fun compileNow(source: ProgramSource): ProgramResult {
-        mistakenBrick(source)?.let { return ProgramResult.Failure(listOf(it)) }
+        wrongBrick(source)?.let { return ProgramResult.Failure(listOf(it)) }
         val result = compileUnverified(source)
         return if (source.language?.support?.hasSlowCompiler == true) result else fixes.verified(source, result)
     }
@@ -110,7 +113,7 @@ class ProgramCompiler private constructor(
      * where it can; a program with which it is not ready after some time has a mistake that says so.
      */
     suspend fun compile(source: ProgramSource): TimedCompilation {
-        val beside = (source as? Program)?.takeIf { mistakenBrick(it) == null }?.let { compilerOf(it.language).beside }
+        val beside = (source as? Program)?.takeIf { wrongBrick(it) == null }?.let { compilerOf(it.language).beside }
         val loading = if (beside == null) prepareFor(source) else attempt { beside.load() }
         return when {
             loading is CompilerLoading.Failure -> TimedCompilation.NotLoaded(loading.cause)
@@ -136,7 +139,7 @@ class ProgramCompiler private constructor(
      */
     suspend fun buildImage(sources: List<ProgramSource>, version: LejosVersion = java.version): ImageBuildResult {
         require(sources.isNotEmpty()) { "There is no program to build an image of." }
-        val others = sources.mapNotNull { otherBrick.mistakeInImage(it) }
+        val others = sources.mapNotNull { otherBrick.errorInImage(it) }
         if (others.isNotEmpty()) return ImageBuildResult.Failure(others)
         val settings = JavaSettings(TinyVmMode.BRICK, version = version)
         val forBrick = JavaToolchain(BrickKind.with(JavaPlatform.LEJOS), settings, language, loaded)
@@ -153,7 +156,7 @@ class ProgramCompiler private constructor(
      *
      * @throws Throwable the cause of [CompilerLoading.Failure].
      */
-    suspend fun read(source: ProgramSource): ProgramResult = when (val loading = prepareFor(source)) {
+    suspend fun compileOrThrow(source: ProgramSource): ProgramResult = when (val loading = prepareFor(source)) {
         CompilerLoading.Success -> compileNow(source)
         is CompilerLoading.Failure -> throw loading.cause
     }
@@ -163,7 +166,7 @@ class ProgramCompiler private constructor(
      *
      * @throws Throwable if a compiler cannot be loaded, see [CompilerLoading.Failure].
      */
-    suspend fun readTranslation(source: Program): ProgramResult = javaTools.link(
+    suspend fun compileTranslation(source: Program): ProgramResult = javaTools.link(
         compilerOf(source.language).compileToClasses(source) {
             javaTools.loadLibrary()
             javaTools.timed()

@@ -7,7 +7,7 @@ import robotran.language.ProgramLanguage
  *
  * @property language that of the [text].
  * @property fileName the name of a file with it.
- * @property remarks what is lost or changed in it, in whole sentences with the line of the program.
+ * @property notes what is lost or changed in it, in whole sentences with the line of the program.
  * @param origins for each line of the text, the line of the program that it comes from; null for a line of its own.
  */
 class ProgramTranslation internal constructor(
@@ -15,7 +15,7 @@ class ProgramTranslation internal constructor(
     val fileName: String,
     val text: String,
     private val origins: List<SourceLine?>,
-    val remarks: List<TranslationRemark> = emptyList(),
+    val notes: List<TranslationNote> = emptyList(),
 ) {
     private val linesOf: Map<SourceLine?, List<Int>> by lazy(LazyThreadSafetyMode.NONE) {
         origins.indices.groupBy({ origins[it] }, { it + 1 })
@@ -32,4 +32,4 @@ class ProgramTranslation internal constructor(
 data class SourceLine(val file: String, val line: Int)
 
 /** What is different in a translation: a [message] about a [line], from 1, of the program. */
-data class TranslationRemark(val line: Int, val message: String)
+data class TranslationNote(val line: Int, val message: String)

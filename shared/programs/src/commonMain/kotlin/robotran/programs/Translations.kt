@@ -20,7 +20,7 @@ import robotran.robolang.translate.translateRobolang
 internal fun interface ProgramTranslator {
     /**
      * The program [written], which was compiled to [compiled], in the language [to], which is one of the translations of
-     * its own. Remarks are in [language].
+     * its own. Notes are in [language].
      */
     fun translate(written: Program, compiled: BrickProgram, to: ProgramLanguage, language: Language): ProgramTranslation
 }
@@ -44,7 +44,7 @@ private fun RobolangProgram.asNqc(file: String, language: Language): ProgramTran
         translation.fileName,
         translation.nqc,
         originsOf(translation.nqc, translation.lineMap, file),
-        translation.remarks.map { TranslationRemark(it.range.line, it.message) },
+        translation.notes.map { TranslationNote(it.range.line, it.message) },
     )
 }
 

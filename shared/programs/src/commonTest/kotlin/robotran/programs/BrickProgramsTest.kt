@@ -21,7 +21,7 @@ class BrickProgramsTest {
     private fun compilerFor(settings: JavaSettings) = ProgramCompiler(testTarget, settings, language = Language.ENGLISH)
 
     private suspend fun ProgramCompiler.compile(name: String, text: String): ProgramResult =
-        read(Program(name, ProgramLanguage.JAVA, text))
+        compileOrThrow(Program(name, ProgramLanguage.JAVA, text))
 
     private fun expectedIn(text: String, kinds: Set<String>): List<Pair<Int, String>> =
         text.lines().flatMapIndexed { index, line ->
@@ -30,20 +30,26 @@ class BrickProgramsTest {
             if (kind in kinds) listOf(index + 1 to comment.substringAfter(": ")) else emptyList()
         }
 
-    private fun assertTold(expected: List<Pair<Int, String>>, told: List<Diagnostic>, name: String) {
-        assertEquals(expected.map { it.first }, told.map { it.range?.line }, "$name: ${told.map { it.message }}")
-        expected.zip(told).forEach { (pair, diagnostic) ->
+    private fun assertDiagnostics(expected: List<Pair<Int, String>>, described: List<Diagnostic>, name: String) {
+        assertEquals(
+            expected.map {
+                it.first
+            },
+            described.map { it.range?.line },
+            "$name: ${described.map { it.message }}",
+        )
+        expected.zip(described).forEach { (pair, diagnostic) ->
             assertTrue(pair.second in diagnostic.message, "$name: ${pair.second} is not in ${diagnostic.message}")
         }
     }
 
-    private suspend fun assertToldOnBrick(version: LejosVersion) {
+    private suspend fun assertDiagnosticsOnBrick(version: LejosVersion) {
         val compiler = compilerFor(JavaSettings(version = version))
         assertTrue(brickPrograms.isNotEmpty())
         for ((name, text) in brickPrograms) {
             when (val result = compiler.compile(name, text)) {
                 is ProgramResult.Failure -> {
-                    assertTold(
+                    assertDiagnostics(
                         expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
                         result.diagnostics,
                         name,
@@ -51,12 +57,12 @@ class BrickProgramsTest {
                 }
 
                 is ProgramResult.Success -> {
-                    assertTold(
+                    assertDiagnostics(
                         expectedIn(text, setOf("brick error", "brick lejos ${version.label} error")),
                         emptyList(),
                         name,
                     )
-                    assertTold(expectedIn(text, setOf("warning")), result.warnings, name)
+                    assertDiagnostics(expectedIn(text, setOf("warning")), result.warnings, name)
                 }
             }
         }
@@ -64,12 +70,12 @@ class BrickProgramsTest {
 
     @Test
     fun `for a brick with leJOS 3 each program is told what is expected`() = runTest {
-        assertToldOnBrick(LejosVersion.V3_0)
+        assertDiagnosticsOnBrick(LejosVersion.V3_0)
     }
 
     @Test
     fun `for a brick with leJOS 2 each program is told what is expected`() = runTest {
-        assertToldOnBrick(LejosVersion.V2_1)
+        assertDiagnosticsOnBrick(LejosVersion.V2_1)
     }
 
     @Test
@@ -77,7 +83,7 @@ class BrickProgramsTest {
         val compiler = compilerFor(JavaSettings(TinyVmMode.FORGIVING))
         for ((name, text) in brickPrograms) {
             val result = assertIs<ProgramResult.Success>(compiler.compile(name, text), name)
-            assertTold(expectedIn(text, setOf("warning")), result.warnings, name)
+            assertDiagnostics(expectedIn(text, setOf("warning")), result.warnings, name)
         }
     }
 

@@ -27,14 +27,14 @@ class FirmwareProgramsTest {
     private val drive = nqc("drive.nqc" to "task main()\n{\n  OnFwd(OUT_A);\n  Wait(100);\n  Off(OUT_A);\n}\n")
 
     private suspend fun imageOf(source: ProgramSource, by: ProgramCompiler = compiler) =
-        assertNotNull(assertIs<ProgramResult.Success>(by.read(source), source.name).firmwareImage)
+        assertNotNull(assertIs<ProgramResult.Success>(by.compileOrThrow(source), source.name).firmwareImage)
 
-    private suspend fun mistakeIn(source: ProgramSource, by: ProgramCompiler = compiler): Diagnostic =
-        assertIs<ProgramResult.Failure>(by.read(source)).diagnostics.first()
+    private suspend fun errorIn(source: ProgramSource, by: ProgramCompiler = compiler): Diagnostic =
+        assertIs<ProgramResult.Failure>(by.compileOrThrow(source)).diagnostics.first()
 
     @Test
     fun `a program in NQC is for LEGO's firmware and knows the lines of its commands`() = runTest {
-        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(drive)).program)
+        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.compileOrThrow(drive)).program)
         assertEquals(BrickKind.RCX to "drive.nqc", program.kind to program.name)
         val lines = program.lines.linesOf(ChunkId.MAIN).map { it.line to it.file }
         assertEquals(listOf(1, 3, 4, 5).map { it to null }, lines)
@@ -55,7 +55,7 @@ class FirmwareProgramsTest {
     fun `the lines of an image are those of its assembly text`() = runTest {
         val compiled = ProgramSource.FirmwareImage("drive.rcx", imageOf(drive).toBytes())
         val programs = listOf(compiled, assertNotNull(compiled.toLasm())).map {
-            assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(it)).program)
+            assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.compileOrThrow(it)).program)
         }
         val (ofImage, ofText) = programs.map { program -> program.lines.linesOf(ChunkId.MAIN) }
         assertEquals(ofText, ofImage)
@@ -64,10 +64,10 @@ class FirmwareProgramsTest {
     @Test
     fun `a mistake in NQC has its place in the pupil's language and a fix`() = runTest {
         val source = nqc("a.nqc" to "task main()\n{\n  OnFwd(OUT_A)\n  Wait(1);\n}\n")
-        val diagnostic = mistakeIn(source)
+        val diagnostic = errorIn(source)
         assertEquals("a.nqc" to 3, diagnostic.file to diagnostic.range?.line)
         assertEquals(";", diagnostic.fix?.replacement)
-        val sentences = Language.entries.map { mistakeIn(source, compiler.withLanguage(it)).message }
+        val sentences = Language.entries.map { errorIn(source, compiler.withLanguage(it)).message }
         assertEquals(Language.entries.size, sentences.toSet().size)
     }
 
@@ -77,7 +77,7 @@ class FirmwareProgramsTest {
             "folder/main.nqc" to "#include \"moves.nqh\"\ntask main() { go(); }\n",
             "folder/moves.nqh" to "void go()\n{\n  onfwd(OUT_A);\n}\n",
         )
-        val diagnostic = mistakeIn(source)
+        val diagnostic = errorIn(source)
         assertEquals("folder/moves.nqh" to 3, diagnostic.file to diagnostic.range?.line)
     }
 
@@ -87,7 +87,8 @@ class FirmwareProgramsTest {
             "main.nqc" to "#include \"moves.nqh\"\ntask main() { go(); }\n",
             "moves.nqh" to "void go()\n{\n  Wait(1);\n}\n",
         )
-        val program = assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.read(source)).program)
+        val program =
+            assertIs<FirmwareProgram>(assertIs<ProgramResult.Success>(compiler.compileOrThrow(source)).program)
         assertContains(program.lines.linesOf(ChunkId.MAIN).map { it.file to it.line }, "moves.nqh" to 3)
     }
 
@@ -100,7 +101,7 @@ class FirmwareProgramsTest {
         )
         for (source in sources) {
             assertEquals(FirmwareTarget.RCX2, imageOf(source).target)
-            assertNotNull(mistakeIn(source, forRcx).range)
+            assertNotNull(errorIn(source, forRcx).range)
         }
         assertEquals(FirmwareTarget.RCX, imageOf(drive, forRcx).target)
     }
@@ -108,20 +109,20 @@ class FirmwareProgramsTest {
     @Test
     fun `NQC of version 1 has its own names`() = runTest {
         val old = nqc("old.nqc" to "task main()\n{\n  Fwd(OUT_A, 7);\n  Sleep(10);\n}\n")
-        mistakeIn(old)
+        errorIn(old)
         imageOf(old, compiler.withFirmware(FirmwareSettings(isOldNqc = true)))
     }
 
     @Test
     fun `a mistake in assembly text has its place`() = runTest {
-        val diagnostic = mistakeIn(Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
+        val diagnostic = errorIn(Program("a.lasm", ProgramLanguage.LASM, "\ttask 0\n\tplayz\n\tgone\n\tendt\n"))
         assertEquals("a.lasm" to SourceRange(3, 2, 6), diagnostic.file to diagnostic.range)
     }
 
     @Test
     fun `a file that is no image is refused with a sentence`() = runTest {
         val damaged = ProgramSource.FirmwareImage("a.rcx", "RCX".encodeToByteArray())
-        assertEquals(damaged.fault(Language.ENGLISH), mistakeIn(damaged).message)
+        assertEquals(damaged.fault(Language.ENGLISH), errorIn(damaged).message)
         assertNull(damaged.toLasm())
     }
 
@@ -134,7 +135,7 @@ class FirmwareProgramsTest {
             ProgramSource.FirmwareImage("a.rcx", byteArrayOf()),
         )) {
             assertEquals(BrickKind.RCX, likelyBrickOf(source))
-            assertContains(mistakeIn(source, nxt).message, "for an RCX")
+            assertContains(errorIn(source, nxt).message, "for an RCX")
         }
     }
 

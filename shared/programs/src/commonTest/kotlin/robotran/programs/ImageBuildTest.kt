@@ -61,9 +61,9 @@ class ImageBuildTest {
         val calls = names.joinToString("") { "$it()\n" } + "show 0.5\n"
         val text = calls + names.joinToString("") { "procedure $it()\n  beep\nend\n" }
         val result = compiler.buildImage(listOf(Program("many.robo", ProgramLanguage.ROBOLANG, text)))
-        val told = assertIs<ImageBuildResult.Failure>(result).diagnostics.map { it.range to it.message }
-        assertTrue(told.any { (range, message) -> range == null && "Many.show: " in message }, "$told")
-        assertEquals(told.distinct(), told)
+        val described = assertIs<ImageBuildResult.Failure>(result).diagnostics.map { it.range to it.message }
+        assertTrue(described.any { (range, message) -> range == null && "Many.show: " in message }, "$described")
+        assertEquals(described.distinct(), described)
     }
 
     @Test
@@ -107,7 +107,7 @@ class ImageBuildTest {
         val built = assertIs<ImageBuildResult.Failure>(compiler.buildImage(listOf(source))).diagnostics
         assertEquals(listOf("Grid.java" to 5), built.map { it.file to it.range?.line })
         assertContains(built.single().message, ImageMessages.of(Language.ENGLISH).arraysOfObjectArrays())
-        assertEquals(built, assertIs<ProgramResult.Failure>(compiler.read(source)).diagnostics)
+        assertEquals(built, assertIs<ProgramResult.Failure>(compiler.compileOrThrow(source)).diagnostics)
     }
 
     @Test

@@ -26,7 +26,7 @@ import kotlin.math.hypot
  * of a robot in a world. Both must make the same calls one after the other and leave the robot at the same place.
  */
 internal class NxtComparison {
-    private val reader =
+    private val compiler =
         ProgramCompiler(nxtTestTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
 
     /** How they differ, a line for each program that does. */
@@ -57,7 +57,11 @@ internal class NxtComparison {
                 ) as? RobolangResult.Success
             )?.program
                 ?: return
-        val translated = when (val result = reader.readTranslation(Program(path, ProgramLanguage.ROBOLANG, text))) {
+        val translated = when (
+            val result = compiler.compileTranslation(
+                Program(path, ProgramLanguage.ROBOLANG, text),
+            )
+        ) {
             is ProgramResult.Success -> result.program
 
             is ProgramResult.Failure -> {

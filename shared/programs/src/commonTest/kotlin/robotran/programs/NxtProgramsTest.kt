@@ -44,17 +44,17 @@ class NxtProgramsTest {
 
     @Test
     fun `a program for an NXT is compiled and linked with its own library`() = runTest {
-        val ready = assertIs<ProgramResult.Success>(nxt.read(squareNxj))
+        val ready = assertIs<ProgramResult.Success>(nxt.compileOrThrow(squareNxj))
         assertIs<NxjProgram>(ready.program)
         assertEquals(BrickKind.NXT, ready.program.kind)
         assertEquals("Square", ready.mainClass)
-        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Success>(rcx.read(squareRcx)).program.kind)
+        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Success>(rcx.compileOrThrow(squareRcx)).program.kind)
     }
 
     @Test
     fun `a program for an NXT on an RCX has one mistake at its import, in each language`() = runTest {
         val sentences = Language.entries.map { language ->
-            val result = assertIs<ProgramResult.Failure>(rcx.withLanguage(language).read(squareNxj))
+            val result = assertIs<ProgramResult.Failure>(rcx.withLanguage(language).compileOrThrow(squareNxj))
             val diagnostic = result.diagnostics.single()
             assertEquals("Square.java" to SourceRange(1, 8, 19), diagnostic.file to diagnostic.range)
             diagnostic.message
@@ -68,7 +68,7 @@ class NxtProgramsTest {
 
     @Test
     fun `a program for an RCX on an NXT has one mistake at its import`() = runTest {
-        val diagnostic = assertIs<ProgramResult.Failure>(nxt.read(squareRcx)).diagnostics.single()
+        val diagnostic = assertIs<ProgramResult.Failure>(nxt.compileOrThrow(squareRcx)).diagnostics.single()
         assertEquals(SourceRange(1, 8, 27), diagnostic.range)
         assertContains(diagnostic.message, "This program is for an RCX, but the robot has an NXT.")
     }
@@ -79,13 +79,13 @@ class NxtProgramsTest {
             "Wrong.java",
             "import lejos.nxt.*;\n\nclass Wrong {\n  static void main(String[] a) {\n    Motor.A.foward();\n  }\n}",
         )
-        assertEquals(5, assertIs<ProgramResult.Failure>(nxt.read(mistaken)).diagnostics.first().range?.line)
+        assertEquals(5, assertIs<ProgramResult.Failure>(nxt.compileOrThrow(mistaken)).diagnostics.first().range?.line)
     }
 
     @Test
     fun `class files from another compiler run on their brick only`() = runTest {
         val compiled = ProgramSource.CompiledClasses("Empty.class", mapOf("A" to "lejos/nxt/Motor".encodeToByteArray()))
-        val diagnostic = assertIs<ProgramResult.Failure>(rcx.read(compiled)).diagnostics.single()
+        val diagnostic = assertIs<ProgramResult.Failure>(rcx.compileOrThrow(compiled)).diagnostics.single()
         assertEquals("Empty.class" to null, diagnostic.file to diagnostic.range)
         assertContains(diagnostic.message, "for an NXT")
     }
@@ -93,20 +93,20 @@ class NxtProgramsTest {
     @Test
     fun `Robolang runs on either brick and its header must not name the other`() = runTest {
         val plain = Program("drive.robo", ProgramLanguage.ROBOLANG, "forward 20 cm")
-        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Success>(rcx.read(plain)).program.kind)
-        assertEquals(BrickKind.NXT, assertIs<ProgramResult.Success>(nxt.read(plain)).program.kind)
+        assertEquals(BrickKind.RCX, assertIs<ProgramResult.Success>(rcx.compileOrThrow(plain)).program.kind)
+        assertEquals(BrickKind.NXT, assertIs<ProgramResult.Success>(nxt.compileOrThrow(plain)).program.kind)
         val forNxt = Program("drive.robo", ProgramLanguage.ROBOLANG, "robot\n  brick nxt\nend\nforward 20 cm")
         assertEquals(BrickKind.NXT, brickOf(forNxt))
-        assertIs<ProgramResult.Success>(nxt.read(forNxt))
-        assertEquals(2, assertIs<ProgramResult.Failure>(rcx.read(forNxt)).diagnostics.single().range?.line)
+        assertIs<ProgramResult.Success>(nxt.compileOrThrow(forNxt))
+        assertEquals(2, assertIs<ProgramResult.Failure>(rcx.compileOrThrow(forNxt)).diagnostics.single().range?.line)
     }
 
     @Test
     fun `the Java that Robolang becomes for an NXT compiles and links`() = runTest {
         val programs = robolangExamples.map { (name, text) -> Program(name, ProgramLanguage.ROBOLANG, text) }
-            .filter { nxt.read(it) is ProgramResult.Success }
+            .filter { nxt.compileOrThrow(it) is ProgramResult.Success }
         val failures = programs.mapNotNull { source ->
-            (nxt.readTranslation(source) as? ProgramResult.Failure)?.let { "$source: ${it.diagnostics.first()}" }
+            (nxt.compileTranslation(source) as? ProgramResult.Failure)?.let { "$source: ${it.diagnostics.first()}" }
         }
         assertEquals(emptyList(), failures)
         assertTrue(programs.size > 10, "${programs.size} programs")

@@ -18,7 +18,7 @@ import kotlin.test.assertTrue
 
 /** On a robot with an NXT, too, a Robolang program and its translation leave the robot at the same place. */
 internal class NxtTranslatedPoses {
-    private val reader = ProgramCompiler(nxtTestTarget, language = Language.ENGLISH)
+    private val compiler = ProgramCompiler(nxtTestTarget, language = Language.ENGLISH)
 
     /** Drives the programs with [texts] by path. At least [min] of them end by themselves and can be compared. */
     suspend fun compare(texts: Map<String, String>, min: Int) {
@@ -27,8 +27,8 @@ internal class NxtTranslatedPoses {
         var compared = 0
         for ((path, text) in texts) {
             val source = Program(path.substringAfterLast('/'), ProgramLanguage.ROBOLANG, text)
-            val program = (reader.read(source) as? ProgramResult.Success)?.program ?: continue
-            val java = (reader.readTranslation(source) as? ProgramResult.Success)?.program
+            val program = (compiler.compileOrThrow(source) as? ProgramResult.Success)?.program ?: continue
+            val java = (compiler.compileTranslation(source) as? ProgramResult.Success)?.program
             if (java == null) {
                 differences += "$path: its translation is refused"
                 continue

@@ -26,15 +26,15 @@ internal object OriginalCalls {
         }
 
     private fun runOf(text: String): OriginalRun {
-        val (remarks, calls) = text.lines().filter { it.isNotEmpty() }.partition { it.startsWith("#") }
+        val (notes, calls) = text.lines().filter { it.isNotEmpty() }.partition { it.startsWith("#") }
         return OriginalRun(
             calls.map { line ->
                 val words = line.split(' ')
                 val arguments = words.drop(2).map { it.toInt() and WORD }
                 TimedCall(words[0].toLong(), RomCall(words[1].removePrefix("0x").toInt(radix = 16), arguments))
             },
-            remarks.mapNotNull { EXCEPTION.find(it)?.groupValues?.get(1)?.toInt() },
-            isCut = remarks.any { "cut" in it },
+            notes.mapNotNull { EXCEPTION.find(it)?.groupValues?.get(1)?.toInt() },
+            isCut = notes.any { "cut" in it },
         )
     }
 

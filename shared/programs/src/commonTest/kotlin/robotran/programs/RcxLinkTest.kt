@@ -30,7 +30,7 @@ import kotlin.time.Duration.Companion.minutes
 class RcxLinkTest {
     private suspend fun compiled(source: ProgramSource, target: RobotTarget): BrickProgram =
         assertIs<ProgramResult.Success>(
-            ProgramCompiler(target, language = Language.ENGLISH).read(source),
+            ProgramCompiler(target, language = Language.ENGLISH).compileOrThrow(source),
             "$source",
         ).program
 
@@ -99,7 +99,7 @@ class RcxLinkTest {
         val stopped = session.state.robots[1]
         assertEquals(MotorMode.BRAKE, stopped.brick.motors[0].mode, "${stopped.brick.motors}")
         assertTrue(stopped.robot.pose.x > 210, "${stopped.robot.pose}")
-        assertEquals(emptyList(), session.remarks.map { it.message })
+        assertEquals(emptyList(), session.warnings.map { it.message })
     }
 
     @Test

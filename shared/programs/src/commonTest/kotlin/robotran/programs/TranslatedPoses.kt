@@ -20,7 +20,7 @@ import kotlin.test.assertTrue
  * here: a real brick starts its wheels about a millisecond apart.
  */
 internal class TranslatedPoses {
-    private val reader =
+    private val compiler =
         ProgramCompiler(testTarget, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
 
     /** Drives the programs with [texts] by path. At least [min] of them end by themselves and can be compared. */
@@ -30,7 +30,7 @@ internal class TranslatedPoses {
         var compared = 0
         for ((path, text) in texts) {
             val program = robolangOf(path, text) ?: continue
-            val java = (reader.translated(program) as? ProgramResult.Success)?.program ?: continue
+            val java = (compiler.translated(program) as? ProgramResult.Success)?.program ?: continue
             val interpreted = drive(program, physics)
             if (!interpreted.ended) continue
             compared++

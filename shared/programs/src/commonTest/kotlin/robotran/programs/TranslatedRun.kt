@@ -52,11 +52,11 @@ internal suspend fun ProgramCompiler.translated(program: RobolangProgram): Progr
             compiler.compile(listOf(SourceFile(name, translation.java)), BrickLibrary.classFiles)
         }
     return when (compiled) {
-        is CompilationResult.Success -> read(
+        is CompilationResult.Success -> compileOrThrow(
             ProgramSource.CompiledClasses(name, compiled.classes, compiled.mainClasses.single()),
         )
 
-        is CompilationResult.Failure -> read(
+        is CompilationResult.Failure -> compileOrThrow(
             Program(name, ProgramLanguage.JAVA, translation.java),
         )
     }

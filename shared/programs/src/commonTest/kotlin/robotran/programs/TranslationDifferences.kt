@@ -55,8 +55,8 @@ internal class TranslationDifferences {
         val differences = mutableListOf<String>()
         var compared = 0
         for (program in programs) {
-            val reader = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
-            val words = when (val result = reader.translated(program.robolang)) {
+            val compiler = if (program.path in LARGE_DIVISORS) forgivingCompiler else brickCompiler
+            val words = when (val result = compiler.translated(program.robolang)) {
                 is ProgramResult.Success -> difference(program, result.program as RcxProgram) ?: continue
                 is ProgramResult.Failure -> result.diagnostics.joinToString()
             }

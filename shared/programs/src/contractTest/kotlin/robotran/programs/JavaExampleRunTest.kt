@@ -26,7 +26,7 @@ import kotlin.time.Duration.Companion.minutes
  * web page are tested against the same records. `record-runs.sh` records them again.
  */
 class JavaExampleRunTest {
-    private val reader =
+    private val rcxCompiler =
         ProgramCompiler(
             RobotTarget.Rcx(Penbot.MILLISECONDS_PER_CENTIMETRE, Penbot.MILLISECONDS_PER_DEGREE),
             language = Language.ENGLISH,
@@ -38,8 +38,8 @@ class JavaExampleRunTest {
         physics: PhysicsEngine,
         brick: BrickKind = BrickKind.RCX,
     ): Session {
-        val compiler = if (brick == BrickKind.NXT) reader.forTarget(nxtTestTarget) else reader
-        val result = compiler.read(Program(name, ProgramLanguage.JAVA, text))
+        val compiler = if (brick == BrickKind.NXT) rcxCompiler.forTarget(nxtTestTarget) else rcxCompiler
+        val result = compiler.compileOrThrow(Program(name, ProgramLanguage.JAVA, text))
         assertIs<ProgramResult.Success>(result, name)
         assertEquals(emptyList(), result.warnings, name)
         return Session(BuiltInWorlds.plainFor(brick), listOf(result.program), physics, Language.ENGLISH).apply {

@@ -25,7 +25,7 @@ class NqcExampleRunTest {
     private val compiler = ProgramCompiler(testTarget, language = Language.ENGLISH)
 
     private suspend fun run(source: ProgramSource): Session {
-        val result = assertIs<ProgramResult.Success>(compiler.read(source), source.name)
+        val result = assertIs<ProgramResult.Success>(compiler.compileOrThrow(source), source.name)
         assertEquals(emptyList(), result.warnings, source.name)
         return Session(BuiltInWorlds.plain, listOf(result.program), loadPhysicsEngine(), Language.ENGLISH).apply {
             runUnattended(MILLISECONDS)
@@ -55,7 +55,7 @@ class NqcExampleRunTest {
     fun `an example and its image and assembly text do the same`() = runTest(timeout = 5.minutes) {
         for ((name, text) in nqcExamples.filterKeys { it in SHORT }) {
             val source = Program(name, ProgramLanguage.NQC, text)
-            val image = assertNotNull(assertIs<ProgramResult.Success>(compiler.read(source)).firmwareImage)
+            val image = assertNotNull(assertIs<ProgramResult.Success>(compiler.compileOrThrow(source)).firmwareImage)
             val compiled = ProgramSource.FirmwareImage("$name.rcx", image.toBytes())
             val runs = listOf(source, compiled, assertNotNull(compiled.toLasm())).map { run(it) }
             assertEquals(1, runs.map { it.traceHash }.toSet().size, name)

@@ -39,7 +39,7 @@ class CompilingBesideTest {
     @Test
     fun `programs, and what the Java of a Robolang program would be`() {
         leavesTheCallerFree { compiler.compile(java) }
-        leavesTheCallerFree { compiler.readTranslation(robolang) }
+        leavesTheCallerFree { compiler.compileTranslation(robolang) }
     }
 
     private companion object {

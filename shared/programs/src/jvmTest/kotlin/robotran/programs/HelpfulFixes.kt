@@ -23,25 +23,25 @@ internal class HelpfulFixes(programs: Map<String, String>, seed: Long) {
             val (name, text) = programs.entries.random(random)
             val source = sourceOf(name.substringAfterLast('/'), changed(text))
             val result = compile(source)
-            for (diagnostic in mistakesIn(result)) {
+            for (diagnostic in errorsIn(result)) {
                 val fix = diagnostic.fix ?: continue
                 offered++
                 val after = compile(checkNotNull(source.withFix(diagnostic.file, fix)))
                 val isFit = after is ProgramResult.Success || result is ProgramResult.Failure
-                if (isFit && isBetter(mistakesIn(result), sameKindIn(result, after), diagnostic.file, fix)) continue
-                harmful += "$name: $diagnostic\n${source.files.first().text}\nthen ${mistakesIn(after)}"
+                if (isFit && isBetter(errorsIn(result), sameKindIn(result, after), diagnostic.file, fix)) continue
+                harmful += "$name: $diagnostic\n${source.files.first().text}\nthen ${errorsIn(after)}"
             }
         }
     }
 
-    private fun mistakesIn(result: ProgramResult): List<Diagnostic> = when (result) {
+    private fun errorsIn(result: ProgramResult): List<Diagnostic> = when (result) {
         is ProgramResult.Failure -> result.diagnostics
         is ProgramResult.Success -> result.warnings
     }
 
     /** A program without errors may have warnings that nobody has seen before. */
     private fun sameKindIn(before: ProgramResult, after: ProgramResult): List<Diagnostic> =
-        if (before is ProgramResult.Failure && after is ProgramResult.Success) emptyList() else mistakesIn(after)
+        if (before is ProgramResult.Failure && after is ProgramResult.Success) emptyList() else errorsIn(after)
 
     private fun changed(text: String): String {
         val words = WORD.findAll(text).map { it.value }.toMutableList()

@@ -29,7 +29,7 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `the languages seldom suggest a fix that has to be dropped`() {
-        val java = JavaToolchain(testTarget.kind, JavaSettings(), Language.ENGLISH, LoadedJava())
+        val java = JavaToolchain(testTarget.kind, JavaSettings(), Language.ENGLISH, LoadedJava(compilesBeside = true))
         val settings = CompilerSettings(testTarget, Language.ENGLISH, java, FirmwareSettings())
         val robolang = RobolangProgramCompiler(settings)
         val ofRobolang = HelpfulFixes(robolangPrograms + robolangExamples, Fuzzing.seed)
@@ -51,22 +51,22 @@ class HelpfulFixesFuzzTest {
 
     @Test
     fun `a fix that only moves a mistake is not offered`() {
-        val unhelpful = FixVerification { ProgramResult.Failure(listOf(mistake(2), mistake(3))) }
+        val unhelpful = FixVerification { ProgramResult.Failure(listOf(error(2), error(3))) }
         assertNull(verifiedFix(unhelpful))
-        val harmful = FixVerification { ProgramResult.Failure(emptyList<Diagnostic>() + mistake(3, "new")) }
+        val harmful = FixVerification { ProgramResult.Failure(emptyList<Diagnostic>() + error(3, "new")) }
         assertNull(verifiedFix(harmful))
-        val helpful = FixVerification { ProgramResult.Failure(listOf(mistake(3))) }
+        val helpful = FixVerification { ProgramResult.Failure(listOf(error(3))) }
         assertNotNull(verifiedFix(helpful))
     }
 
     private fun verifiedFix(verification: FixVerification): SourceFix? {
         val source = Program("a.robo", ProgramLanguage.ROBOLANG, "beep\nbep\nbep")
-        val fixable = mistake(2).copy(fix = SourceFix(SourceRange(2, 1, 4), "beep"))
-        val result = verification.verified(source, ProgramResult.Failure(listOf(fixable, mistake(3))))
+        val fixable = error(2).copy(fix = SourceFix(SourceRange(2, 1, 4), "beep"))
+        val result = verification.verified(source, ProgramResult.Failure(listOf(fixable, error(3))))
         return (result as ProgramResult.Failure).diagnostics.first().fix
     }
 
-    private fun mistake(line: Int, message: String = "wrong") =
+    private fun error(line: Int, message: String = "wrong") =
         Diagnostic(Severity.ERROR, "a.robo", SourceRange(line, 1, 2), message)
 
     private fun assertHelpful(programs: Map<String, String>, sourceOf: (String, String) -> ProgramSource) {

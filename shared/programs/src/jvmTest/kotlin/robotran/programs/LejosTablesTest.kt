@@ -48,17 +48,17 @@ class LejosTablesTest {
 
     @Test
     fun `everything that leJOS lacks of the class library is in a row`() {
-        val told = differing.filter { "LejosDifferences" in testsOf(it) }.map { it.first() }
+        val described = differing.filter { "LejosDifferences" in testsOf(it) }.map { it.first() }
         val withoutText = LejosDifferences.all.count { it.instead == LejosRemedy.EXCEPTION_WITHOUT_TEXT }
-        assertTrue(told.any { "$withoutText exceptions" in it }, "$withoutText exceptions")
+        assertTrue(described.any { "$withoutText exceptions" in it }, "$withoutText exceptions")
         val untold = LejosDifferences.all.filter { difference ->
             val name = difference.owner.substringAfterLast('/')
             when (difference.instead) {
                 LejosRemedy.EXCEPTION_WITHOUT_TEXT -> false
-                LejosRemedy.EXCEPTION_WITH_TEXT -> told.none { "`new $name()`" in it }
+                LejosRemedy.EXCEPTION_WITH_TEXT -> described.none { "`new $name()`" in it }
                 LejosRemedy.CHECKED_EXCEPTION -> differing.none { it.first() == "`$name`" }
-                LejosRemedy.SENSOR_CONSTANTS -> told.none { "`SensorConstants` as `$name." in it }
-                else -> told.none { "`${nameOf(difference)}`" in it }
+                LejosRemedy.SENSOR_CONSTANTS -> described.none { "`SensorConstants` as `$name." in it }
+                else -> described.none { "`${nameOf(difference)}`" in it }
             }
         }
         assertEquals(emptyList(), untold)
@@ -72,14 +72,14 @@ class LejosTablesTest {
 
     @Test
     fun `each warning of a run has its row`() {
-        val told = (beside + differing).flatMap(::testsOf)
-        assertEquals(emptyList(), Quirk.entries.map { it.name }.filter { it !in told })
+        val described = (beside + differing).flatMap(::testsOf)
+        assertEquals(emptyList(), Quirk.entries.map { it.name }.filter { it !in described })
     }
 
     @Test
     fun `each program about a brick's compiler has its row`() {
-        val told = (beside + differing).flatMap(::testsOf)
-        assertEquals(emptyList(), brickPrograms.keys.filter { "brick/$it" !in told })
+        val described = (beside + differing).flatMap(::testsOf)
+        assertEquals(emptyList(), brickPrograms.keys.filter { "brick/$it" !in described })
     }
 
     @Test
@@ -103,8 +103,8 @@ class LejosTablesTest {
             (result as? RobolangResult.Success)?.let { translateRobolang(it.program) }?.let { it.fileName to it.java }
         }
         assertTrue(translations.size > 200, "${translations.size} translations")
-        val told = translations.map { diagnosticsOf(mapOf(it), withWarnings = false) }
-        assertEquals("", told.filter { it.isNotEmpty() }.joinToString("\n"))
+        val described = translations.map { diagnosticsOf(mapOf(it), withWarnings = false) }
+        assertEquals("", described.filter { it.isNotEmpty() }.joinToString("\n"))
     }
 
     /** The diagnostics of [programs], each of which is one file, for every version of leJOS. */
@@ -114,15 +114,15 @@ class LejosTablesTest {
                 ProgramCompiler(testTarget, JavaSettings(version = version), language = Language.ENGLISH)
             }
             programs.flatMap { (name, text) ->
-                val told = when (
-                    val result = compiler.read(
+                val described = when (
+                    val result = compiler.compileOrThrow(
                         Program(name, ProgramLanguage.JAVA, text),
                     )
                 ) {
                     is ProgramResult.Failure -> result.diagnostics
                     is ProgramResult.Success -> if (withWarnings) result.warnings else emptyList()
                 }
-                told.map { "${version.label} $name:${it.range?.line}: ${it.message}" }
+                described.map { "${version.label} $name:${it.range?.line}: ${it.message}" }
             }
         }.joinToString("\n")
 

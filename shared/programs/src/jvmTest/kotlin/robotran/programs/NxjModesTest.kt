@@ -40,11 +40,13 @@ class NxjModesTest {
 
     @Test
     fun `what leJOS NXJ lacks is refused true to the brick, and accepted if forgiving`() = runTest {
-        val refused = compilers.getValue(TinyVmMode.BRICK).read(java("Modern.java", modern))
-        val mistakes = assertIs<ProgramResult.Failure>(refused).diagnostics
-        assertEquals(listOf(7, 8), mistakes.map { it.range?.line })
-        assertContains(mistakes.first().message, "Write list.add(element).")
-        assertIs<ProgramResult.Success>(compilers.getValue(TinyVmMode.FORGIVING).read(java("Modern.java", modern)))
+        val refused = compilers.getValue(TinyVmMode.BRICK).compileOrThrow(java("Modern.java", modern))
+        val errors = assertIs<ProgramResult.Failure>(refused).diagnostics
+        assertEquals(listOf(7, 8), errors.map { it.range?.line })
+        assertContains(errors.first().message, "Write list.add(element).")
+        assertIs<ProgramResult.Success>(
+            compilers.getValue(TinyVmMode.FORGIVING).compileOrThrow(java("Modern.java", modern)),
+        )
     }
 
     @Test
@@ -56,10 +58,12 @@ class NxjModesTest {
         ).compile(sources, library, target = BrickTarget.LEJOS_NXJ)
         val classes = assertIs<CompilationResult.Success>(compiled).classes
         val source = ProgramSource.CompiledClasses("Modern.class", classes)
-        val refused = assertIs<ProgramResult.Failure>(compilers.getValue(TinyVmMode.BRICK).read(source)).diagnostics
+        val refused = assertIs<ProgramResult.Failure>(
+            compilers.getValue(TinyVmMode.BRICK).compileOrThrow(source),
+        ).diagnostics
         assertEquals(listOf("Modern.main" to 7, "Modern.main" to 8), refused.map { it.file to it.range?.line })
         assertContains(refused.last().message, "\"LinkedList\" has no method \"getFirst\". Write list.get(0).")
-        assertIs<ProgramResult.Success>(compilers.getValue(TinyVmMode.FORGIVING).read(source))
+        assertIs<ProgramResult.Success>(compilers.getValue(TinyVmMode.FORGIVING).compileOrThrow(source))
     }
 
     @Test
@@ -72,7 +76,7 @@ class NxjModesTest {
         for ((mode, compiler) in compilers) {
             for (program in forNxt) {
                 val named = java("${mainClassOf(program)}.java", program.files.single().text)
-                assertIs<ProgramResult.Success>(compiler.read(named), "$mode ${program.name}")
+                assertIs<ProgramResult.Success>(compiler.compileOrThrow(named), "$mode ${program.name}")
             }
         }
     }

@@ -38,8 +38,8 @@ internal class NxjSessions {
 
     private fun differences(path: String, source: String): List<String> {
         val name = path.substringAfterLast('/')
-        val reader = if (path.startsWith("forgiving/")) forgivingCompiler else compiler
-        val result = runBlocking { reader.read(Program(name, ProgramLanguage.JAVA, source)) }
+        val chosen = if (path.startsWith("forgiving/")) forgivingCompiler else compiler
+        val result = runBlocking { chosen.compileOrThrow(Program(name, ProgramLanguage.JAVA, source)) }
         if (result !is ProgramResult.Success) return listOf("$path: $result")
         val expected = NxjExpectations(source)
         val session = Session(world, listOf(result.program), physics, Language.ENGLISH)

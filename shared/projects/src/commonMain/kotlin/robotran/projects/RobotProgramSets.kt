@@ -59,7 +59,7 @@ suspend fun readRobotLoads(
     for (robot in world.robots) {
         val sources = given[robot.name].orEmpty()
         val compiler = reader.forTarget(robot.description.target)
-        val results = sources.ifEmpty { listOfNotNull(robot.givenProgram) }.map { compiler.read(it) }
+        val results = sources.ifEmpty { listOfNotNull(robot.givenProgram) }.map { compiler.compileOrThrow(it) }
         val diagnostics = results.filterIsInstance<ProgramResult.Failure>().flatMap { it.diagnostics }
         if (diagnostics.isNotEmpty()) return RobotProgramSets.Failure(robot.name, diagnostics)
         val ready = results.filterIsInstance<ProgramResult.Success>()

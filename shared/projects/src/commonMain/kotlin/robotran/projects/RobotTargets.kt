@@ -4,12 +4,12 @@ import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.RobotTarget
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 
 /** What the compiler must know of this robot. */
 val RobotDescription.target: RobotTarget
     get() = when (brick) {
-        BrickKind.RCX -> RobotFigures.of(this).let {
+        BrickKind.RCX -> RobotParameters.of(this).let {
             RobotTarget.Rcx(
                 it.millisecondsPerCentimetre,
                 it.millisecondsPerDegree,

@@ -41,12 +41,13 @@ class LanguagesTest {
         realism = 1.0,
     )
 
-    private suspend fun mistakeIn(language: Language, source: ProgramSource): String =
-        assertIs<ProgramResult.Failure>(reader.withLanguage(language).read(source)).diagnostics.first().message
+    private suspend fun errorIn(language: Language, source: ProgramSource): String = assertIs<ProgramResult.Failure>(
+        reader.withLanguage(language).compileOrThrow(source),
+    ).diagnostics.first().message
 
     private suspend fun sessionIn(language: Language, text: String): Session {
         val source = Program("a.robo", ProgramLanguage.ROBOLANG, text)
-        val program = assertIs<ProgramResult.Success>(reader.withLanguage(language).read(source)).program
+        val program = assertIs<ProgramResult.Success>(reader.withLanguage(language).compileOrThrow(source)).program
         return Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), language).apply {
             runForGoals()
         }
@@ -63,11 +64,11 @@ class LanguagesTest {
         reader.prepareFor(java)
         assertEquals(
             "Después de \"forward\" va un número, como en \"forward 20\".",
-            mistakeIn(Language.SPANISH, robolang),
+            errorIn(Language.SPANISH, robolang),
         )
         assertEquals(
             "Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".",
-            mistakeIn(Language.GERMAN, robolang),
+            errorIn(Language.GERMAN, robolang),
         )
         assertEquals(
             listOf(
@@ -75,7 +76,7 @@ class LanguagesTest {
                 "No existe la variable \"spped\". Declárala antes, por ejemplo con \"int spped = 0;\".",
                 "Es gibt keine Variable \"spped\". Leg sie vorher an, zum Beispiel mit \"int spped = 0;\".",
             ),
-            toldIn.map { mistakeIn(it, java) },
+            toldIn.map { errorIn(it, java) },
         )
     }
 

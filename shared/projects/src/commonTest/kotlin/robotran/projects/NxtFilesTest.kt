@@ -50,15 +50,15 @@ class NxtFilesTest {
         )
         val robots = PROJECT_WITH_FILES.robots.map { robot -> robot.copy(files = List(TOO_MANY) { files[1] }) }
         val many = PROJECT_WITH_FILES.copy(robots = robots)
-        val told = assertIs<ProjectFileResult.Failure>(readProject(writeProject(many), Language.ENGLISH)).message
-        assertContains(told, "robots[0].flash")
+        val described = assertIs<ProjectFileResult.Failure>(readProject(writeProject(many), Language.ENGLISH)).message
+        assertContains(described, "robots[0].flash")
         assertEquals("robots[0].flash must be files that fit into an NXT.", refusal("\"count.txt\"", "\"✎\""))
     }
 
     @Test
     fun `whatever a program writes into the table of files, the project can be read again`() {
         val random = Random(SEED)
-        var told = 0
+        var described = 0
         repeat(TABLES) {
             val flash = FlashMemory(files)
             val table = ByteArray(FlashMemory.PAGE_BYTES)
@@ -68,11 +68,11 @@ class NxtFilesTest {
                     random.nextInt().toByte()
             }
             flash.writePage(TABLE_PAGE, table)
-            told += flash.files.size
+            described += flash.files.size
             val robots = PROJECT_WITH_FILES.robots.map { robot -> robot.copy(files = flash.files) }
             assertEquals(flash.files, loaded(writeProject(PROJECT_WITH_FILES.copy(robots = robots))).robots[0].files)
         }
-        assertTrue(told > TABLES, "$told files")
+        assertTrue(described > TABLES, "$described files")
     }
 
     private fun refusal(old: String, new: String): String {

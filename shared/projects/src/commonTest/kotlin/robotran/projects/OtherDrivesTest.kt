@@ -78,9 +78,9 @@ class OtherDrivesTest {
             val compiler =
                 ProgramCompiler(robot.target, JavaSettings(speed = TinyVmSpeed.UNLIMITED), language = Language.ENGLISH)
             val source = Program("drive.robo", ProgramLanguage.ROBOLANG, text)
-            val program = assertIs<ProgramResult.Success>(compiler.read(source)).program
+            val program = assertIs<ProgramResult.Success>(compiler.compileOrThrow(source)).program
             val one = run(robot, program, "run")
-            val translation = assertIs<ProgramResult.Success>(compiler.readTranslation(source)).program
+            val translation = assertIs<ProgramResult.Success>(compiler.compileTranslation(source)).program
             val other = run(robot, translation, "translation")
             assertEquals(one.pose.x, other.pose.x, 0.2, "$robot")
             assertEquals(one.pose.y, other.pose.y, 0.2, "$robot")

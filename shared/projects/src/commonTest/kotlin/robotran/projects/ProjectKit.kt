@@ -10,9 +10,9 @@ import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.LightFacing
+import robotran.world.MovableBlock
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.file.BuiltInWorlds
@@ -30,8 +30,8 @@ internal val FULL_PROJECT = Project(
             RobotPlacement(Pose(60.0, 20.0, 0.0), "bob", RobotColour.BLUE),
         ),
         blocks = listOf(
-            Block(Shape.Circle(Point(50.0, 50.0), 3.0)),
-            Block(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0)),
+            MovableBlock(Shape.Circle(Point(50.0, 50.0), 3.0)),
+            MovableBlock(Shape.Rectangle(Point(70.0, 50.0), 4.0, 6.0)),
         ),
         lamps = listOf(Lamp(Point(1.0, 2.0)), Lamp(Point(3.0, 4.0))),
     ),

@@ -31,11 +31,11 @@ class MisspeltProjectFieldTest {
         misspellingsOf(file).filterNot { slip ->
             val result = read(slip.file)
             result.warnings.any { slip.written in it.path && "\"${slip.name}\"" in it.message } ||
-                (result.refusal != null && (isTold(slip, result.refusal) || read(slip.without).refusal != null))
+                (result.refusal != null && (isReported(slip, result.refusal) || read(slip.without).refusal != null))
         }.map { "${it.written} for ${it.name}" }
 
     /** Some objects may not have any other field. */
-    private fun isTold(slip: Misspelling, refusal: String): Boolean =
+    private fun isReported(slip: Misspelling, refusal: String): Boolean =
         slip.name in refusal || "\"${slip.written}\"" in refusal
 
     @Test

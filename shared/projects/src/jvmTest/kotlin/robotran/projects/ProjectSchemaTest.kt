@@ -49,7 +49,7 @@ class ProjectSchemaTest {
                 if (PROJECT_SCHEMA.accepts(changed)) continue
                 refused++
                 if (readProject(writeCompactJson(changed), Language.ENGLISH) is ProjectFileResult.Failure) continue
-                fail("${PROJECT_SCHEMA.mistakesIn(changed)}\n${writeCompactJson(changed)}")
+                fail("${PROJECT_SCHEMA.errorsIn(changed)}\n${writeCompactJson(changed)}")
             }
         }
         assertTrue(refused > 500, "$refused were refused")
@@ -64,14 +64,14 @@ class ProjectSchemaTest {
             val text = writeCompactJson(changed)
             assertIs<CourseFileResult.Failure>(
                 readCourse(text, Language.ENGLISH),
-                "${COURSE_SCHEMA.mistakesIn(changed)}\n$text",
+                "${COURSE_SCHEMA.errorsIn(changed)}\n$text",
             )
         }
         assertTrue(refused > 100, "$refused were refused")
     }
 
     private fun assertFollows(schema: SchemaFile, file: JsonElement, name: String) {
-        assertEquals(emptyList(), schema.mistakesIn(file), name)
+        assertEquals(emptyList(), schema.errorsIn(file), name)
         assertEquals(emptyList(), schema.unknownIn(file), name)
     }
 

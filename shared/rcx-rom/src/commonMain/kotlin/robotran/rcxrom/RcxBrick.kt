@@ -171,7 +171,7 @@ class RcxBrick(
 
     override val debuggableRun: DebuggableRun? get() = shell.debuggableRun
 
-    override val remarks: List<RuntimeWarning> get() = shell.remarks
+    override val warnings: List<RuntimeWarning> get() = shell.warnings
 
     override val expectedSensors: List<ExpectedSensor> get() = hardware.expectations.all
 

@@ -187,24 +187,24 @@ class ProgramOnBrickTest {
 
     @Test
     fun `remarks stay until the next program is started`() {
-        val remark = RuntimeWarning("This divisor is too large.", sourceLine = 2)
+        val warning = RuntimeWarning("This divisor is too large.", sourceLine = 2)
         var isFirst = true
         val program = object : RcxProgram {
             override val name = "remarking"
 
             override fun start(rom: Rom) = object : ProgramRun {
                 override val sourceLine = 2
-                override val remarks = if (isFirst) listOf(remark) else emptyList()
+                override val warnings = if (isFirst) listOf(warning) else emptyList()
 
                 override fun resume(steps: Int) = ProgramStatus.Ended
             }.also { isFirst = false }
         }
         val brick = RcxBrick(listOf(program), messages = BrickMessages.of(Language.ENGLISH))
-        assertEquals(emptyList(), brick.remarks)
-        for (expected in listOf(listOf(remark), emptyList())) {
+        assertEquals(emptyList(), brick.warnings)
+        for (expected in listOf(listOf(warning), emptyList())) {
             brick.push(BrickButton.RUN)
             brick.tick(5)
-            assertEquals(expected, brick.remarks)
+            assertEquals(expected, brick.warnings)
         }
     }
 

@@ -30,7 +30,7 @@ fun compileRobolang(name: String, source: String, robot: RobotTarget, messages: 
             "",
             messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
         )
-        return RobolangResult.Failure(diagnostics.mistakesInSourceOrder())
+        return RobolangResult.Failure(diagnostics.errorsInSourceOrder())
     }
     val lines = scan(source, diagnostics)
     diagnostics.brick = brickIn(lines) ?: robot.kind
@@ -39,6 +39,6 @@ fun compileRobolang(name: String, source: String, robot: RobotTarget, messages: 
     return if (diagnostics.isEmpty) {
         RobolangResult.Success(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
     } else {
-        RobolangResult.Failure(diagnostics.mistakesInSourceOrder())
+        RobolangResult.Failure(diagnostics.errorsInSourceOrder())
     }
 }

@@ -8,7 +8,7 @@ import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
 import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
-import robotran.robolang.messages.RunMessages
+import robotran.robolang.messages.RobolangRunMessages
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.NxtDevice
@@ -25,7 +25,7 @@ import robotran.robolang.syntax.Facing
 sealed class RobolangProgram(
     override val name: String,
     internal val checked: CheckedProgram,
-    private val messages: RunMessages,
+    private val messages: RobolangRunMessages,
 ) : BrickProgram {
     internal abstract val robot: RobotTarget
 
@@ -43,11 +43,15 @@ sealed class RobolangProgram(
         RobolangRun(code, device, durations, messages)
 
     internal companion object {
-        fun of(name: String, checked: CheckedProgram, robot: RobotTarget, messages: RunMessages): RobolangProgram =
-            when (robot) {
-                is RobotTarget.Rcx -> RobolangRcxProgram(name, checked, robot, messages)
-                is RobotTarget.Nxt -> RobolangNxtProgram(name, checked, robot, messages)
-            }
+        fun of(
+            name: String,
+            checked: CheckedProgram,
+            robot: RobotTarget,
+            messages: RobolangRunMessages,
+        ): RobolangProgram = when (robot) {
+            is RobotTarget.Rcx -> RobolangRcxProgram(name, checked, robot, messages)
+            is RobotTarget.Nxt -> RobolangNxtProgram(name, checked, robot, messages)
+        }
     }
 }
 
@@ -56,7 +60,7 @@ class RobolangRcxProgram internal constructor(
     name: String,
     checked: CheckedProgram,
     override val robot: RobotTarget.Rcx,
-    messages: RunMessages,
+    messages: RobolangRunMessages,
 ) : RobolangProgram(name, checked, messages),
     RcxProgram {
     override val kind: BrickKind get() = robot.kind
@@ -72,7 +76,7 @@ class RobolangNxtProgram internal constructor(
     name: String,
     checked: CheckedProgram,
     override val robot: RobotTarget.Nxt,
-    messages: RunMessages,
+    messages: RobolangRunMessages,
 ) : RobolangProgram(name, checked, messages),
     NxtProgram {
     override val kind: BrickKind get() = robot.kind

@@ -26,13 +26,13 @@ class BrickTest {
         assertEquals(emptyList(), onNxt("show distance\nmotor B turn 90"))
         assertEquals(BrickKind.NXT, assertIs<RobolangResult.Success>(read("beep", testNxt)).program.kind)
         assertEquals(BrickKind.RCX, assertIs<RobolangResult.Success>(read("beep")).program.kind)
-        assertEquals(DiagnosticCode.BRICK_LACKS, mistakesOf("show distance").single().code)
+        assertEquals(DiagnosticCode.BRICK_LACKS, errorsOf("show distance").single().code)
     }
 
     @Test
     fun `a header that names another brick is the only mistake`() {
         val header = "robot\n  brick nxt\nend\nshow distance\nshow \"sixteen letters.\""
-        assertEquals(listOf(DiagnosticCode.WRONG_BRICK), mistakesOf(header).map { it.code }.take(1))
+        assertEquals(listOf(DiagnosticCode.WRONG_BRICK), errorsOf(header).map { it.code }.take(1))
         assertEquals(emptyList(), onNxt(header))
         assertEquals(DiagnosticCode.WRONG_BRICK, onNxt("robot\n  brick rcx\nend\nbeep").single().code)
     }
@@ -49,7 +49,7 @@ class BrickTest {
     @Test
     fun `a button of the other brick has a fix`() {
         val fixes = listOf("enter", "left", "right", "escape").map { button ->
-            mistakesOf("wait until button $button").single().fix?.replacement
+            errorsOf("wait until button $button").single().fix?.replacement
         }
         assertEquals(listOf("button run", "button prgm", "button view", null), fixes)
         assertEquals(emptyList(), onNxt("wait until button run or button view or button prgm"))
@@ -59,9 +59,9 @@ class BrickTest {
     fun `the older names of variables stay names`() {
         val words = listOf("distance", "loudness", "colour", "turned", "red", "white", "brick", "nxt", "sonar", "enter")
         for (word in words) {
-            assertEquals(emptyList(), mistakesOf("var $word = 1\n$word = -$word - 1\nforward $word"), word)
-            assertEquals(emptyList(), mistakesOf("procedure p($word)\n  show $word\nend\np(1)"), word)
-            assertEquals(emptyList(), mistakesOf("for each $word in [1]\n  show $word\nend"), word)
+            assertEquals(emptyList(), errorsOf("var $word = 1\n$word = -$word - 1\nforward $word"), word)
+            assertEquals(emptyList(), errorsOf("procedure p($word)\n  show $word\nend\np(1)"), word)
+            assertEquals(emptyList(), errorsOf("for each $word in [1]\n  show $word\nend"), word)
         }
     }
 

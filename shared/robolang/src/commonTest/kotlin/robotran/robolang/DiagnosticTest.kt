@@ -12,7 +12,7 @@ import kotlin.test.assertTrue
 class DiagnosticTest {
     @Test
     fun `a mistake has its code, range and text`() {
-        val diagnostic = mistakesOf("pen down\n  turn lfet 90").single()
+        val diagnostic = errorsOf("pen down\n  turn lfet 90").single()
         assertEquals(DiagnosticCode.MISSING_TURN_DIRECTION, diagnostic.code)
         assertEquals(SourceRange(line = 2, column = 8, endColumn = 12), diagnostic.range)
         assertEquals("lfet", diagnostic.text)
@@ -20,47 +20,47 @@ class DiagnosticTest {
 
     @Test
     fun `what is missing has no width and no text`() {
-        val diagnostic = mistakesOf("forward   // how far").single()
+        val diagnostic = errorsOf("forward   // how far").single()
         assertEquals(SourceRange(line = 1, column = 8, endColumn = 8), diagnostic.range)
         assertEquals("", diagnostic.text)
     }
 
     @Test
     fun `what is quoted keeps the way it is typed`() {
-        assertEquals("fOward", mistakesOf("fOward 3").single().text)
-        assertEquals("very   fast", mistakesOf("forward 3 very   fast").single().text)
-        assertEquals("-2.50", mistakesOf("repeat -2.50 times\nend").single().text)
+        assertEquals("fOward", errorsOf("fOward 3").single().text)
+        assertEquals("very   fast", errorsOf("forward 3 very   fast").single().text)
+        assertEquals("-2.50", errorsOf("repeat -2.50 times\nend").single().text)
     }
 
     @Test
     fun `every line end counts as one`() {
         for (lineEnd in listOf("\n", "\r\n", "\r")) {
-            val diagnostics = mistakesOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
+            val diagnostics = errorsOf("beep${lineEnd}hop${lineEnd}${lineEnd}skip$lineEnd")
             assertEquals(listOf(2, 4), diagnostics.map { it.range?.line })
         }
     }
 
     @Test
     fun `a byte order mark does not count as a character`() {
-        assertEquals(emptyList(), mistakesOf("\uFEFFbeep"))
-        assertEquals(1, mistakesOf("\uFEFFhop").single().range?.column)
+        assertEquals(emptyList(), errorsOf("\uFEFFbeep"))
+        assertEquals(1, errorsOf("\uFEFFhop").single().range?.column)
     }
 
     @Test
     fun `a byte order mark anywhere else cannot be seen`() {
-        val diagnostic = mistakesOf("beep\n\uFEFFbeep").single()
+        val diagnostic = errorsOf("beep\n\uFEFFbeep").single()
         assertEquals(DiagnosticCode.UNKNOWN_CHARACTER, diagnostic.code)
         assertTrue("U+FEFF" in diagnostic.message)
     }
 
     @Test
     fun `half a character is told by its number`() {
-        assertTrue("U+D83E" in mistakesOf("beep \uD83E").single().message)
+        assertTrue("U+D83E" in errorsOf("beep \uD83E").single().message)
     }
 
     @Test
     fun `a character of two halves is one mistake`() {
-        val diagnostic = mistakesOf("beep \uD83E\uDD16").single()
+        val diagnostic = errorsOf("beep \uD83E\uDD16").single()
         assertEquals(SourceRange(line = 1, column = 6, endColumn = 8), diagnostic.range)
         assertEquals("\uD83E\uDD16", diagnostic.text)
     }
@@ -68,8 +68,8 @@ class DiagnosticTest {
     @Test
     fun `a source that is too long is refused as a whole`() {
         val longest = "/".repeat(RobolangLimits.SOURCE_CHARACTERS)
-        assertEquals(emptyList(), mistakesOf(longest))
-        val diagnostic = mistakesOf("$longest/").single()
+        assertEquals(emptyList(), errorsOf(longest))
+        val diagnostic = errorsOf("$longest/").single()
         assertEquals(DiagnosticCode.SOURCE_TOO_LONG, diagnostic.code)
         assertEquals("A program can have at most 1000000 characters. This one has more.", diagnostic.message)
     }

@@ -28,8 +28,8 @@ class DocumentTest {
         val different = rows.filter { it.last() != "-" }.mapNotNull { row ->
             val code = row.first().trim('`')
             val robot = if (code in FOR_NXT) testNxt else testTarget
-            val told = codesOf(row.last().split("<br>").joinToString("\n") { it.trim('`') }, robot)
-            "$code is documented with a program that has $told".takeIf { told != listOf(code) }
+            val described = codesOf(row.last().split("<br>").joinToString("\n") { it.trim('`') }, robot)
+            "$code is documented with a program that has $described".takeIf { described != listOf(code) }
         }
         assertEquals("", different.joinToString("\n"))
     }

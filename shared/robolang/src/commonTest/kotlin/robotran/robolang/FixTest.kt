@@ -78,7 +78,7 @@ class FixTest {
     @Test
     fun `of several names that are as near none is chosen`() {
         assertMended("var way1 = 2\nshow wy1", "var way1 = 2\nshow way1")
-        assertNull(mistakesOf("var way1 = 1\nvar way2 = 2\nshow way3\nshow way1 + way2").single().fix)
+        assertNull(errorsOf("var way1 = 1\nvar way2 = 2\nshow way3\nshow way1 + way2").single().fix)
     }
 
     @Test
@@ -95,16 +95,16 @@ class FixTest {
 
     @Test
     fun `where there are several ways there is no fix`() {
-        assertNull(mistakesOf("turn 90").single().fix)
-        assertNull(mistakesOf("forward 3 metres").single().fix)
-        assertNull(mistakesOf("hop").single().fix)
+        assertNull(errorsOf("turn 90").single().fix)
+        assertNull(errorsOf("forward 3 metres").single().fix)
+        assertNull(errorsOf("hop").single().fix)
     }
 
     private fun assertMended(source: String, expected: String) {
-        val fix = checkNotNull(mistakesOf(source).single().fix)
+        val fix = checkNotNull(errorsOf(source).single().fix)
         val mended = apply(fix, source)
         assertEquals(expected, mended)
-        assertEquals(emptyList(), mistakesOf(mended))
+        assertEquals(emptyList(), errorsOf(mended))
     }
 
     private fun apply(fix: SourceFix, source: String): String {

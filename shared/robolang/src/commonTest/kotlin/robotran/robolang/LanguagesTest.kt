@@ -10,7 +10,7 @@ import kotlin.test.assertNotEquals
 
 class LanguagesTest {
     @Test
-    fun `typical mistakes are told in English`() = assertTold(
+    fun `typical mistakes are told in English`() = assertDiagnostics(
         Language.ENGLISH,
         "fowrard 20" to "There is no command \"fowrard\". Did you mean \"forward\"?",
         "forward" to "After \"forward\" comes a number, such as \"forward 20\".",
@@ -21,7 +21,7 @@ class LanguagesTest {
     )
 
     @Test
-    fun `typical mistakes are told in Spanish`() = assertTold(
+    fun `typical mistakes are told in Spanish`() = assertDiagnostics(
         Language.SPANISH,
         "fowrard 20" to "No existe la orden \"fowrard\". ¿Querías decir \"forward\"?",
         "forward" to "Después de \"forward\" va un número, como en \"forward 20\".",
@@ -35,7 +35,7 @@ class LanguagesTest {
     )
 
     @Test
-    fun `typical mistakes are told in German`() = assertTold(
+    fun `typical mistakes are told in German`() = assertDiagnostics(
         Language.GERMAN,
         "fowrard 20" to "Es gibt keinen Befehl \"fowrard\". Meinst du \"forward\"?",
         "forward" to "Nach \"forward\" kommt eine Zahl, zum Beispiel \"forward 20\".",
@@ -66,9 +66,10 @@ class LanguagesTest {
         }
     }
 
-    private fun assertTold(language: Language, vararg told: Pair<String, String>) = told.forEach { (source, message) ->
-        assertEquals(message, assertIs<RobolangResult.Failure>(read(source, language)).diagnostics.first().message)
-    }
+    private fun assertDiagnostics(language: Language, vararg described: Pair<String, String>) =
+        described.forEach { (source, message) ->
+            assertEquals(message, assertIs<RobolangResult.Failure>(read(source, language)).diagnostics.first().message)
+        }
 
     private fun diagnosticsOf(source: String, language: Language): List<Diagnostic> =
         when (val result = read(source, language)) {

@@ -97,7 +97,7 @@ class OutlineTest {
             outline.lines.map { it.form },
         )
         assertEquals(listOf(0, 1, 1, 0, 0, 0, 0), outline.lines.map { it.depth })
-        assertNotNull(outline.lines[1].mistake)
+        assertNotNull(outline.lines[1].error)
     }
 
     @Test
@@ -107,9 +107,9 @@ class OutlineTest {
             messages = RobolangMessages.of(Language.ENGLISH),
         ).lines.first()
         assertEquals(LineForm.REPEAT, line.form)
-        assertNotNull(line.mistake)
+        assertNotNull(line.error)
         assertNull(
-            outlineRobolang("show x", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().mistake,
+            outlineRobolang("show x", messages = RobolangMessages.of(Language.ENGLISH)).lines.first().error,
             "names are the checker's",
         )
     }

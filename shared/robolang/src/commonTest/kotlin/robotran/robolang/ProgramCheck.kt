@@ -19,7 +19,7 @@ internal fun differences(program: TestProgram): List<String> {
                 messages = RobolangMessages.of(Language.ENGLISH),
             )
     ) {
-        is RobolangResult.Failure -> differencesOfMistakes(expected, result.diagnostics)
+        is RobolangResult.Failure -> differencesOfErrors(expected, result.diagnostics)
 
         is RobolangResult.Success -> differencesOfWarnings(expected, result.warnings)
             ?: differencesOfReady(expected, result.program)
@@ -27,7 +27,7 @@ internal fun differences(program: TestProgram): List<String> {
     return differences.map { "${program.path} $it" }
 }
 
-private fun differencesOfMistakes(expected: Expectations, diagnostics: List<Diagnostic>): List<String> {
+private fun differencesOfErrors(expected: Expectations, diagnostics: List<Diagnostic>): List<String> {
     val actual = diagnostics.map { "${it.range?.line}:${it.range?.column} ${it.message}" }
     return if (actual == expected.errors) {
         emptyList()

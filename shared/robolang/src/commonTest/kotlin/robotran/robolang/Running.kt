@@ -15,7 +15,7 @@ internal fun read(source: String, calibration: RobotTarget = testTarget): Robola
     compileRobolang("test", source, calibration, messages = RobolangMessages.of(Language.ENGLISH))
 
 /** The errors of [source]; empty if it can run. */
-internal fun mistakesOf(source: String): List<Diagnostic> = when (val result = read(source)) {
+internal fun errorsOf(source: String): List<Diagnostic> = when (val result = read(source)) {
     is RobolangResult.Success -> emptyList()
     is RobolangResult.Failure -> result.diagnostics
 }

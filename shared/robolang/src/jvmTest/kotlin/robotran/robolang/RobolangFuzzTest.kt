@@ -62,7 +62,7 @@ class RobolangFuzzTest :
 
         "a generated program has no mistakes, and formatted it is the same tree" {
             checkAll(config(2_000), programs) { source ->
-                mistakesOf(source).shouldBeEmpty()
+                errorsOf(source).shouldBeEmpty()
                 (
                     formatRobolang(
                         source,
@@ -99,7 +99,7 @@ class RobolangFuzzTest :
 
         "ten thousand wrong lines are all told" {
             val wrongLines = List(10_000) { "repaet $it tmes quikly if" }.joinToString("\n")
-            mistakesOf(wrongLines).map { it.range?.line } shouldBe (1..10_000).toList()
+            errorsOf(wrongLines).map { it.range?.line } shouldBe (1..10_000).toList()
         }
 
         "the longest programs are read without harm" {

@@ -43,9 +43,9 @@ internal class MarkTrack {
         if (now.bumps > last.bumps) add(TimelineMark(time, MarkKind.BUMP, robot))
         if (now.brick.sounding && !last.brick.sounding) add(TimelineMark(time, MarkKind.BEEP, robot))
         if (now.brick.isSending && !last.brick.isSending) add(TimelineMark(time, MarkKind.MESSAGE, robot))
-        if (now.remarks.size > last.remarks.size) {
-            val newest = now.remarks.lastOrNull { it !in last.remarks } ?: now.remarks.last()
-            add(TimelineMark(time, MarkKind.REMARK, robot, newest.message))
+        if (now.warnings.size > last.warnings.size) {
+            val newest = now.warnings.lastOrNull { it !in last.warnings } ?: now.warnings.last()
+            add(TimelineMark(time, MarkKind.WARNING, robot, newest.message))
         }
     }
 

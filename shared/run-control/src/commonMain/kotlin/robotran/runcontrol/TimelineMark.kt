@@ -25,7 +25,7 @@ enum class MarkKind {
     GOAL_LOST,
 
     /** A warning for the pupil about Java or the brick; the text contains it. */
-    REMARK,
+    WARNING,
 
     /** A bumper has touched something. */
     BUMP,

@@ -6,9 +6,9 @@ import robotran.scene3d.geometry.Vector3
 import robotran.scene3d.model.Heights
 import robotran.scene3d.model.SceneNode
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Facing
 import robotran.world.Lamp
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
@@ -43,7 +43,7 @@ class BodyTest {
             // Concave and clockwise.
             Barrier(Shape.Polygon(listOf(Point(90.0, 10.0), Point(90.0, 30.0), Point(94.0, 16.0), Point(99.0, 10.0)))),
         ),
-        blocks = listOf(Block(Shape.Rectangle(Point(70.0, 40.0), 6.0, 3.0, 20.0))),
+        blocks = listOf(MovableBlock(Shape.Rectangle(Point(70.0, 40.0), 6.0, 3.0, 20.0))),
         lamps = listOf(Lamp(Point(40.0, 40.0)), Lamp(Point(50.0, 40.0), direction = 40.0, cone = 60.0)),
     )
     private val scene = SceneBuilder(world, TEST_COLOURS, TestTrigonometry)

@@ -4,8 +4,8 @@ import robotran.scene3d.camera.Projection
 import robotran.scene3d.camera.ScreenPoint
 import robotran.simulation.state.RobotState
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Lamp
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.Wall
@@ -147,7 +147,7 @@ class DrawingOrderTest {
         val blocks = List(6) {
             val size = random.nextDouble(2.0, 6.0)
             val at = place(size)
-            Block(if (it % 2 == 0) Shape.Circle(at, size * 0.7) else Shape.Rectangle(at, size, size * 0.8))
+            MovableBlock(if (it % 2 == 0) Shape.Circle(at, size * 0.7) else Shape.Rectangle(at, size, size * 0.8))
         }
         val walls = generateSequence {
             val from = Point(random.nextDouble(150.0), random.nextDouble(100.0))

@@ -39,7 +39,7 @@ internal class RobotInSession(
     val missingSensors: MissingSensors? get() = comparison.among(brick.expectedSensors)
 
     /** Warnings about the current or last program: first what it lacks, then the brick's. */
-    val remarks: List<RuntimeWarning> get() = listOfNotNull(missingSensors?.remark) + brick.remarks
+    val warnings: List<RuntimeWarning> get() = listOfNotNull(missingSensors?.warning) + brick.warnings
 
     val snapshot: RobotSnapshot
         get() =
@@ -47,7 +47,7 @@ internal class RobotInSession(
                 brick.state,
                 machine.state,
                 machine.bumps,
-                remarks,
+                warnings,
                 log.total.toInt(),
                 missingSensors,
                 machine.bumpedAt,

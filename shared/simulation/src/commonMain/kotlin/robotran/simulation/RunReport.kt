@@ -201,7 +201,7 @@ fun Session.report(): RunReport {
         },
         goals = now.goals.map { GoalReport.of(it, SimulationMessages.of(language)) },
         missingSensors = now.missingSensors?.sensors.orEmpty().map {
-            ReportedSensor(it.port, reported(it.kind), it.remark.message)
+            ReportedSensor(it.port, reported(it.kind), it.warning.message)
         },
         screen = if (now.brick.kind.displayRows > 1) shown.lines else emptyList(),
     )

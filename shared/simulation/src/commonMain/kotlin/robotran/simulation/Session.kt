@@ -113,7 +113,7 @@ class Session(val world: World, loads: List<RobotProgramSet>, physics: PhysicsEn
         brick.debuggableRun?.variablesOf(thread, frame).orEmpty()
 
     /** Warnings for the pupil about the running program or, if none runs, about the last one. */
-    val remarks: List<RuntimeWarning> get() = running.robots[watched].remarks
+    val warnings: List<RuntimeWarning> get() = running.robots[watched].warnings
 
     /** Advances time and ignores breakpoints. */
     fun advance(milliseconds: Int) {

@@ -1,7 +1,7 @@
 package robotran.simulation
 
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.DebuggableRun
-import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.StepKind
 import robotran.brick.program.ThreadActivity
@@ -35,7 +35,7 @@ internal class Stepping(
     var reason: StopReason? = null
         private set
 
-    override fun pausesBefore(statement: Statement): Boolean {
+    override fun pausesBefore(statement: DebugStatement): Boolean {
         val isOwn = statement.thread == thread?.number
         if (isOwn && asksOfOwnStatement) {
             asksOfOwnStatement = false
@@ -65,7 +65,7 @@ internal class Stepping(
     }
 
     /** A program of one file does not name its file. */
-    private fun isBreakpoint(statement: Statement): Boolean = breakpoints.any {
+    private fun isBreakpoint(statement: DebugStatement): Boolean = breakpoints.any {
         val isOfFile = it.sourceFile == null || statement.sourceFile == null || it.sourceFile == statement.sourceFile
         it.line == statement.sourceLine && isOfFile
     }

@@ -5,7 +5,7 @@ import robotran.language.Language
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.state.SessionState
 import robotran.world.Barrier
-import robotran.world.Block
+import robotran.world.MovableBlock
 import robotran.world.Penbot
 import robotran.world.TouchKind
 import robotran.world.World
@@ -18,13 +18,13 @@ import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class BlockTest {
-    private fun world(block: Block) =
+    private fun world(block: MovableBlock) =
         BuiltInWorlds.plain.copy(walls = emptyList(), blocks = listOf(block)).withStart(Pose(20.0, 40.0, 0.0))
 
     private fun box(mass: Double, friction: Double = 0.3, y: Double = 40.0) =
-        Block(Shape.Rectangle(Point(40.0, y), 6.0, 6.0), mass, friction)
+        MovableBlock(Shape.Rectangle(Point(40.0, y), 6.0, 6.0), mass, friction)
 
-    private suspend fun drivenInto(block: Block, power: Int = 3): SessionState {
+    private suspend fun drivenInto(block: MovableBlock, power: Int = 3): SessionState {
         val program = ScriptedProgram {
             motors(ScriptedProgram.FORWARD, power)
             pause(2_000)
@@ -74,7 +74,7 @@ class BlockTest {
     @Test
     fun `a block is put down with its middle where it is put, turned and at rest`() = runTest {
         val session =
-            session(world(Block(Shape.Polygon(listOf(Point(60.0, 40.0), Point(66.0, 40.0), Point(60.0, 46.0))))))
+            session(world(MovableBlock(Shape.Polygon(listOf(Point(60.0, 40.0), Point(66.0, 40.0), Point(60.0, 46.0))))))
         session.apply(SessionInput.PlaceBlock(0, Pose(82.0, 22.0, -90.0)))
         val put = Pose(20.0, -20.0, -90.0)
         assertNear(put, session.state.blocks.single())

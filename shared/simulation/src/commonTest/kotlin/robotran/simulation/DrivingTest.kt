@@ -4,7 +4,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.simulation.robot.RcxMotor
 import robotran.world.Penbot
 import robotran.world.file.BuiltInWorlds
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -71,7 +71,7 @@ class DrivingTest {
 
     @Test
     fun `more power is faster`() {
-        val speeds = (0..7).map(RcxMotor(RobotFigures.PENBOT)::drivenSpeed)
+        val speeds = (0..7).map(RcxMotor(RobotParameters.PENBOT)::drivenSpeed)
         assertEquals(speeds.sorted().distinct(), speeds)
         assertEquals(Penbot.CALIBRATED_SPEED, speeds[Penbot.CALIBRATED_POWER])
         assertEquals(Penbot.TOP_SPEED, speeds.last(), 1e-9)

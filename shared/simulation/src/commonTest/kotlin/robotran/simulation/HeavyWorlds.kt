@@ -6,11 +6,11 @@ import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.noise.NoiseStream
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots
@@ -80,7 +80,7 @@ internal object HeavyWorlds {
             },
             barriers = List(40) { Barrier(shape(it, from(3.0, 9.0), place())) },
             blocks = List(10) {
-                Block(shape(it, from(3.0, 6.0), place()), mass = from(0.05, 0.4), friction = from(0.2, 0.8))
+                MovableBlock(shape(it, from(3.0, 6.0), place()), mass = from(0.05, 0.4), friction = from(0.2, 0.8))
             },
             marks =
                 List(12) { Mark(MarkFigure.Area(shape(it, from(10.0, 40.0), place())), Shade.Grey(from(0.0, 1.0))) } +

@@ -58,10 +58,10 @@ class MissingSensorTest {
         val session = sessionOf(Setting(2 to SensorCode.TYPE_TOUCH, 1 to SensorCode.TYPE_TOUCH))
         val missing = session.state.missing.single()
         assertEquals(2 to SensorKind.TOUCH, missing.port to missing.kind)
-        val remark = session.remarks.single()
-        assertEquals(remark, session.state.remarks.single())
-        assertEquals(3, remark.sourceLine)
-        assertEquals("A touch sensor is missing on port 2.", remark.message)
+        val warning = session.warnings.single()
+        assertEquals(warning, session.state.warnings.single())
+        assertEquals(3, warning.sourceLine)
+        assertEquals("A touch sensor is missing on port 2.", warning.message)
     }
 
     @Test
@@ -74,7 +74,7 @@ class MissingSensorTest {
         )
         val session = sessionOf(program)
         assertNull(session.state.missingSensors)
-        assertEquals(emptyList(), session.remarks)
+        assertEquals(emptyList(), session.warnings)
         assertFalse("missingSensors" in session.report().toJson())
     }
 
@@ -99,12 +99,12 @@ class MissingSensorTest {
         assertEquals(listOf(1, 3), ofOneKind.missing.map { it.port })
         assertEquals(
             listOf("Touch sensors are missing on ports 1 and 3."),
-            ofOneKind.remarks.map { it.message },
+            ofOneKind.warnings.map { it.message },
         )
-        assertEquals(3, ofOneKind.remarks.single().sourceLine)
-        val ofAll = sessionOf(Setting(1 to touch, 2 to touch, 3 to touch), bare).remarks.single()
+        assertEquals(3, ofOneKind.warnings.single().sourceLine)
+        val ofAll = sessionOf(Setting(1 to touch, 2 to touch, 3 to touch), bare).warnings.single()
         assertContains(ofAll.message, "ports 1, 2 and 3")
-        val ofTwoKinds = sessionOf(Setting(3 to touch, 2 to rotation, 1 to touch), bare).remarks.single()
+        val ofTwoKinds = sessionOf(Setting(3 to touch, 2 to rotation, 1 to touch), bare).warnings.single()
         assertEquals(
             "Sensors are missing: touch sensors on ports 1 and 3 and a rotation sensor on port 2.",
             ofTwoKinds.message,
@@ -138,18 +138,18 @@ class MissingSensorTest {
     @Test
     fun `pupils are told in their language`() = runTest {
         val program = Setting(2 to SensorCode.TYPE_TOUCH)
-        val german = sessionOf(program, language = Language.GERMAN).remarks.single().message
+        val german = sessionOf(program, language = Language.GERMAN).warnings.single().message
         assertEquals("An Anschluss 2 fehlt ein Tastsensor.", german)
-        val spanish = sessionOf(program, language = Language.SPANISH).remarks.single().message
+        val spanish = sessionOf(program, language = Language.SPANISH).warnings.single().message
         assertContains(spanish, "sensor de contacto en el puerto 2")
         val several = Setting(2 to SensorCode.TYPE_TOUCH, 3 to SensorCode.TYPE_LIGHT, 3 to SensorCode.TYPE_LIGHT)
         assertEquals(
             "Es fehlen Sensoren: ein Tastsensor an Anschluss 2 und ein Lichtsensor an Anschluss 3.",
-            sessionOf(several, language = Language.GERMAN).remarks.single().message,
+            sessionOf(several, language = Language.GERMAN).warnings.single().message,
         )
         assertEquals(
             "Faltan sensores: un sensor de contacto en el puerto 2 y un sensor de luz en el puerto 3.",
-            sessionOf(several, language = Language.SPANISH).remarks.single().message,
+            sessionOf(several, language = Language.SPANISH).warnings.single().message,
         )
     }
 

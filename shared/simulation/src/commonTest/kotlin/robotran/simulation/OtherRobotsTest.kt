@@ -29,7 +29,7 @@ import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import robotran.world.robot.robotErrors
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -47,8 +47,8 @@ class OtherRobotsTest {
     }
 
     private suspend fun run(program: String, world: World): Session {
-        val figures = RobotFigures.of(world.robots.first().description)
-        val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
+        val parameters = RobotParameters.of(world.robots.first().description)
+        val target = RobotTarget.Rcx(parameters.millisecondsPerCentimetre, parameters.millisecondsPerDegree)
         val ready = compileRobolang(
             "test",
             program,
@@ -92,7 +92,7 @@ class OtherRobotsTest {
     @Test
     fun `the fastest robot does not get through a thin wall`() = runTest {
         val fast = penbot.copy(drive = penbot.drive.copy(wheelDiameter = 5.0, gear = 1.5), parts = emptyList())
-        assertEquals(59.0, RobotFigures.of(fast).topSpeed, 1.0)
+        assertEquals(59.0, RobotParameters.of(fast).topSpeed, 1.0)
         val wall = Wall(Point(90.0, 0.0), Point(90.0, 80.0), thickness = 0.5)
         val world = plain.copy(walls = plain.walls + wall).withStart(Pose(20.0, 40.0, 0.0)).with(fast)
         val program = ScriptedProgram {

@@ -14,7 +14,7 @@ import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -28,8 +28,8 @@ class PenbotAsDataTest {
     private fun World.driving(robot: RobotDescription) = copy(robots = robots.map { it.copy(description = robot) })
 
     private suspend fun hash(name: String, world: World): String {
-        val figures = RobotFigures.of(world.robots.first().description)
-        val target = RobotTarget.Rcx(figures.millisecondsPerCentimetre, figures.millisecondsPerDegree)
+        val parameters = RobotParameters.of(world.robots.first().description)
+        val target = RobotTarget.Rcx(parameters.millisecondsPerCentimetre, parameters.millisecondsPerDegree)
         val ready =
             assertIs<RobolangResult.Success>(
                 compileRobolang(

@@ -3,9 +3,9 @@ package robotran.simulation
 import kotlinx.coroutines.test.runTest
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramStatus
-import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.StepKind
 import robotran.brick.program.ThreadActivity
@@ -144,10 +144,10 @@ class ThreadSteppingTest {
     @Test
     fun `a breakpoint of a file stops in this file only`() {
         val stepping = Stepping(0, StandingRun, setOf(Breakpoint(7, "Robot.java"), Breakpoint(9)))
-        assertFalse(stepping.pausesBefore(Statement(7, 0, sourceFile = "Other.java")))
-        assertTrue(stepping.pausesBefore(Statement(7, 0, sourceFile = "Robot.java")))
+        assertFalse(stepping.pausesBefore(DebugStatement(7, 0, sourceFile = "Other.java")))
+        assertTrue(stepping.pausesBefore(DebugStatement(7, 0, sourceFile = "Robot.java")))
         assertEquals(StopReason.Breakpoint(7, "Robot.java"), stepping.reason)
-        assertTrue(stepping.pausesBefore(Statement(9, 0, sourceFile = "Other.java")))
+        assertTrue(stepping.pausesBefore(DebugStatement(9, 0, sourceFile = "Other.java")))
     }
 
     /** A run that stays before its first statement. */

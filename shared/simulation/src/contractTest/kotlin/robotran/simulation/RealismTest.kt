@@ -87,16 +87,17 @@ class RealismTest {
     @Test
     fun `what has made a robot stray is told and adds up`() = runTest {
         val session = runToEnd(metre, world(1.0, 3))
-        val told = session.explain().associateBy { it.cause }
+        val described = session.explain().associateBy { it.cause }
         assertTrue(
-            Cause.START_HEADING in told && Cause.BATTERY in told && Cause.SLIP in told && Cause.LIGHT_BIAS in told,
-            told.toString(),
+            Cause.START_HEADING in described && Cause.BATTERY in described && Cause.SLIP in described &&
+                Cause.LIGHT_BIAS in described,
+            described.toString(),
         )
-        assertTrue(told.values.all { it.robot == "yellow" && it.sentence.endsWith(".") })
+        assertTrue(described.values.all { it.robot == "yellow" && it.sentence.endsWith(".") })
         val turn =
-            told.getValue(Cause.RIGHT_STRENGTH).amount - told.getValue(Cause.LEFT_STRENGTH).amount -
-                (told[Cause.FLUTTER]?.amount ?: 0.0)
-        val expected = told.getValue(Cause.START_HEADING).amount + turn / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE
+            described.getValue(Cause.RIGHT_STRENGTH).amount - described.getValue(Cause.LEFT_STRENGTH).amount -
+                (described[Cause.FLUTTER]?.amount ?: 0.0)
+        val expected = described.getValue(Cause.START_HEADING).amount + turn / Penbot.WHEEL_TRACK / RADIANS_PER_DEGREE
         assertEquals(expected, session.state.robot.pose.heading, 4.0)
     }
 

@@ -29,7 +29,6 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.AnyOf
@@ -45,6 +44,7 @@ import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.Template
@@ -65,7 +65,7 @@ class GoalProperties :
             "A sheet",
             Paper(80.0, 60.0),
             listOf(RobotPlacement(Pose(40.0, 30.0, 0.0)), RobotPlacement(Pose(20.0, 20.0, 90.0), name = "red")),
-            blocks = listOf(Block(Shape.Circle(Point(60.0, 40.0), 3.0), name = "ball")),
+            blocks = listOf(MovableBlock(Shape.Circle(Point(60.0, 40.0), 3.0), name = "ball")),
             marks = listOf(
                 Mark(MarkFigure.Line(points, 2.0, closed = true), name = "loop"),
                 Mark(MarkFigure.Line(points, 2.0), name = "road"),
@@ -190,8 +190,8 @@ class GoalProperties :
 
         "progress is from 0 to 1, in hundredths, and 1 only for what is met" {
             checkAll(goals, moments) { some, way ->
-                judge(some, way) { told ->
-                    for (goal in all(told)) {
+                judge(some, way) { described ->
+                    for (goal in all(described)) {
                         goal.progress.shouldBeBetween(0.0, 1.0, 0.0)
                         (goal.progress == 1.0) shouldBe (goal.status == GoalStatus.MET)
                         roundToThousandths(goal.progress * 100) % 1.0 shouldBe 0.0
@@ -211,9 +211,9 @@ class GoalProperties :
             checkAll(goals, moments) { some, way ->
                 var before: List<GoalProgress> = emptyList()
                 judge(some, way) { now ->
-                    val told = all(now)
+                    val described = all(now)
                     all(before).forEachIndexed { number, goal ->
-                        if (goal.status != GoalStatus.PENDING) told[number].status shouldBe goal.status
+                        if (goal.status != GoalStatus.PENDING) described[number].status shouldBe goal.status
                     }
                     before = now
                 }

@@ -12,26 +12,26 @@ import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.robot.RcxMotor
 import robotran.world.geometry.distance
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 
 class MotorProperties :
     StringSpec({
-        fun told(mode: MotorMode, power: Int) = MotorState(MotorPort.A, mode, power)
+        fun described(mode: MotorMode, power: Int) = MotorState(MotorPort.A, mode, power)
 
         fun distance(mode: MotorMode, power: Int, milliseconds: Int, brakingPower: Int): Double {
-            val motor = RcxMotor(RobotFigures.PENBOT)
+            val motor = RcxMotor(RobotParameters.PENBOT)
 
             fun way(command: MotorState): Double {
                 motor.tick(command)
                 return motor.speed * SimulationLimits.TICK_SECONDS
             }
-            val driven = (1..milliseconds).sumOf { way(told(mode, power)) }
-            return driven + (1..2000).sumOf { way(told(MotorMode.BRAKE, brakingPower)) }
+            val driven = (1..milliseconds).sumOf { way(described(mode, power)) }
+            return driven + (1..2000).sumOf { way(described(MotorMode.BRAKE, brakingPower)) }
         }
 
         "a motor drives as far as it is told to, however hard it brakes" {
             checkAll(Arb.int(0..5000), Arb.int(0..7), Arb.int(0..7)) { milliseconds, power, brakingPower ->
-                val expected = RcxMotor(RobotFigures.PENBOT).drivenSpeed(power) * milliseconds / 1000
+                val expected = RcxMotor(RobotParameters.PENBOT).drivenSpeed(power) * milliseconds / 1000
                 distance(MotorMode.FORWARD, power, milliseconds, brakingPower) shouldBe (expected plusOrMinus 1e-6)
                 distance(MotorMode.BACKWARD, power, milliseconds, brakingPower) shouldBe (-expected plusOrMinus 1e-6)
             }

@@ -2,7 +2,7 @@ package robotran.simulation
 
 import robotran.simulation.noise.NxtRealism
 import robotran.world.NxtLight
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import robotran.world.Sonar
 import java.lang.reflect.Modifier
 import kotlin.math.abs
@@ -16,7 +16,7 @@ class NxtPageTest {
         .findAll(nxtPages.getValue("nxt.md"))
         .associate { it.groupValues[1] to it.groupValues[2].toDouble() }
 
-    private val constants = listOf(NxtMotorFigures, NxtLight, Sonar, NxtRealism)
+    private val constants = listOf(NxtMotorParameters, NxtLight, Sonar, NxtRealism)
         .map { it::class.java }
         .flatMap { holder ->
             holder.declaredFields.filter { it.isFigure() }.map {

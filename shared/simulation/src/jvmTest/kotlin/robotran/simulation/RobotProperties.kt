@@ -24,7 +24,7 @@ import robotran.robolang.robot.RobotTarget
 import robotran.simulation.nxt.ScriptedNxt
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
-import robotran.world.Block
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -38,7 +38,7 @@ import robotran.world.file.writeRobot
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import robotran.world.robot.robotErrors
 import kotlin.math.hypot
 
@@ -127,7 +127,7 @@ private class DriveInPen(
         Paper(200.0, 200.0),
         listOf(RobotPlacement(Pose(100.0, 100.0, heading), description = robot)),
         walls = PEN,
-        blocks = listOf(Block(Shape.Rectangle(Point(40.0, 40.0), 10.0, 10.0), mass = 0.2)),
+        blocks = listOf(MovableBlock(Shape.Rectangle(Point(40.0, 40.0), 10.0, 10.0), mass = 0.2)),
         realism = realism,
     )
     private val session = Session(world, listOf(program), physics, Language.ENGLISH)
@@ -176,7 +176,7 @@ private fun programFor(robot: RobotDescription): BrickProgram {
 
 private fun targetOf(robot: RobotDescription): RobotTarget = with(robot.drive) {
     when (robot.brick) {
-        BrickKind.RCX -> RobotFigures.of(robot).let {
+        BrickKind.RCX -> RobotParameters.of(robot).let {
             val (centimetre, degree) = it.millisecondsPerCentimetre to it.millisecondsPerDegree
             RobotTarget.Rcx(centimetre, degree, left, right, robot.pen?.motor, reversed)
         }

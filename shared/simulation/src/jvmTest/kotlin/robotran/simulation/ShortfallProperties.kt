@@ -104,23 +104,24 @@ class ShortfallProperties :
                     return@checkAll
                 }
                 checked++
-                val told = run.goal.shortfall.shouldBeInstanceOf<PlaceShortfall.NotReached>()
-                poses.at(told).place() shouldBe told.place
+                val described = run.goal.shortfall.shouldBeInstanceOf<PlaceShortfall.NotReached>()
+                poses.at(described).place() shouldBe described.place
                 val outline = shape.outline(trigonometry)
-                told.centimetres shouldBe (poses.minOf { outline.distanceTo(it.place()) } plusOrMinus EXACT)
-                told.end shouldBe poses.last().place()
-                val from = checkNotNull(told.place)
-                val way = length(told.target.x - from.x, told.target.y - from.y)
-                way shouldBe (told.centimetres plusOrMinus EXACT)
+                described.centimetres shouldBe (poses.minOf { outline.distanceTo(it.place()) } plusOrMinus EXACT)
+                described.end shouldBe poses.last().place()
+                val from = checkNotNull(described.place)
+                val way = length(described.target.x - from.x, described.target.y - from.y)
+                way shouldBe (described.centimetres plusOrMinus EXACT)
 
                 fun moved(by: Double) = Pose(
-                    from.x + (told.target.x - from.x) * by / way,
-                    from.y + (told.target.y - from.y) * by / way,
+                    from.x + (described.target.x - from.x) * by / way,
+                    from.y + (described.target.y - from.y) * by / way,
                     0.0,
                 )
-                finished(Reach(shape), poses + moved(told.centimetres + NEARLY)).status shouldBe GoalStatus.MET
+                finished(Reach(shape), poses + moved(described.centimetres + NEARLY)).status shouldBe GoalStatus.MET
                 if (way > 2 * NEARLY) {
-                    finished(Reach(shape), poses + moved(told.centimetres - NEARLY)).status shouldBe GoalStatus.FAILED
+                    finished(Reach(shape), poses + moved(described.centimetres - NEARLY)).status shouldBe
+                        GoalStatus.FAILED
                 }
             }
             checked shouldBeGreaterThan 10
@@ -129,17 +130,17 @@ class ShortfallProperties :
         "a region that had been larger by what stuck out would have held all of the robot, and not a smaller one" {
             checkAll(drive, region) { poses, shape ->
                 val run = finished(Reach(shape, whole = true), poses)
-                val told = run.goal.shortfall as? PlaceShortfall.PartlyOutside ?: return@checkAll
-                val last = poses.at(told)
-                val grown = shape.grownBy(told.centimetres + EXACT)
+                val described = run.goal.shortfall as? PlaceShortfall.PartlyOutside ?: return@checkAll
+                val last = poses.at(described)
+                val grown = shape.grownBy(described.centimetres + EXACT)
                 finished(Reach(grown, whole = true), listOf(last)).status shouldBe GoalStatus.MET
-                val smaller = shape.grownBy(told.centimetres - TOLERANCE)
+                val smaller = shape.grownBy(described.centimetres - TOLERANCE)
                 // The corners of a grown rectangle are farther away than its sides.
                 if (shape is Shape.Circle) {
                     finished(Reach(smaller, whole = true), poses).status shouldBe GoalStatus.FAILED
                 }
-                shape.outline(trigonometry).distanceTo(checkNotNull(told.place)) shouldBe
-                    (told.centimetres plusOrMinus EXACT)
+                shape.outline(trigonometry).distanceTo(checkNotNull(described.place)) shouldBe
+                    (described.centimetres plusOrMinus EXACT)
             }
         }
 
@@ -149,27 +150,27 @@ class ShortfallProperties :
                 run.until(1.5)
                 late.forEach { run.robotAt(it.x, it.y, it.heading) }
                 run.finish()
-                val told = run.goal.shortfall as? PlaceShortfall.ReachedTooLate ?: return@checkAll
-                val seconds = 1 + ((told.milliseconds + 999) / 1000).toInt()
+                val described = run.goal.shortfall as? PlaceShortfall.ReachedTooLate ?: return@checkAll
+                val seconds = 1 + ((described.milliseconds + 999) / 1000).toInt()
                 val again = runOf(Reach(shape, within = seconds), early)
                 again.until(1.5)
                 late.forEach { again.robotAt(it.x, it.y, it.heading) }
                 again.status shouldBe GoalStatus.MET
-                told.moment.milliseconds shouldBe 1000 + told.milliseconds
+                described.moment.milliseconds shouldBe 1000 + described.milliseconds
             }
         }
 
         "a region was entered or left at the moment that is told, and not before" {
             checkAll(drive, region, Arb.boolean(), Arb.boolean()) { poses, shape, whole, out ->
                 val goal = if (out) StayOut(shape, whole = whole) else StayIn(shape, whole = whole)
-                val told = finished(goal, poses).goal.shortfall ?: return@checkAll
-                val until = (checkNotNull(told.moment).milliseconds / MILLISECONDS_PER_LOOK).toInt()
+                val described = finished(goal, poses).goal.shortfall ?: return@checkAll
+                val until = (checkNotNull(described.moment).milliseconds / MILLISECONDS_PER_LOOK).toInt()
                 finished(goal, poses.take(until)).status shouldBe GoalStatus.FAILED
                 if (until > 1) finished(goal, poses.take(until - 1)).status shouldBe GoalStatus.MET
-                val outside = shape.outline(trigonometry).distanceTo(checkNotNull(told.place))
-                if (told is PlaceShortfall.Left) {
-                    outside shouldBe (told.centimetres plusOrMinus EXACT)
-                    val grown = StayIn(shape.grownBy(told.centimetres + EXACT), whole = whole)
+                val outside = shape.outline(trigonometry).distanceTo(checkNotNull(described.place))
+                if (described is PlaceShortfall.Left) {
+                    outside shouldBe (described.centimetres plusOrMinus EXACT)
+                    val grown = StayIn(shape.grownBy(described.centimetres + EXACT), whole = whole)
                     finished(grown, poses.take(until)).status shouldBe GoalStatus.MET
                 } else {
                     outside shouldBe (0.0 plusOrMinus EXACT)
@@ -186,21 +187,21 @@ class ShortfallProperties :
                         run.finish()
                     }
                 val goal = if (isMost) InkLength(null, wanted) else InkLength(wanted, null)
-                when (val told = drawn(goal).goal.shortfall) {
+                when (val described = drawn(goal).goal.shortfall) {
                     is InkShortfall.TooShort -> {
-                        drawn(InkLength(wanted - told.centimetres - EXACT, null)).status shouldBe GoalStatus.MET
-                        drawn(InkLength(wanted - told.centimetres + EXACT, null)).status shouldBe GoalStatus.FAILED
-                        told.place shouldBe Point(ends.last(), 0.0)
+                        drawn(InkLength(wanted - described.centimetres - EXACT, null)).status shouldBe GoalStatus.MET
+                        drawn(InkLength(wanted - described.centimetres + EXACT, null)).status shouldBe GoalStatus.FAILED
+                        described.place shouldBe Point(ends.last(), 0.0)
                     }
 
                     is InkShortfall.TooLong -> {
-                        drawn(InkLength(null, wanted + told.centimetres + EXACT)).status shouldBe GoalStatus.MET
-                        drawn(InkLength(null, wanted + told.centimetres - EXACT)).status shouldBe GoalStatus.FAILED
-                        val before = (told.moment.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1
+                        drawn(InkLength(null, wanted + described.centimetres + EXACT)).status shouldBe GoalStatus.MET
+                        drawn(InkLength(null, wanted + described.centimetres - EXACT)).status shouldBe GoalStatus.FAILED
+                        val before = (described.moment.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1
                         drawn(goal, before).status shouldBe GoalStatus.MET
                     }
 
-                    else -> told shouldBe null
+                    else -> described shouldBe null
                 }
             }
         }
@@ -222,12 +223,12 @@ class ShortfallProperties :
                 }
                 val run = Run(world.copy(goals = listOf(Goal(goal))), trigonometry).apply { drawsBits() }
                 run.finish()
-                val told = run.goal.shortfall as? InkShortfall.TemplateMissing ?: return@checkAll
+                val described = run.goal.shortfall as? InkShortfall.TemplateMissing ?: return@checkAll
                 val total = corners.zipWithNext { one, two -> length(two.x - one.x, two.y - one.y) }.sum()
                 // Each stroke has one sample more than it has distances between samples.
-                told.missing.sumOf { it.centimetres } / total shouldBe ((1 - told.share) plusOrMinus 0.05)
+                described.missing.sumOf { it.centimetres } / total shouldBe ((1 - described.share) plusOrMinus 0.05)
                 val again = Run(world.copy(goals = listOf(Goal(goal))), trigonometry).apply { drawsBits() }
-                told.missing.forEach { stretch ->
+                described.missing.forEach { stretch ->
                     again.draws(*stretch.points.map { it.x to it.y }.toTypedArray())
                 }
                 again.finish()
@@ -248,12 +249,12 @@ class ShortfallProperties :
                     ys.take(strokes).forEach { run.draws(10.0 to 10.0, it to it) }
                     run.finish()
                 }
-                val told = drawn(0.1).goal.shortfall as? InkShortfall.InkBesideTemplate ?: return@checkAll
-                drawn((told.centimetres + EXACT) / total).status shouldBe GoalStatus.MET
-                drawn((told.centimetres - EXACT) / total).status shouldBe GoalStatus.FAILED
-                drawn(0.1, (told.moment.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1).status shouldBe
+                val described = drawn(0.1).goal.shortfall as? InkShortfall.InkBesideTemplate ?: return@checkAll
+                drawn((described.centimetres + EXACT) / total).status shouldBe GoalStatus.MET
+                drawn((described.centimetres - EXACT) / total).status shouldBe GoalStatus.FAILED
+                drawn(0.1, (described.moment.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1).status shouldBe
                     GoalStatus.MET
-                for (place in told.beside.flatMap { it.points }) {
+                for (place in described.beside.flatMap { it.points }) {
                     val away = corners.zipWithNext { from, to -> distance(place, from, to) }.min()
                     away shouldBeGreaterThan tolerance * 0.99
                 }
@@ -272,13 +273,13 @@ class ShortfallProperties :
                 repeat(astray) { run.sensorAt(way(until).last(), 40.4 + 0.4 * it) }
                 run.finish()
                 if (run.status == GoalStatus.MET) return@checkAll
-                val (missing, moment) = when (val told = run.goal.shortfall) {
+                val (missing, moment) = when (val described = run.goal.shortfall) {
                     is LineShortfall.Left -> {
-                        distance(told.place!!, Point(5.0, 40.0), Point(95.0, 40.0)) shouldBeGreaterThan tolerance
-                        told.centimetres to told.moment
+                        distance(described.place!!, Point(5.0, 40.0), Point(95.0, 40.0)) shouldBeGreaterThan tolerance
+                        described.centimetres to described.moment
                     }
 
-                    else -> told.shouldBeInstanceOf<LineShortfall.Unfinished>().let { it.centimetres to it.moment }
+                    else -> described.shouldBeInstanceOf<LineShortfall.Unfinished>().let { it.centimetres to it.moment }
                 }
                 val last = way(until).last()
                 moment.place!!.x shouldBe (last plusOrMinus EXACT)
@@ -302,12 +303,12 @@ class ShortfallProperties :
                     repeat(more) { run.plays(500.0) }
                     run.finish()
                 }
-                val told = played(0).goal.shortfall as? ProgramShortfall.TonesMissing ?: return@checkAll
-                played(told.wanted - told.played).status shouldBe GoalStatus.MET
-                played(told.wanted - told.played - 1).status shouldBe GoalStatus.FAILED
-                told.others shouldBe tones.size - told.played
-                told.moment?.let {
-                    tones[(it.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1] shouldBe told.otherHertz
+                val described = played(0).goal.shortfall as? ProgramShortfall.TonesMissing ?: return@checkAll
+                played(described.wanted - described.played).status shouldBe GoalStatus.MET
+                played(described.wanted - described.played - 1).status shouldBe GoalStatus.FAILED
+                described.others shouldBe tones.size - described.played
+                described.moment?.let {
+                    tones[(it.milliseconds / MILLISECONDS_PER_LOOK).toInt() - 1] shouldBe described.otherHertz
                 }
             }
         }

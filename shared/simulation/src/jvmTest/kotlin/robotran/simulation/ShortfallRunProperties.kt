@@ -72,10 +72,10 @@ class ShortfallRunProperties :
             inSession(world, program) { it.runForGoals().goals.single().shortfall }
 
         /** The session at the moment that is told, made anew. */
-        fun <T> atMoment(world: World, program: ScriptedProgram, told: GoalShortfall, use: (Session) -> T): T =
+        fun <T> atMoment(world: World, program: ScriptedProgram, described: GoalShortfall, use: (Session) -> T): T =
             inSession(world, program) {
                 it.pressRun()
-                it.advance((checkNotNull(told.moment).milliseconds - it.milliseconds).toInt())
+                it.advance((checkNotNull(described.moment).milliseconds - it.milliseconds).toInt())
                 use(it)
             }
 
@@ -83,20 +83,21 @@ class ShortfallRunProperties :
             var checked = 0
             checkAll(60, program, place, Arb.int(1..1000)) { driving, centre, seed ->
                 val world = worldWith(Reach(Shape.Circle(centre, 4.0)), seed)
-                val told = shortfallOf(world, driving) as? PlaceShortfall.NotReached ?: return@checkAll
+                val described = shortfallOf(world, driving) as? PlaceShortfall.NotReached ?: return@checkAll
                 checked++
-                atMoment(world, driving, told) { session ->
+                atMoment(world, driving, described) { session ->
                     val pose = session.state.robot.pose
-                    Point(pose.x, pose.y) shouldBe told.place
-                    length(told.target.x - pose.x, told.target.y - pose.y) shouldBe (told.centimetres plusOrMinus EXACT)
+                    Point(pose.x, pose.y) shouldBe described.place
+                    length(described.target.x - pose.x, described.target.y - pose.y) shouldBe
+                        (described.centimetres plusOrMinus EXACT)
                     // Inputs are rounded to thousandths, so a little farther than the edge.
-                    val share = 1 + INPUT_STEP / told.centimetres
+                    val share = 1 + INPUT_STEP / described.centimetres
                     session.apply(
                         SessionInput.PlaceRobot(
                             0,
                             Pose(
-                                pose.x + share * (told.target.x - pose.x),
-                                pose.y + share * (told.target.y - pose.y),
+                                pose.x + share * (described.target.x - pose.x),
+                                pose.y + share * (described.target.y - pose.y),
                                 pose.heading,
                             ),
                         ),
@@ -111,8 +112,8 @@ class ShortfallRunProperties :
         "a line is told that the program was at, or was at last" {
             checkAll(40, program, place) { driving, centre ->
                 val world = worldWith(Reach(Shape.Circle(centre, 4.0)))
-                val told = shortfallOf(world, driving) as? PlaceShortfall.NotReached ?: return@checkAll
-                val until = told.moment.milliseconds
+                val described = shortfallOf(world, driving) as? PlaceShortfall.NotReached ?: return@checkAll
+                val until = described.moment.milliseconds
                 inSession(world, driving) { session ->
                     session.pressRun()
                     // It was nearest before the program began.
@@ -121,8 +122,8 @@ class ShortfallRunProperties :
                     val calls = session.callLog.entries.filter { it.sourceLine > 0 }
                     val last = calls.lastOrNull()?.sourceLine ?: 0
                     // Between two looks, a program may go on by a line, or make its last call and end.
-                    withClue("${told.moment}, last call in line $last") {
-                        (told.moment.sourceLine - last in -1..1) shouldBe true
+                    withClue("${described.moment}, last call in line $last") {
+                        (described.moment.sourceLine - last in -1..1) shouldBe true
                     }
                 }
             }
@@ -132,7 +133,7 @@ class ShortfallRunProperties :
             checkAll(40, program, numbers(3.0, 12.0)) { driving, radius ->
                 val shape = Shape.Circle(Point(50.0, 40.0), radius)
                 val world = worldWith(StayIn(shape))
-                val told = shortfallOf(world, driving) as? PlaceShortfall.Left ?: return@checkAll
+                val described = shortfallOf(world, driving) as? PlaceShortfall.Left ?: return@checkAll
                 inSession(world, driving) { session ->
                     session.pressRun()
                     while (session.milliseconds % LOOK != 0L) session.advance(1)
@@ -145,9 +146,9 @@ class ShortfallRunProperties :
                             session.advance(LOOK.toInt())
                         }
                     }
-                    told.moment.milliseconds shouldBe first
+                    described.moment.milliseconds shouldBe first
                     val pose = session.state.robot.pose
-                    told.place shouldBe Point(pose.x, pose.y)
+                    described.place shouldBe Point(pose.x, pose.y)
                 }
             }
         }
@@ -159,19 +160,19 @@ class ShortfallRunProperties :
                 val post = Shape.Rectangle(centre, 10.0, 6.0, angle)
                 val world = worldWith(NeverTouch(setOf(TouchKind.BARRIERS)))
                     .copy(barriers = listOf(Barrier(post, name = "post")))
-                val told = shortfallOf(world, driving) as? ForbiddenTouch ?: return@checkAll
+                val described = shortfallOf(world, driving) as? ForbiddenTouch ?: return@checkAll
                 checked++
-                told.name shouldBe "post"
-                post.outline(physics.trigonometry).distanceTo(told.place!!) shouldBeLessThan EXACT
-                atMoment(world, driving, told) { session ->
+                described.name shouldBe "post"
+                post.outline(physics.trigonometry).distanceTo(described.place!!) shouldBeLessThan EXACT
+                atMoment(world, driving, described) { session ->
                     session.state.robot.touched shouldBe setOf(TouchKind.BARRIERS)
                     session.state.robot.pose.let {
-                        length(it.x - told.place!!.x, it.y - told.place!!.y) shouldBeLessThan ROBOT_REACH
+                        length(it.x - described.place!!.x, it.y - described.place!!.y) shouldBeLessThan ROBOT_REACH
                     }
                 }
                 inSession(world, driving) { session ->
                     session.pressRun()
-                    session.advance((told.moment.milliseconds - LOOK - session.milliseconds).toInt())
+                    session.advance((described.moment.milliseconds - LOOK - session.milliseconds).toInt())
                     session.state.robot.touched shouldBe emptySet()
                 }
             }
@@ -180,10 +181,15 @@ class ShortfallRunProperties :
 
         "with as much less asked for as is told, the drawing is long enough" {
             checkAll(30, program, numbers(20.0, 120.0)) { driving, wanted ->
-                val told = shortfallOf(worldWith(InkLength(wanted, null)), driving) as? InkShortfall.TooShort
+                val described = shortfallOf(worldWith(InkLength(wanted, null)), driving) as? InkShortfall.TooShort
                     ?: return@checkAll
-                shortfallOf(worldWith(InkLength(wanted - told.centimetres - EXACT, null)), driving) shouldBe null
-                (shortfallOf(worldWith(InkLength(wanted - told.centimetres + EXACT, null)), driving) != null) shouldBe
+                shortfallOf(worldWith(InkLength(wanted - described.centimetres - EXACT, null)), driving) shouldBe null
+                (
+                    shortfallOf(
+                        worldWith(InkLength(wanted - described.centimetres + EXACT, null)),
+                        driving,
+                    ) != null
+                ) shouldBe
                     true
             }
         }

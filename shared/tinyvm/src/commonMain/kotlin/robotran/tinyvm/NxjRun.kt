@@ -5,7 +5,7 @@ import robotran.tinyvm.config.NxtMemory
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.Peripherals
 import robotran.tinyvm.run.VirtualMachine
@@ -14,7 +14,7 @@ import robotran.tinyvm.run.VirtualMachine
 internal class NxjRun(
     program: LinkedProgram,
     peripherals: Peripherals,
-    messages: RunMessages,
+    messages: TinyVmRunMessages,
     bytecodesPerStep: Int,
     mode: TinyVmMode,
     nativeOf: (LinkedMethod) -> NativeMethod?,

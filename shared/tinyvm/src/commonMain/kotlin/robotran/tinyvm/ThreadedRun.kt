@@ -11,7 +11,7 @@ import robotran.brick.program.VariableScope
 import robotran.tinyvm.debug.Inspector
 import robotran.tinyvm.link.LinkedMethod
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 import robotran.tinyvm.run.Calls
 import robotran.tinyvm.run.Failures
 import robotran.tinyvm.run.Interpreter
@@ -28,7 +28,7 @@ import robotran.tinyvm.run.VmThread
  */
 internal abstract class ThreadedRun(
     internal val machine: VirtualMachine,
-    messages: RunMessages,
+    messages: TinyVmRunMessages,
     private val bytecodesPerStep: Int,
     nativeOf: (LinkedMethod) -> NativeMethod?,
 ) : DebuggableRun {
@@ -49,7 +49,7 @@ internal abstract class ThreadedRun(
 
     override val statementsBegun: Long get() = interpreter.gate.begun
 
-    override val remarks: List<RuntimeWarning> get() = machine.remarks.all
+    override val warnings: List<RuntimeWarning> get() = machine.warnings.all
 
     override val threads: List<ThreadView> get() = machine.scheduler.threads.map {
         inspector.threadView(

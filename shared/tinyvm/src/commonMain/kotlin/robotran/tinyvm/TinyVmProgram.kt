@@ -7,7 +7,7 @@ import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 
 /**
  * A linked leJOS program, ready to load into a brick; created by [linkTinyVm]. Immutable, so it can be started from
@@ -17,7 +17,7 @@ class TinyVmProgram internal constructor(
     override val name: String,
     internal val linked: LinkedProgram,
     private val mode: TinyVmMode,
-    private val messages: RunMessages,
+    private val messages: TinyVmRunMessages,
     private val speed: TinyVmSpeed,
     private val version: LejosVersion,
 ) : RcxProgram {

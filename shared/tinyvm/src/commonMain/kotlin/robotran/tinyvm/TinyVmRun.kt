@@ -7,7 +7,7 @@ import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 import robotran.tinyvm.natives.NativeMethods
 import robotran.tinyvm.run.RcxPeripherals
 import robotran.tinyvm.run.VirtualMachine
@@ -17,7 +17,7 @@ internal class TinyVmRun(
     program: LinkedProgram,
     rom: Rom,
     mode: TinyVmMode,
-    messages: RunMessages,
+    messages: TinyVmRunMessages,
     speed: TinyVmSpeed,
     version: LejosVersion,
     room: BrickRoom = BrickRoom.of(version),

@@ -18,11 +18,11 @@ class QuirkTest {
         assertEquals(listOf(1), shownBy(body, mode = TinyVmMode.FORGIVING))
         assertEquals(
             listOf(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.DIVISOR_OF_16_BITS)),
-            ran(body).run.remarks.map { it.message },
+            ran(body).run.warnings.map { it.message },
         )
         assertEquals(
             listOf(TinyVmMessages.of(Language.ENGLISH).quirkWarning(Quirk.DIVISOR_OF_16_BITS)),
-            ran(body, mode = TinyVmMode.FORGIVING).run.remarks.map { it.message },
+            ran(body, mode = TinyVmMode.FORGIVING).run.warnings.map { it.message },
         )
     }
 
@@ -31,14 +31,14 @@ class QuirkTest {
         for ((quirk, code) in BITING) {
             for (mode in TinyVmMode.entries) {
                 val body = "for (int again = 0; again < 2; again++) {\n$code\n}"
-                val remarks = ran(body, MEMBERS, mode).run.remarks
+                val warnings = ran(body, MEMBERS, mode).run.warnings
                 val expected = if (mode == TinyVmMode.BRICK) {
                     TinyVmMessages.of(Language.ENGLISH).quirkEffect(quirk)
                 } else {
                     TinyVmMessages.of(Language.ENGLISH).quirkWarning(quirk)
                 }
-                assertEquals(listOf(5), remarks.map { it.sourceLine }, "$quirk $mode")
-                assertTrue(remarks.single().message.startsWith(expected), remarks.toString())
+                assertEquals(listOf(5), warnings.map { it.sourceLine }, "$quirk $mode")
+                assertTrue(warnings.single().message.startsWith(expected), warnings.toString())
             }
         }
         assertEquals(Quirk.entries.toSet(), BITING.keys)
@@ -47,7 +47,7 @@ class QuirkTest {
     @Test
     fun `a full memory tells what the program itself takes`() {
         val ran = ran("try { while (true) new Object(); } catch (OutOfMemoryError full) { show(1); }")
-        val said = ran.run.remarks.single().message
+        val said = ran.run.warnings.single().message
         assertTrue(Regex("Of its 13888 bytes, the program itself takes about \\d{3}\\.").containsMatchIn(said), said)
     }
 
@@ -191,15 +191,15 @@ class QuirkTest {
         ran(
             "new Program().outer();",
             "synchronized void outer() { inner(); } private synchronized void inner() { notify(); }",
-        ).run.remarks,
+        ).run.warnings,
     )
 
     @Test
     fun `a static method without a lock is explained where it is called`() {
         val body = "show(1);\nlocked();"
-        val remark = ran(body, "static synchronized void locked() { }").run.remarks.single()
-        assertEquals(5, remark.sourceLine)
-        assertEquals(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.UNLOCKED_METHOD), remark.message)
+        val warning = ran(body, "static synchronized void locked() { }").run.warnings.single()
+        assertEquals(5, warning.sourceLine)
+        assertEquals(TinyVmMessages.of(Language.ENGLISH).quirkEffect(Quirk.UNLOCKED_METHOD), warning.message)
     }
 
     @Test

@@ -5,7 +5,7 @@ package robotran.tower
  *
  * Sources: BrickBot/nqc (`rcxlib`), BrickBot/leJOS-RCX (`src/comms`, `src/platform/rcx/main.c`).
  */
-internal object Opcode {
+internal object RcxOpcode {
     /** Answered by every brick. */
     const val ALIVE = 0x10
 
@@ -67,15 +67,15 @@ internal object Opcode {
     const val TOGGLE = 0x08
 }
 
-/** Parameters that are the same in all messages of a kind. Sources: as for [Opcode]. */
+/** Parameters that are the same in all messages of a kind. Sources: as for [RcxOpcode]. */
 internal object Key {
-    /** Of [Opcode.VERSIONS] and [Opcode.DELETE_FIRMWARE]: the first primes. */
+    /** Of [RcxOpcode.VERSIONS] and [RcxOpcode.DELETE_FIRMWARE]: the first primes. */
     val PRIMES = byteArrayOf(1, 3, 5, 7, 11)
 
-    /** Of [Opcode.UNLOCK_FIRMWARE]: LEGO and the sign for registered. */
+    /** Of [RcxOpcode.UNLOCK_FIRMWARE]: LEGO and the sign for registered. */
     val LEGO = byteArrayOf(0x4C, 0x45, 0x47, 0x4F, 0xAE.toByte())
 
-    /** The magic number of leJOS's images and of its answer to [Opcode.LEJOS_BEGIN]. */
+    /** The magic number of leJOS's images and of its answer to [RcxOpcode.LEJOS_BEGIN]. */
     val LEJOS = byteArrayOf(0xCA.toByte(), 0xF6.toByte())
 }
 

@@ -32,6 +32,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -40,9 +41,9 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
-import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.export.ExportStateHolder
 import robotran.workshop.handins.HandInPreviews
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
@@ -65,7 +66,6 @@ import robotran.workshop.service.RunControls
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.sheet.SheetStateHolder
-import robotran.workshop.show.ShowStateHolder
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -103,11 +103,11 @@ class Workshop(
     private var fullPane: Pane? by mutableStateOf(null)
     private var taskShown by mutableStateOf(false)
     private var taskFolded by mutableStateOf(false)
-    private val board = NoticeBoard({ handIns.isVisiting }, ::canUndo)
+    private val noticeHolder = NoticeStateHolder({ handIns.isVisiting }, ::canUndo)
 
     private val settingsHolder = SettingsStateHolder(platform.store, scope, settings)
     private val programs: ProgramsStateHolder =
-        ProgramsStateHolder(project, this, this, this, ::roomForPrograms)
+        ProgramsStateHolder(project, platform, this, this, this, ::roomForPrograms)
     private val run: RunStateHolder =
         RunStateHolder(
             project.worldToRun,
@@ -129,7 +129,7 @@ class Workshop(
         scope,
         this,
         this,
-        board,
+        noticeHolder,
         VariationTarget(this, this, this),
         isLocked = { assignment.state?.isWorldLocked == true },
         onOpening = ::closePage,
@@ -147,7 +147,7 @@ class Workshop(
         LearningStateHolder(platform.store, scope, this, this, this, document, this, this, this, this)
     private val send =
         SendStateHolder(platform, scope, this, this, ProgramImageBuilder(platform, this, this), ::TowerRobotLink)
-    private val show = ShowStateHolder(platform, scope, this, this, this) {
+    private val show = ExportStateHolder(platform, scope, this, this, this) {
         document.state.name.ifEmpty { this.project.world.title }
     }
     private val handIns: HandInsStateHolder =
@@ -171,7 +171,7 @@ class Workshop(
             learning = learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
             pane = pane,
             taskShown = taskShown,
-            notice = board.shown,
+            notice = noticeHolder.shown,
             settingsShown = settingsHolder.shown,
             siteRequested = settingsHolder.siteRequested,
             send = send.state,
@@ -222,7 +222,7 @@ class Workshop(
         val isEdit = event is ProgramEvent || event is WorldEditEvent || event is RobotEditEvent
         val before = if (isEdit) opened.world to programs.written else null
         dispatch(event)
-        if (before != null && before != opened.world to programs.written) board.projectUsed()
+        if (before != null && before != opened.world to programs.written) noticeHolder.projectUsed()
         document.projectMayHaveChanged()
     }
 
@@ -237,7 +237,7 @@ class Workshop(
             is SettingsEvent -> handleSettings(event)
             is LearningEvent -> learning.handle(event)
             is SendEvent -> send.handle(event)
-            is ShowEvent -> show.handle(event)
+            is ExportEvent -> show.handle(event)
             is HandInsEvent -> handIns.handle(event)
             is AssignmentEvent -> assignment.handle(event)
             is CourseEvent -> course.handle(event)
@@ -245,7 +245,7 @@ class Workshop(
             is WorkshopEvent.PaneFilled -> fullPane = event.pane
             is WorkshopEvent.TaskShown -> showTask(event.shown)
             is WorkshopEvent.TaskFolded -> taskFolded = event.folded
-            WorkshopEvent.NoticeDismissed -> board.dismiss()
+            WorkshopEvent.NoticeDismissed -> noticeHolder.dismiss()
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
     }
@@ -359,7 +359,7 @@ class Workshop(
 
     /** That all goals are met is said only of the present run in the present world. */
     private fun withdrawPraise() {
-        if (!run.state.outcome.allMet) board.dismissIf { it is Notice.WorldSolved }
+        if (!run.state.outcome.allMet) noticeHolder.dismissIf { it is Notice.WorldSolved }
     }
 
     /** The result of the run so far. */
@@ -376,7 +376,7 @@ class Workshop(
     }
 
     override fun openProject(project: Project) {
-        board.projectOpened()
+        noticeHolder.projectOpened()
         learning.leaveProject()
         editors.leave()
         opened = project
@@ -393,7 +393,7 @@ class Workshop(
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
-        if (isAnother) board.projectOpened()
+        if (isAnother) noticeHolder.projectOpened()
         learning.leaveProject()
         if (isAnother) editors.leave()
         val before = run.state.world
@@ -416,7 +416,7 @@ class Workshop(
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
         if (isRenamed) programs.worldChanged(world)
-        board.withdrawUndo()
+        noticeHolder.withdrawUndo()
         document.projectMayHaveChanged()
     }
 
@@ -476,7 +476,7 @@ class Workshop(
         learning.programsChanged()
     }
 
-    override fun showMistake(diagnostic: Diagnostic) = programs.showMistake(diagnostic)
+    override fun showDiagnostic(diagnostic: Diagnostic) = programs.showDiagnostic(diagnostic)
 
     override fun run() = handle(RunEvent.RunPressed)
 
@@ -498,9 +498,9 @@ class Workshop(
 
     override fun openSiteSetting() = handle(SettingsEvent.SiteRequested)
 
-    override fun show(notice: Notice) = board.show(notice)
+    override fun show(notice: Notice) = noticeHolder.show(notice)
 
-    override fun add(remarks: List<String>) = board.add(remarks)
+    override fun add(warnings: List<String>) = noticeHolder.add(warnings)
 
     override fun show(pane: Pane) {
         this.pane = pane
@@ -521,7 +521,7 @@ class Workshop(
         if (taskShown) show(Pane.WORLD)
         sheet.worldChanged()
         withdrawPraise()
-        board.withdrawUndo()
+        noticeHolder.withdrawUndo()
         document.projectMayHaveChanged()
     }
 
@@ -549,11 +549,11 @@ class Workshop(
     private fun handleRun(event: RunEvent) {
         val wasRunning = run.state.running
         if (event == RunEvent.RunPressed) document.markOpenProject()
-        if (event == RunEvent.RunPressed) board.dismissIf { it is Notice.SensorsPluggedIn }
+        if (event == RunEvent.RunPressed) noticeHolder.dismissIf { it is Notice.SensorsPluggedIn }
         run.handle(event)
         val isStarted = event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))
         if (isStarted) showTask(false)
-        if (isStarted || (!wasRunning && run.state.running)) board.projectUsed()
+        if (isStarted || (!wasRunning && run.state.running)) noticeHolder.projectUsed()
         // A new run takes the praise of the last one away.
         if (runChanged()) celebrate()
         if (event is RunEvent.ShortfallShown) {
@@ -573,18 +573,18 @@ class Workshop(
         if (event is BlockEvent.SnippetRequested) {
             programs.snippet(event.load)?.let {
                 run.runSnippet(it)
-                board.projectUsed()
+                noticeHolder.projectUsed()
                 showTask(false)
             }
         }
         // Selections and caret movements do not affect the run.
         val isWritten = programs.written != before
-        if (isWritten) board.dismissIf { it == Notice.FirstProgramRuns }
+        if (isWritten) noticeHolder.dismissIf { it == Notice.FirstProgramRuns }
         val isForRun = event is ProgramEvent.BreakpointToggled || event is ProgramEvent.RobotChosen
         if (isWritten || isForRun) run.programsChanged()
         if (isWritten || event is ProgramEvent.ProgramChosen) learning.programsChanged()
         if (isWritten) assignment.programsChanged()
-        board.withdrawUndo()
+        noticeHolder.withdrawUndo()
     }
 
     private fun handleSettings(event: SettingsEvent) {
@@ -599,7 +599,7 @@ class Workshop(
     }
 
     private fun takeNotice() {
-        when (val action = board.take()) {
+        when (val action = noticeHolder.take()) {
             NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
             is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
             is NoticeAction.GoOn -> document.handle(DocumentEvent.SavedProjectChosen(action.project))

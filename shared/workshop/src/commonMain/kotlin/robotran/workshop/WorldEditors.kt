@@ -32,7 +32,7 @@ internal class WorldEditors(
     scope: CoroutineScope,
     preferences: Preferences,
     runControls: RunControls,
-    private val board: NoticeBoard,
+    private val board: NoticeStateHolder,
     private val target: VariationTarget,
     private val isLocked: () -> Boolean,
     private val onOpening: () -> Unit,

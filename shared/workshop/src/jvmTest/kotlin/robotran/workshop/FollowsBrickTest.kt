@@ -56,7 +56,7 @@ class FollowsBrickTest {
 
     @Test
     fun `every example is fit for the robot that is open, or the bar names the other brick`() {
-        val told = mutableMapOf<BrickKind, MutableList<String>>()
+        val described = mutableMapOf<BrickKind, MutableList<String>>()
         for (robot in BrickKind.entries) {
             for ((language, brick) in SETS) {
                 for (name in language.examplesFor(brick).keys) {
@@ -66,16 +66,16 @@ class FollowsBrickTest {
                     assertTrue((other == null) == isFit(), "$name for an $brick on an $robot: $other")
                     if (other == null) continue
                     assertEquals(BrickKind.entries.single { it != robot }, other, name)
-                    if (language == ProgramLanguage.ROBOLANG) told.getOrPut(robot, ::mutableListOf) += name
+                    if (language == ProgramLanguage.ROBOLANG) described.getOrPut(robot, ::mutableListOf) += name
                     use(other)
                     assertTrue(isFit(), "$name for an $brick after the change from an $robot")
                 }
             }
         }
-        assertEquals(listOf<String>(), told[BrickKind.RCX].orEmpty())
+        assertEquals(listOf<String>(), described[BrickKind.RCX].orEmpty())
         assertEquals(
             listOf("light-meter.robo", "light-seeker.robo"),
-            told[BrickKind.NXT].orEmpty().toList(),
+            described[BrickKind.NXT].orEmpty().toList(),
         )
     }
 

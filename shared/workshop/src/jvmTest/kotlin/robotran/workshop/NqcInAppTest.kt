@@ -184,11 +184,11 @@ class NqcInAppTest {
         workshop.handle(ProgramEvent.TranslationShown(true, ProgramLanguage.NQC))
         val translation = assertNotNull(workshop.state.programs.translation)
         assertContains(translation.text, "task main()")
-        assertEquals(listOf(2), translation.remarks.map { it.line }.distinct())
+        assertEquals(listOf(2), translation.notes.map { it.line }.distinct())
         assertTrue(translation.linesOf(workshop.state.file.name, 3).isNotEmpty())
         workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
-        val german = assertNotNull(workshop.state.programs.translation).remarks.first().message
-        assertTrue(german != translation.remarks.first().message, german)
+        val german = assertNotNull(workshop.state.programs.translation).notes.first().message
+        assertTrue(german != translation.notes.first().message, german)
         workshop.handle(ProgramEvent.ProgramEdited("forwrd 20\n"))
         assertEquals(ProgramLanguage.NQC, assertNotNull(workshop.state.programs.translation).language)
         assertEquals(false, workshop.state.programs.isTranslated)
@@ -256,8 +256,8 @@ class NqcInAppTest {
         workshop(Program.of("lost.nqc", LOSING)) { workshop ->
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(1_000)
-            val remarks = workshop.state.shownProgramRun.remarks
-            assertContains(remarks.single { it.sourceLine == 4 }.message, "There is no datalog")
+            val warnings = workshop.state.shownProgramRun.warnings
+            assertContains(warnings.single { it.sourceLine == 4 }.message, "There is no datalog")
             workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
             val lines = workshop.state.run.drawer.log.entries.filter { it.meaning == "motor A forward 7" }
             assertEquals(listOf(5), lines.map { it.sourceLine }.distinct())

@@ -10,6 +10,7 @@ import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.LightFacing
@@ -133,7 +134,7 @@ class SeveralRobotsTest {
         val program = "robot\n  light sensor on 2 facing forward\nend\nshow light"
         workshop.handle(ProgramEvent.ProgramEdited(program))
         val place = workshop.state.world.robots.first()
-        val holder = ProgramsStateHolder(workshop.project, workshop, workshop, workshop)
+        val holder = ProgramsStateHolder(workshop.project, MemoryPlatform(), workshop, workshop, workshop)
         assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, listOf(0)).first().lightFacing)
         assertEquals(setOf<Breakpoint>(), holder.breakpoints(place.name, 0))
     }

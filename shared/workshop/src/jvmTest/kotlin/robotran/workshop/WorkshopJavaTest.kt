@@ -161,9 +161,9 @@ class WorkshopJavaTest {
         workshop.compilePrograms()
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
-        assertEquals(listOf(4), workshop.state.shownProgramRun.remarks.map { it.sourceLine })
+        assertEquals(listOf(4), workshop.state.shownProgramRun.warnings.map { it.sourceLine })
         workshop.handle(ProgramEvent.ProgramEdited(workshop.state.programText + "\n"))
-        assertEquals(emptyList(), workshop.state.shownProgramRun.remarks)
+        assertEquals(emptyList(), workshop.state.shownProgramRun.warnings)
     }
 
     @Test

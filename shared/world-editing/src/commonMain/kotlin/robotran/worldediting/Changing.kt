@@ -35,7 +35,7 @@ internal fun WorldEditing.outcomeOf(edit: WorldEdit): Outcome? = when (edit) {
     is WorldEdit.MoveGoal -> goals(movedGoal(world.goals, edit.number, edit.move))
     is WorldEdit.WrapGoal -> goals(world.goals.wrapped(edit.number, edit.group))
     is WorldEdit.UnwrapGoal -> goals(world.goals.unwrapped(edit.number))
-    is WorldEdit.ChangeSheet -> Outcome.Made(snapshot.copy(world = world.with(edit.figures)), mergeKey = "sheet")
+    is WorldEdit.ChangeSheet -> Outcome.Made(snapshot.copy(world = world.with(edit.parameters)), mergeKey = "sheet")
     is WorldEdit.NewWorld -> Outcome.Made(WorldSnapshot(newWorld(edit.title), emptySet(), emptyList()))
     else -> null
 }

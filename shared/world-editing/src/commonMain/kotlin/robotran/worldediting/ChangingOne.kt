@@ -48,7 +48,7 @@ internal fun WorldEditing.cornerAdded(edit: WorldEdit.AddCorner): Outcome? {
 internal fun WorldEditing.cornersMade(ref: ElementRef): Outcome? {
     val piece = world.piece(ref) ?: return null
     val corners = when (val shape = (piece.form as? Form.Area)?.shape) {
-        is Shape.Rectangle -> Frame(shape.centre, shape.width, shape.height, shape.angle).let { frame ->
+        is Shape.Rectangle -> SelectionFrame(shape.centre, shape.width, shape.height, shape.angle).let { frame ->
             listOf(frame.at(-1, -1), frame.at(1, -1), frame.at(1, 1), frame.at(-1, 1))
         }
 

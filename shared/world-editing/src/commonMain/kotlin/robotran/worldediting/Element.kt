@@ -1,10 +1,10 @@
 package robotran.worldediting
 
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.Lamp
 import robotran.world.Mark
+import robotran.world.MovableBlock
 import robotran.world.RobotPlacement
 import robotran.world.Wall
 import robotran.world.geometry.Point
@@ -17,7 +17,7 @@ sealed interface Element {
 
     data class OfBarrier(val barrier: Barrier) : Element
 
-    data class OfBlock(val block: Block) : Element
+    data class OfBlock(val block: MovableBlock) : Element
 
     data class OfMark(val mark: Mark) : Element
 

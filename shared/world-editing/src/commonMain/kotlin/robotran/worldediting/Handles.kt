@@ -47,7 +47,7 @@ enum class SizeSide(val across: Int, val up: Int) {
 data class Handle(val grip: DragHandle, val place: Point, val outwards: Point)
 
 /** The rectangle, rotated by [angle], that carries the handles. */
-data class Frame(val centre: Point, val width: Double, val height: Double, val angle: Double) {
+data class SelectionFrame(val centre: Point, val width: Double, val height: Double, val angle: Double) {
     private val direction = Direction(angle)
 
     /** The point at these multiples of half the width and height from the centre. */
@@ -67,11 +67,11 @@ data class Frame(val centre: Point, val width: Double, val height: Double, val a
 }
 
 /** The frame around all of [things]; null if none of them has a position. */
-fun World.frameOf(things: Set<ElementRef>): Frame? {
+fun World.frameOf(things: Set<ElementRef>): SelectionFrame? {
     val forms = things.mapNotNull { piece(it)?.form }
     val shape = (forms.singleOrNull() as? Form.Area)?.shape
-    if (shape is Shape.Rectangle) return Frame(shape.centre, shape.width, shape.height, shape.angle)
-    return around(forms.map { it.bounds })?.let { Frame(it.middle, it.width, it.height, 0.0) }
+    if (shape is Shape.Rectangle) return SelectionFrame(shape.centre, shape.width, shape.height, shape.angle)
+    return around(forms.map { it.bounds })?.let { SelectionFrame(it.middle, it.width, it.height, 0.0) }
 }
 
 /** All handles of [things] together. */
@@ -91,15 +91,15 @@ fun World.handlesOf(things: Set<ElementRef>): List<Handle> {
     }
 }
 
-private fun handlesOfSeveral(forms: List<Form>, frame: Frame): List<Handle> {
+private fun handlesOfSeveral(forms: List<Form>, frame: SelectionFrame): List<Handle> {
     val sizes = sizeHandles(frame, SizeSide.entries.filter { it.isCorner })
     return (if (forms.any { it is Form.Area || it is Form.Way }) sizes else emptyList()) + turnHandle(frame)
 }
 
-private fun sizeHandles(frame: Frame, sides: List<SizeSide>): List<Handle> =
+private fun sizeHandles(frame: SelectionFrame, sides: List<SizeSide>): List<Handle> =
     sides.map { Handle(DragHandle.Size(it), frame.at(it.across, it.up), frame.outwards(it.across, it.up)) }
 
-private fun cornerHandles(form: Form, frame: Frame): List<Handle> {
+private fun cornerHandles(form: Form, frame: SelectionFrame): List<Handle> {
     val none = Point(0.0, 0.0)
     val corners = form.corners.mapIndexed { number, corner -> Handle(DragHandle.Corner(number), corner, none) }
     if ((form as? Form.Way)?.isBent == false) return corners
@@ -113,7 +113,7 @@ private fun cornerHandles(form: Form, frame: Frame): List<Handle> {
 }
 
 /** Above all others. */
-private fun turnHandle(frame: Frame) = Handle(DragHandle.Turn, frame.at(0, 1), frame.outwards(0, 1))
+private fun turnHandle(frame: SelectionFrame) = Handle(DragHandle.Turn, frame.at(0, 1), frame.outwards(0, 1))
 
 /** In the direction of the heading. */
 private fun turnHandle(middle: Point, heading: Double, ahead: Double): Handle {

@@ -1,12 +1,12 @@
 package robotran.worldediting
 
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 import robotran.world.Wall
@@ -47,8 +47,8 @@ fun PaletteItem.piece(world: World): Element = when (this) {
     PaletteItem.BOX -> Element.OfBarrier(Barrier(rectangle(16.0, 10.0)))
     PaletteItem.COLUMN -> Element.OfBarrier(Barrier(circle(5.0)))
     PaletteItem.CORNERED_BARRIER -> Element.OfBarrier(Barrier(triangle(16.0)))
-    PaletteItem.BLOCK -> Element.OfBlock(Block(rectangle(8.0, 8.0)))
-    PaletteItem.ROUND_BLOCK -> Element.OfBlock(Block(circle(4.0)))
+    PaletteItem.BLOCK -> Element.OfBlock(MovableBlock(rectangle(8.0, 8.0)))
+    PaletteItem.ROUND_BLOCK -> Element.OfBlock(MovableBlock(circle(4.0)))
 
     PaletteItem.LINE -> Element.OfMark(
         Mark(MarkFigure.Line(listOf(Point(0.0, 0.0), Point(15.0, 10.0), Point(30.0, 0.0)), LINE_WIDTH)),

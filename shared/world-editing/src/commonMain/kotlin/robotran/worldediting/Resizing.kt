@@ -40,7 +40,7 @@ private fun stretched(side: Double, to: Double, towards: Int): Double =
  * The scale factor for the contents of [frame] when its corner at [side] is dragged to [to] and the opposite corner
  * stays.
  */
-internal fun factorFor(frame: Frame, side: SizeSide, to: Point): Double {
+internal fun factorFor(frame: SelectionFrame, side: SizeSide, to: Point): Double {
     val seen = frame.seen(to)
     val wide = if (frame.width > 0) HALF + seen.x * side.across / frame.width else 0.0
     val high = if (frame.height > 0) HALF + seen.y * side.up / frame.height else 0.0

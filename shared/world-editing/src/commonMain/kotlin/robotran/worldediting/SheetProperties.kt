@@ -15,16 +15,16 @@ data class SheetProperties(
     val seed: Int,
 )
 
-val World.figures: SheetProperties
+val World.parameters: SheetProperties
     get() = SheetProperties(title, task, paper.width, paper.height, ambientLight, temperature, timeLimit, realism, seed)
 
-internal fun World.with(figures: SheetProperties): World = copy(
-    title = figures.title,
-    task = figures.task,
-    paper = paper.copy(width = rounded(figures.width), height = rounded(figures.height)),
-    ambientLight = rounded(figures.ambientLight),
-    temperature = rounded(figures.temperature),
-    timeLimit = figures.timeLimit,
-    realism = rounded(figures.realism),
-    seed = figures.seed,
+internal fun World.with(parameters: SheetProperties): World = copy(
+    title = parameters.title,
+    task = parameters.task,
+    paper = paper.copy(width = rounded(parameters.width), height = rounded(parameters.height)),
+    ambientLight = rounded(parameters.ambientLight),
+    temperature = rounded(parameters.temperature),
+    timeLimit = parameters.timeLimit,
+    realism = rounded(parameters.realism),
+    seed = parameters.seed,
 )

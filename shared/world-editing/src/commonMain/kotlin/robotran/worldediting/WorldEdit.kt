@@ -99,7 +99,7 @@ sealed interface WorldEdit {
 
     // Changes of the whole world.
 
-    data class ChangeSheet(val figures: SheetProperties) : WorldEdit
+    data class ChangeSheet(val parameters: SheetProperties) : WorldEdit
 
     /** Keeps nothing but [title] and one robot. */
     data class NewWorld(val title: String) : WorldEdit

@@ -15,12 +15,12 @@ import kotlin.test.assertTrue
 class ChangingTest {
     @Test
     fun `typing a title is one step until it is settled`() {
-        val figures = emptySheet().world.figures
+        val parameters = emptySheet().world.parameters
         val typed = emptySheet().after(
-            WorldEdit.ChangeSheet(figures.copy(title = "A")),
-            WorldEdit.ChangeSheet(figures.copy(title = "Ab")),
+            WorldEdit.ChangeSheet(parameters.copy(title = "A")),
+            WorldEdit.ChangeSheet(parameters.copy(title = "Ab")),
             WorldEdit.FinishChange,
-            WorldEdit.ChangeSheet(figures.copy(title = "Ab", seed = 7)),
+            WorldEdit.ChangeSheet(parameters.copy(title = "Ab", seed = 7)),
         )
         assertEquals(2, typed.history.past.size)
         val undone = typed.after(WorldEdit.Undo, WorldEdit.Undo)
@@ -31,21 +31,21 @@ class ChangingTest {
     @Test
     fun `what a world cannot be like is refused and changes nothing`() {
         val sheet = emptySheet()
-        val figures = sheet.world.figures
+        val parameters = sheet.world.parameters
         val impossible = listOf(
-            figures.copy(title = " "),
-            figures.copy(title = "x".repeat(101)),
-            figures.copy(title = "a\nb"),
-            figures.copy(task = "a\tb"),
-            figures.copy(task = "x".repeat(1001)),
-            figures.copy(width = 19.0),
-            figures.copy(height = 1001.0),
-            figures.copy(ambientLight = -1.0),
-            figures.copy(temperature = 51.0),
-            figures.copy(timeLimit = 0),
-            figures.copy(realism = 1.1),
-            figures.copy(seed = -1),
-            figures.copy(width = Double.NaN),
+            parameters.copy(title = " "),
+            parameters.copy(title = "x".repeat(101)),
+            parameters.copy(title = "a\nb"),
+            parameters.copy(task = "a\tb"),
+            parameters.copy(task = "x".repeat(1001)),
+            parameters.copy(width = 19.0),
+            parameters.copy(height = 1001.0),
+            parameters.copy(ambientLight = -1.0),
+            parameters.copy(temperature = 51.0),
+            parameters.copy(timeLimit = 0),
+            parameters.copy(realism = 1.1),
+            parameters.copy(seed = -1),
+            parameters.copy(width = Double.NaN),
         )
         for (wanted in impossible) {
             val refused = sheet.after(WorldEdit.ChangeSheet(wanted))
@@ -57,9 +57,11 @@ class ChangingTest {
     @Test
     fun `what is to be done may be told in several lines`() {
         val sheet = emptySheet()
-        val told = sheet.after(WorldEdit.ChangeSheet(sheet.world.figures.copy(task = "Drive to the flag.\nThen stop.")))
-        assertEquals(null, told.error)
-        assertEquals("Drive to the flag.\nThen stop.", told.world.task)
+        val described = sheet.after(
+            WorldEdit.ChangeSheet(sheet.world.parameters.copy(task = "Drive to the flag.\nThen stop.")),
+        )
+        assertEquals(null, described.error)
+        assertEquals("Drive to the flag.\nThen stop.", described.world.task)
     }
 
     @Test
@@ -86,7 +88,7 @@ class ChangingTest {
             wall.errors,
         )
         wall.after(WorldEdit.Delete).assertSound()
-        val narrow = emptySheet().after(WorldEdit.ChangeSheet(emptySheet().world.figures.copy(width = 25.0)))
+        val narrow = emptySheet().after(WorldEdit.ChangeSheet(emptySheet().world.parameters.copy(width = 25.0)))
         assertEquals(listOf<ValidationError>(ValidationError.OffPaper(ElementRef(ElementKind.ROBOT, 0))), narrow.errors)
     }
 

@@ -49,7 +49,7 @@ internal class ArbitraryEdits(private val random: Random) {
         29 -> WorldEdit.UnwrapGoal(random.nextInt(-1, 6))
 
         30 -> WorldEdit.ChangeSheet(
-            SHEET.figures.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
+            SHEET.parameters.copy(title = name().orEmpty(), width = number(), realism = random.nextDouble(1.2)),
         )
 
         31 -> WorldEdit.SelectTool(Tool.entries.random(random))

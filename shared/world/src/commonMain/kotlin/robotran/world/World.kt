@@ -27,7 +27,7 @@ data class World(
     val task: String = "",
     val walls: List<Wall> = emptyList(),
     val barriers: List<Barrier> = emptyList(),
-    val blocks: List<Block> = emptyList(),
+    val blocks: List<MovableBlock> = emptyList(),
     val marks: List<Mark> = emptyList(),
     val lamps: List<Lamp> = emptyList(),
     val ambientLight: Double = Light.DIM_ROOM,

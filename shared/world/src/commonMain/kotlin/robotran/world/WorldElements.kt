@@ -22,7 +22,7 @@ data class Barrier(val shape: Shape, val name: String? = null, val unknown: Unkn
  * @property mass in kilograms.
  * @property friction Coulomb coefficient between it and the paper: cardboard slides at about 0.3, rubber at 1.
  */
-data class Block(
+data class MovableBlock(
     val shape: Shape,
     val mass: Double = DEFAULT_MASS,
     val friction: Double = DEFAULT_FRICTION,

@@ -68,7 +68,7 @@ object OwnCourses {
     }
 
     private fun programOf(lesson: Lesson, file: SourceFile) =
-        ProjectProgram(Program(file.name, lesson.code, listOf(file)))
+        ProjectProgram(Program(file.name, lesson.programLanguage, listOf(file)))
 
     private val SEEDS = 1..20
     private const val TRIES_BEFORE_PART = 3

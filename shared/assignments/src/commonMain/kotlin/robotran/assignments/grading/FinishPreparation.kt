@@ -8,7 +8,7 @@ package robotran.assignments.grading
  */
 fun Preparation.finish(onProgress: (runs: Int) -> Unit): GradedHandIn = when (this) {
     is Preparation.Ready -> graded(finish(runs(), onProgress))
-    is Preparation.HasMistakes -> GradedHandIn.HasMistakes(submission, reasons)
+    is Preparation.HasErrors -> GradedHandIn.HasErrors(submission, reasons)
     is Preparation.Failed -> GradedHandIn.Failed(submission, reasons)
 }
 

@@ -53,7 +53,7 @@ sealed interface GradedHandIn {
     }
 
     /** Its programs cannot run: they have mistakes. Each of [reasons] is a line of text. */
-    data class HasMistakes(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn {
+    data class HasErrors(override val submission: Submission.Usable, val reasons: List<String>) : GradedHandIn {
         override val verdict: Verdict get() = Verdict.MISTAKES
     }
 

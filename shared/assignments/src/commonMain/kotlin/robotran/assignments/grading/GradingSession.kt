@@ -35,8 +35,8 @@ class GradingSession(private val grader: HandInGrader, submissions: List<Submiss
             // It may have been cancelled while it was compiled.
             is Preparation.Ready -> if (!board.isCancelled) current = RunningHandIn(row, preparation)
 
-            is Preparation.HasMistakes -> {
-                board.finish(row, GradedHandIn.HasMistakes(preparation.submission, preparation.reasons))
+            is Preparation.HasErrors -> {
+                board.finish(row, GradedHandIn.HasErrors(preparation.submission, preparation.reasons))
             }
 
             is Preparation.Failed -> board.finish(row, GradedHandIn.Failed(preparation.submission, preparation.reasons))
@@ -127,7 +127,7 @@ suspend fun gradeAll(
         when (preparation) {
             null -> GradedHandIn.Unusable(submission as Submission.Unusable)
             is Preparation.Ready -> preparation.graded(runs.getValue(preparation).map { results.next() })
-            is Preparation.HasMistakes -> GradedHandIn.HasMistakes(preparation.submission, preparation.reasons)
+            is Preparation.HasErrors -> GradedHandIn.HasErrors(preparation.submission, preparation.reasons)
             is Preparation.Failed -> GradedHandIn.Failed(preparation.submission, preparation.reasons)
         }
     }

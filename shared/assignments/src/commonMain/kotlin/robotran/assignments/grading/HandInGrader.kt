@@ -68,7 +68,7 @@ class HandInGrader(
         val loads = plan.worlds.map { graded ->
             when (val result = loadsFor(graded, submission.robot, compiled)) {
                 is RobotProgramSets.Success -> result.loads
-                is RobotProgramSets.Failure -> return PreparedAttempt.HasMistakes(result.diagnostics.map(::lineOf))
+                is RobotProgramSets.Failure -> return PreparedAttempt.HasErrors(result.diagnostics.map(::lineOf))
             }
         }
         return PreparedAttempt.Ready(plan.worlds.zip(loads))

@@ -49,7 +49,7 @@ sealed interface Preparation {
     }
 
     /** Each of [reasons] is a line of text. */
-    data class HasMistakes(override val submission: Submission.Usable, val reasons: List<String>) : Preparation
+    data class HasErrors(override val submission: Submission.Usable, val reasons: List<String>) : Preparation
 
     /** Robotran itself failed. Each of [reasons] is a line of text. */
     data class Failed(override val submission: Submission.Usable, val reasons: List<String>) : Preparation
@@ -59,14 +59,14 @@ sealed interface Preparation {
 internal sealed interface PreparedAttempt {
     class Ready(val worlds: List<Pair<GradedWorld, List<RobotProgramSet>>>) : PreparedAttempt
 
-    class HasMistakes(val reasons: List<String>) : PreparedAttempt
+    class HasErrors(val reasons: List<String>) : PreparedAttempt
 
     class Failed(val reasons: List<String>) : PreparedAttempt
 }
 
 /** What comes of [submission] if none of its attempts can run. */
 internal fun PreparedAttempt.unready(submission: Submission.Usable): Preparation = when (this) {
-    is PreparedAttempt.HasMistakes -> Preparation.HasMistakes(submission, reasons)
+    is PreparedAttempt.HasErrors -> Preparation.HasErrors(submission, reasons)
     is PreparedAttempt.Failed -> Preparation.Failed(submission, reasons)
     is PreparedAttempt.Ready -> error("It can run.")
 }

@@ -18,7 +18,7 @@ internal fun remarksOf(report: ClassReport, index: Int, language: Language): Lis
 /** Why [result] has no grade, in sentences or lines. */
 internal fun reasonsOf(result: GradedHandIn): List<String> = when (result) {
     is GradedHandIn.Unusable -> listOf(result.submission.reason)
-    is GradedHandIn.HasMistakes -> result.reasons
+    is GradedHandIn.HasErrors -> result.reasons
     is GradedHandIn.Failed -> result.reasons
     is GradedHandIn.Graded -> emptyList()
 }

@@ -36,12 +36,12 @@ class ForgottenHandInsTest {
         val inZip = CollectedFile("moodle.zip", zipOf(listOf(ZipEntry("Eva_1_assignsubmission_file_/", ByteArray(0)))))
         assertEquals(
             listOf("ben: ok", "anna: The folder is empty.", "dora: The folder is empty."),
-            collect(*files.toTypedArray()).map(::told),
+            collect(*files.toTypedArray()).map(::described),
         )
         assertEquals(setOf("ben", "anna", "dora"), collect(zip).map { it.name }.toSet())
-        assertEquals(listOf("Eva: The folder is empty."), collect(inZip).map(::told))
-        assertEquals(listOf("ben: The folder is empty."), collect(file("ben/", "")).map(::told))
-        assertEquals(listOf("ben: The folder is empty."), collect(file("class/ben/", "")).map(::told))
+        assertEquals(listOf("Eva: The folder is empty."), collect(inZip).map(::described))
+        assertEquals(listOf("ben: The folder is empty."), collect(file("ben/", "")).map(::described))
+        assertEquals(listOf("ben: The folder is empty."), collect(file("class/ben/", "")).map(::described))
     }
 
     @Test
@@ -57,11 +57,11 @@ class ForgottenHandInsTest {
             file("class/~\$liste.docx", ""),
             file("class/Ida.robo", DRAWS),
         )
-        assertEquals(listOf("Go: ok", "Ida: ok"), found.map(::told))
+        assertEquals(listOf("Go: ok", "Ida: ok"), found.map(::described))
         val classes = SubmissionRemark.CompiledLeftOut(listOf("Go.class", "Go\$1.class"))
         assertEquals(listOf<SubmissionRemark>(classes), remarks(found[0]))
         val alone = collect(file("class/anna/Go.class", "old"), file("class/ben/prog.robo", DRAWS))
-        assertEquals("anna: There are only compiled classes in it. Ask for the Java files.", told(alone[0]))
+        assertEquals("anna: There are only compiled classes in it. Ask for the Java files.", described(alone[0]))
     }
 
     @Test
@@ -78,8 +78,8 @@ class ForgottenHandInsTest {
         }
         val found = collect(*files.toTypedArray())
         assertEquals((names + others).map { it.first }, found.map { it.name })
-        val told = others.map { listOf<SubmissionRemark>(SubmissionRemark.OtherName(it.second)) }
-        assertEquals(names.map { emptyList<SubmissionRemark>() } + told, found.map(::remarks))
+        val described = others.map { listOf<SubmissionRemark>(SubmissionRemark.OtherName(it.second)) }
+        assertEquals(names.map { emptyList<SubmissionRemark>() } + described, found.map(::remarks))
         val plain = collect(file("c/Ben/x.robotran", handIn("Anna")), file("c/Cem/x.robo", DRAWS))
         assertEquals(listOf<SubmissionRemark>(SubmissionRemark.OtherName("Anna")), remarks(plain[0]))
     }
@@ -119,7 +119,7 @@ class ForgottenHandInsTest {
             file("m/Wim_2_assignsubmission_file_/a.robo", DRAWS),
             assignment = teachers,
         )
-        assertEquals(listOf("Vera: ok", "Wim: ok"), found.map(::told))
+        assertEquals(listOf("Vera: ok", "Wim: ok"), found.map(::described))
         assertEquals(SubmissionRemark.TeachersFile, remarks(found[0]).first())
     }
 
@@ -127,7 +127,7 @@ class ForgottenHandInsTest {
     fun `the teacher's file of another assignment is only told as that`() = runTest {
         val other = ASSIGNMENT.copy(assignment = ASSIGNMENT.assignment?.copy(id = "other"))
         val found = collect(file("c/vera/maze.robotran", other), file("c/wim/a.robo", DRAWS))
-        assertEquals("vera: It was handed in for another assignment: Draw.", told(found[0]))
+        assertEquals("vera: It was handed in for another assignment: Draw.", described(found[0]))
         assertEquals(emptyList(), remarks(found[0]))
     }
 
@@ -152,7 +152,7 @@ class ForgottenHandInsTest {
         assertEquals(listOf("arm", "Ärmel", "nz", "ña", "Ödel", "Oz", "Özdemir", "Zorn"), sorted(Language.SPANISH))
     }
 
-    private fun told(submission: Submission): String = when (submission) {
+    private fun described(submission: Submission): String = when (submission) {
         is Submission.Unusable -> "${submission.name}: ${submission.reason}"
         is Submission.Usable -> "${submission.name}: ok"
     }

@@ -38,7 +38,7 @@ class GradingSessionTest {
                 it.world.name to it.grade.passed
             }}"
 
-            is GradedHandIn.HasMistakes -> "${result.submission.name} ${result.reasons}"
+            is GradedHandIn.HasErrors -> "${result.submission.name} ${result.reasons}"
             is GradedHandIn.Failed -> "${result.submission.name} failed"
             is GradedHandIn.Unusable -> "${result.submission.name} unusable"
         }
@@ -61,7 +61,7 @@ class GradingSessionTest {
         assertEquals(grades(whole), grades(session.state.results))
         assertEquals(16, session.state.runsDone)
         assertEquals(16, session.state.runsInTotal)
-        assertIs<GradedHandIn.HasMistakes>(whole[2])
+        assertIs<GradedHandIn.HasErrors>(whole[2])
         assertEquals(listOf(4, 0, 0, 0), whole.filterIsInstance<GradedHandIn.Graded>().map { it.met })
     }
 

@@ -86,7 +86,7 @@ class WhatCountsTest {
         val graded = grade(file("c/ida/a.robo", "forwrd\n"), file("c/ida/b.robo", DRAWS), file("c/jan/x.robo", ""))
         assertEquals(Verdict.PASSED, graded[0].verdict)
         val both = grade(file("c/ida/a.robo", "forwrd\n"), file("c/ida/b.robo", "beeep\n"), file("c/jan/x.robo", ""))
-        assertContains(assertIs<GradedHandIn.HasMistakes>(both[0]).reasons.single(), "a.robo:1:1: ")
+        assertContains(assertIs<GradedHandIn.HasErrors>(both[0]).reasons.single(), "a.robo:1:1: ")
     }
 
     @Test

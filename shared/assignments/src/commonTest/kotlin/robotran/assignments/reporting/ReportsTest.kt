@@ -293,7 +293,7 @@ class ReportsTest {
         val report = ClassReport(
             ASSIGNMENT,
             GradingPlan.of(ASSIGNMENT),
-            submissions.map { GradedHandIn.HasMistakes(it as Submission.Usable, emptyList()) },
+            submissions.map { GradedHandIn.HasErrors(it as Submission.Usable, emptyList()) },
         )
         val file = feedbackFiles(report, Language.ENGLISH).first().bytes.decodeToString()
         assertFalse("checks" in file || "solution" in file || "forward 98" in file, file)

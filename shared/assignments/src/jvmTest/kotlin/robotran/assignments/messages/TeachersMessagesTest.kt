@@ -22,9 +22,9 @@ class TeachersMessagesTest {
         assertTrue(messages.size > 40, "${messages.size} messages")
         val wrong = messages.flatMap { message ->
             val markers = argumentsOf(message).flatMap { if (it is List<*>) it else listOf(it) }.map { "$it" }
-            val english = told(message, Language.ENGLISH)
+            val english = described(message, Language.ENGLISH)
             (Language.entries - Language.ENGLISH).flatMap { language ->
-                val other = told(message, language)
+                val other = described(message, language)
                 markers.filter { (it in english) != (it in other) }.map { "${message.name} in $language: $other" }
             }
         }
@@ -34,8 +34,8 @@ class TeachersMessagesTest {
     @Test
     fun `no message is the same in two languages, and all end alike`() {
         val wrong = messages.filter { message ->
-            val told = Language.entries.map { told(message, it) }
-            told.toSet().size < told.size || told.map { it.endsWith('.') }.toSet().size > 1
+            val described = Language.entries.map { described(message, it) }
+            described.toSet().size < described.size || described.map { it.endsWith('.') }.toSet().size > 1
         }.map { it.name }
         assertEquals(emptyList(), wrong)
         for (language in Language.entries) {
@@ -43,7 +43,7 @@ class TeachersMessagesTest {
         }
     }
 
-    private fun told(message: Method, language: Language): String {
+    private fun described(message: Method, language: Language): String {
         val table = tables.getValue(message.declaringClass)(language)
         return message.invoke(table, *argumentsOf(message).toTypedArray()) as String
     }

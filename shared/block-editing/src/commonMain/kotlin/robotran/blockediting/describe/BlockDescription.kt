@@ -109,7 +109,7 @@ private fun sentence(program: BlockProgram, block: Block, messages: BlockMessage
     val line = when (block) {
         is Block.Blank -> messages.emptyLine()
         is Block.Comment -> messages.note(note.orEmpty())
-        is Block.Loose -> messages.mistake(written(program, head), head.mistake?.message)
+        is Block.Loose -> messages.mistake(written(program, head), head.error?.message)
         is Block.Command, is Block.Construct -> spoken(program, head)
     }
     val inside = if (block is Block.Construct) {
@@ -121,10 +121,10 @@ private fun sentence(program: BlockProgram, block: Block, messages: BlockMessage
     } else {
         null
     }
-    val remark = note?.takeIf { block is Block.Command || block is Block.Construct }?.let(messages::note)
-    val parts = listOfNotNull(line, level, inside, remark)
-    val mistake = head.mistake?.message?.takeIf { block is Block.Command || block is Block.Construct }
-    return parts.joinToString(", ") + mistake?.let { ". $it" }.orEmpty()
+    val noteText = note?.takeIf { block is Block.Command || block is Block.Construct }?.let(messages::note)
+    val parts = listOfNotNull(line, level, inside, noteText)
+    val error = head.error?.message?.takeIf { block is Block.Command || block is Block.Construct }
+    return parts.joinToString(", ") + error?.let { ". $it" }.orEmpty()
 }
 
 private fun counts(block: Block): Boolean = block !is Block.Blank && block !is Block.Comment

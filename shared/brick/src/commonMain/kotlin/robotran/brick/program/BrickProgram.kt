@@ -26,7 +26,7 @@ interface ProgramRun {
     val sourceFile: String? get() = null
 
     /** Warnings for the pupil about this run so far. */
-    val remarks: List<RuntimeWarning> get() = emptyList()
+    val warnings: List<RuntimeWarning> get() = emptyList()
 
     /**
      * Executes at most [steps] steps (a step is a statement or a bytecode) and returns early when the program waits,

@@ -59,7 +59,7 @@ fun interface StatementWatch {
      * Whether to pause before [statement]. If true, [ProgramRun.resume] returns [ProgramStatus.Paused]; the next call
      * continues with [statement].
      */
-    fun pausesBefore(statement: Statement): Boolean
+    fun pausesBefore(statement: DebugStatement): Boolean
 }
 
 /**
@@ -70,7 +70,7 @@ fun interface StatementWatch {
  * @property thread the number of the thread that executes it.
  * @property sourceFile its file; null if the program has only one.
  */
-data class Statement(
+data class DebugStatement(
     val sourceLine: Int,
     val depth: Int,
     val thread: Int = DebuggableRun.FIRST_THREAD,

@@ -36,7 +36,7 @@ private fun syntaxErrors(source: SourceText, problems: List<EcjProblem>): Set<Ec
     // An unclosed string hides brackets and semicolons from the parser.
     val unclosed = all.filter { source.unclosedString(it.start) != null }
     if (unclosed.isNotEmpty()) return unclosed.toSet()
-    if (all.any { it.number in StructureMistakes.NUMBERS }) return withStructure(source, all)
+    if (all.any { it.number in StructureErrors.NUMBERS }) return withStructure(source, all)
     // An unclosed brace is reported where it should be closed. If the braces match in number, none is reported.
     val paired = source.bracesBefore(Int.MAX_VALUE) == 0
     return all.filterNot {
@@ -46,8 +46,8 @@ private fun syntaxErrors(source: SourceText, problems: List<EcjProblem>): Set<Ec
 
 /** The mistakes of structure among [all], and the others that do not only follow from them. */
 private fun withStructure(source: SourceText, all: List<EcjProblem>): Set<EcjProblem> {
-    val (structure, others) = all.partition { it.number in StructureMistakes.NUMBERS }
-    val derailing = structure.filter { it.number in StructureMistakes.DERAILING }
+    val (structure, others) = all.partition { it.number in StructureErrors.NUMBERS }
+    val derailing = structure.filter { it.number in StructureErrors.DERAILING }
     val derailed = derailing.minOfOrNull { it.start } ?: Int.MAX_VALUE
     val starts = structure.mapTo(mutableSetOf()) { it.start }
     val lines = structure.mapTo(mutableSetOf()) { source.range(it.start, it.start).line }

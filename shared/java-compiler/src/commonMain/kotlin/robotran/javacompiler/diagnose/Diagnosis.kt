@@ -65,7 +65,7 @@ internal class Diagnosis(
         val isSuspect = problems.any {
             (it.isSyntax && !BrickAdvisor.isOnlyNewer(it)) || it.number == ProblemId.MISSING_RETURN_TYPE
         }
-        val structure = if (isSuspect) StructureMistakes(source).problems() else emptyList()
+        val structure = if (isSuspect) StructureErrors(source).problems() else emptyList()
         return structure + withoutLostLoopVariables(source, withoutMethodReferences(problems))
     }
 

@@ -5,7 +5,7 @@ import robotran.javacompiler.ecj.ProblemId
 import robotran.javacompiler.messages.JavaMessages
 import robotran.language.source.SourceFix
 
-/** Explains the [StructureMistakes] of a source. */
+/** Explains the [StructureErrors] of a source. */
 internal class StructureAdvisor(private val messages: JavaMessages) {
     fun advice(problem: EcjProblem, source: SourceText): ProblemExplanation? {
         val range = source.range(problem.start, problem.end)
@@ -15,7 +15,7 @@ internal class StructureAdvisor(private val messages: JavaMessages) {
                 messages.outsideClass(),
                 when {
                     word.isNotEmpty() -> messages.moveIntoClass(word)
-                    StructureMistakes.METHOD in problem.arguments -> messages.putIntoClass(source.className)
+                    StructureErrors.METHOD in problem.arguments -> messages.putIntoClass(source.className)
                     else -> messages.beginWithClass(source.className)
                 },
             )

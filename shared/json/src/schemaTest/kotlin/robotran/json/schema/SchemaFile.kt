@@ -22,7 +22,7 @@ internal class SchemaFile(definition: JsonElement) {
     /** Whether [file] follows the schema; stops at the first mistake. */
     fun accepts(file: JsonElement): Boolean = schema.validate(file, OutputCollector.flag()).valid
 
-    fun mistakesIn(file: JsonElement): List<String> = diagnostics(schema, file)
+    fun errorsIn(file: JsonElement): List<String> = diagnostics(schema, file)
 
     fun unknownIn(file: JsonElement): List<String> = diagnostics(closedSchema, file)
 

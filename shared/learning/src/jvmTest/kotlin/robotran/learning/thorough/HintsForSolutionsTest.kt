@@ -27,7 +27,7 @@ class HintsForSolutionsTest {
 
     @Test
     fun `where only a line is missing, no hint blames one that is there`() = runTest(timeout = 5.minutes) {
-        val blamed = Lessons.all.filter { it.code == ProgramLanguage.ROBOLANG }.flatMap { lesson ->
+        val blamed = Lessons.all.filter { it.programLanguage == ProgramLanguage.ROBOLANG }.flatMap { lesson ->
             val lines = lesson.solution.text.lines()
             // A block has its line at the end, too.
             val single = lines.indices.filter { number ->

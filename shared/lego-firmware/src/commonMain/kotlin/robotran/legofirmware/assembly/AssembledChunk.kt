@@ -3,7 +3,7 @@ package robotran.legofirmware.assembly
 import robotran.legofirmware.image.ChunkId
 
 /** A task or subroutine whose commands have addresses, while the targets of jumps may still be unknown. */
-internal class AssembledChunk(val id: ChunkId, val frame: Frame, val start: Token) {
+internal class AssembledChunk(val id: ChunkId, val frame: BlockDirective, val start: Token) {
     val commands = mutableListOf<Command>()
 
     /** The address of each label. */

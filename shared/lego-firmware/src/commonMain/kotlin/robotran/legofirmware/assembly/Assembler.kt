@@ -23,7 +23,7 @@ internal class Assembler(language: Language, private val target: FirmwareTarget)
     fun assemble(source: String): AssemblyResult {
         if (source.length > AssemblyLimits.SOURCE_CHARACTERS) {
             val message = messages.sourceTooLong(AssemblyLimits.SOURCE_CHARACTERS)
-            sink.error(AssemblyProblem.SOURCE_TOO_LONG, Token("", 1, 1), message)
+            sink.error(AssemblyError.SOURCE_TOO_LONG, Token("", 1, 1), message)
             return rejected()
         }
         val placer = CommandPlacer(sink, messages)
@@ -42,12 +42,12 @@ internal class Assembler(language: Language, private val target: FirmwareTarget)
     private fun warnAbout(chunks: List<Chunk>) {
         val start = Token("", 1, 1)
         if (chunks.none { it.id == ChunkId.MAIN }) {
-            sink.warn(AssemblyProblem.NO_MAIN_TASK, start, messages.noMainTask())
+            sink.warn(AssemblyError.NO_MAIN_TASK, start, messages.noMainTask())
         }
         val size = chunks.sumOf { it.code.size }
         if (size > FirmwareLimits.PROGRAM_MEMORY) {
             val message = imageMessages.largeProgram(size, FirmwareLimits.PROGRAM_MEMORY)
-            sink.warn(AssemblyProblem.LARGE_PROGRAM, start, message)
+            sink.warn(AssemblyError.LARGE_PROGRAM, start, message)
         }
     }
 

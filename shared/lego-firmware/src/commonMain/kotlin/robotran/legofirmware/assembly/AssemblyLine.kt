@@ -19,14 +19,14 @@ internal class AssemblyLineReader(private val sink: AssemblySink, private val me
         if (tokens.isEmpty()) return null
         val unknown = tokens.find { !it.isWord && !it.isNumber && !it.isSign }
         if (unknown != null) {
-            sink.error(AssemblyProblem.UNKNOWN_CHARACTER, unknown, messages.unknownCharacter(unknown.text))
+            sink.error(AssemblyError.UNKNOWN_CHARACTER, unknown, messages.unknownCharacter(unknown.text))
             return null
         }
         val label = tokens[0].takeIf { it.isWord && tokens.getOrNull(1)?.text == ":" }
         val rest = if (label == null) tokens else tokens.drop(2)
         val word = rest.firstOrNull() ?: return AssemblyLine(label, null, emptyList())
         if (!word.isWord) {
-            sink.error(AssemblyProblem.MISSING_COMMAND, word, messages.missingCommand(word.text))
+            sink.error(AssemblyError.MISSING_COMMAND, word, messages.missingCommand(word.text))
             return null
         }
         return operandsOf(rest)?.let { AssemblyLine(label, word, it) }
@@ -43,7 +43,7 @@ internal class AssemblyLineReader(private val sink: AssemblySink, private val me
                 isExpected = true
             } else {
                 if (!isExpected || token.text == ":") {
-                    sink.error(AssemblyProblem.MISSING_COMMA, token, messages.missingComma(token.text))
+                    sink.error(AssemblyError.MISSING_COMMA, token, messages.missingComma(token.text))
                     return null
                 }
                 operands += token

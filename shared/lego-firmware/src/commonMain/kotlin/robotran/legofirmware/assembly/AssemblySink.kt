@@ -12,12 +12,12 @@ internal class AssemblySink {
 
     val hasErrors: Boolean get() = diagnostics.any { it.severity == Severity.ERROR }
 
-    fun error(code: AssemblyProblem, token: Token, message: String, replacement: String? = null) =
+    fun error(code: AssemblyError, token: Token, message: String, replacement: String? = null) =
         add(code, Severity.ERROR, token, message, replacement)
 
-    fun warn(code: AssemblyProblem, token: Token, message: String) = add(code, Severity.WARNING, token, message, null)
+    fun warn(code: AssemblyError, token: Token, message: String) = add(code, Severity.WARNING, token, message, null)
 
-    private fun add(code: AssemblyProblem, severity: Severity, token: Token, message: String, replacement: String?) {
+    private fun add(code: AssemblyError, severity: Severity, token: Token, message: String, replacement: String?) {
         if (diagnostics.size >= AssemblyLimits.DIAGNOSTICS || !lines.add(token.line to severity)) return
         val range = SourceRange(token.line, token.column, token.column + token.text.length)
         val fix = replacement?.let { SourceFix(range, it) }

@@ -11,12 +11,12 @@ internal class CheckedNumbers(private val sink: AssemblySink, private val messag
         when {
             number == null -> {
                 val message = messages.numberNeeded(short(token.text), range.name, form)
-                sink.error(AssemblyProblem.NUMBER_NEEDED, token, message)
+                sink.error(AssemblyError.NUMBER_NEEDED, token, message)
             }
 
             number !in range.range -> {
                 val message = messages.numberOutOfRange(range.name, number, range.range.first, range.range.last)
-                sink.error(AssemblyProblem.NUMBER_OUT_OF_RANGE, token, message)
+                sink.error(AssemblyError.NUMBER_OUT_OF_RANGE, token, message)
             }
 
             else -> return number

@@ -67,23 +67,23 @@ internal class CommandEncoder(
         val name = short(token.text)
         when {
             !token.isWord -> {
-                sink.error(AssemblyProblem.LABEL_NEEDED, token, messages.labelNeeded(name, form.toString()))
+                sink.error(AssemblyError.LABEL_NEEDED, token, messages.labelNeeded(name, form.toString()))
             }
 
             address == null && chunks.any { token.text in it.labels } -> {
-                sink.error(AssemblyProblem.LABEL_ELSEWHERE, token, messages.labelElsewhere(name))
+                sink.error(AssemblyError.LABEL_ELSEWHERE, token, messages.labelElsewhere(name))
             }
 
             address == null -> {
                 val suggestion = alike(token.text, chunk.labels.keys.take(MOST_COMPARED))
                 val message = messages.unknownLabel(name, suggestion)
-                sink.error(AssemblyProblem.UNKNOWN_LABEL, token, message, suggestion)
+                sink.error(AssemblyError.UNKNOWN_LABEL, token, message, suggestion)
             }
 
             !form.opcode.reaches(command.address, address) -> {
                 val longForm = form.opcode.longForm?.mnemonic
                 val message = messages.tooFar(form.opcode.mnemonic, name, longForm)
-                sink.error(AssemblyProblem.TOO_FAR, command.word, message, longForm)
+                sink.error(AssemblyError.TOO_FAR, command.word, message, longForm)
             }
 
             else -> return Operand.Address(address)

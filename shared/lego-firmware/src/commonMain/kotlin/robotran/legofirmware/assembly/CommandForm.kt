@@ -29,7 +29,7 @@ internal class CommandForm(val opcode: Opcode) {
 
         /** The words that begin a line. */
         val words: List<String> =
-            forms.keys.toList() + BYTES_MNEMONIC + Frame.entries.flatMap { listOf(it.word, it.end) }
+            forms.keys.toList() + BYTES_MNEMONIC + BlockDirective.entries.flatMap { listOf(it.word, it.end) }
 
         /** The forms of commands with this mnemonic: two for `stop`, which has a task or none. */
         fun of(mnemonic: String): List<CommandForm> = forms[mnemonic].orEmpty()

@@ -17,7 +17,7 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         line.label?.let { define(it) }
         val word = line.word ?: return
         val name = word.text.lowercase()
-        val frame = Frame.entries.find { name == it.word || name == it.end }
+        val frame = BlockDirective.entries.find { name == it.word || name == it.end }
         when {
             frame == null -> command(word, name, line.operands)
             name == frame.word -> begin(frame, word, line.operands)
@@ -34,10 +34,10 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         val chunk = open
         val firstLine = labelLines[label.text]
         when {
-            chunk == null -> sink.error(AssemblyProblem.OUTSIDE_CHUNK, label, messages.outsideChunk(label.text))
+            chunk == null -> sink.error(AssemblyError.OUTSIDE_CHUNK, label, messages.outsideChunk(label.text))
 
             firstLine != null -> {
-                sink.error(AssemblyProblem.LABEL_TWICE, label, messages.labelTwice(short(label.text), firstLine))
+                sink.error(AssemblyError.LABEL_TWICE, label, messages.labelTwice(short(label.text), firstLine))
             }
 
             else -> {
@@ -47,13 +47,13 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         }
     }
 
-    private fun begin(frame: Frame, word: Token, operands: List<Token>) {
+    private fun begin(frame: BlockDirective, word: Token, operands: List<Token>) {
         open?.let { notClosed(it) }
         open = null
         val place = operands.singleOrNull()?.takeIf { it.text.isNotEmpty() }
         if (place == null) {
             val message = messages.wrongNumberCount("${frame.word} number")
-            sink.error(AssemblyProblem.WRONG_NUMBER_COUNT, word, message)
+            sink.error(AssemblyError.WRONG_NUMBER_COUNT, word, message)
         }
         val range = NumberRange("number", 0 until frame.kind.limit)
         val number = place?.let { CheckedNumbers(sink, messages).number(it, range, "${frame.word} number") }
@@ -62,24 +62,24 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         open = chunk
         if (number == null) return
         if (id in chunks) {
-            sink.error(AssemblyProblem.CHUNK_TWICE, word, messages.chunkTwice(frame.word, number))
+            sink.error(AssemblyError.CHUNK_TWICE, word, messages.chunkTwice(frame.word, number))
         } else {
             chunks[id] = chunk
         }
     }
 
-    private fun end(frame: Frame, word: Token) {
+    private fun end(frame: BlockDirective, word: Token) {
         val expected = open?.frame
         if (expected != frame) {
             val message = messages.wrongEnd(word.text, expected?.end)
-            sink.error(AssemblyProblem.WRONG_END, word, message, expected?.end)
+            sink.error(AssemblyError.WRONG_END, word, message, expected?.end)
         }
         open = null
     }
 
     private fun notClosed(chunk: AssembledChunk) {
         val message = messages.notClosed(chunk.frame.word, chunk.frame.end)
-        sink.error(AssemblyProblem.NOT_CLOSED, chunk.start, message)
+        sink.error(AssemblyError.NOT_CLOSED, chunk.start, message)
     }
 
     private fun command(word: Token, name: String, operands: List<Token>) {
@@ -87,10 +87,10 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         val chunk = open
         when {
             content == null -> return
-            chunk == null -> sink.error(AssemblyProblem.OUTSIDE_CHUNK, word, messages.outsideChunk(short(word.text)))
+            chunk == null -> sink.error(AssemblyError.OUTSIDE_CHUNK, word, messages.outsideChunk(short(word.text)))
 
             chunk.size + content.size > FirmwareLimits.CHUNK_BYTES -> {
-                sink.error(AssemblyProblem.CODE_TOO_LONG, chunk.start, messages.codeTooLong(FirmwareLimits.CHUNK_BYTES))
+                sink.error(AssemblyError.CODE_TOO_LONG, chunk.start, messages.codeTooLong(FirmwareLimits.CHUNK_BYTES))
             }
 
             else -> chunk.add(word, content)
@@ -100,7 +100,7 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
     private fun bytes(word: Token, operands: List<Token>): AssembledChunk.Content? {
         if (operands.isEmpty()) {
             sink.error(
-                AssemblyProblem.WRONG_NUMBER_COUNT,
+                AssemblyError.WRONG_NUMBER_COUNT,
                 word,
                 messages.wrongNumberCount(CommandForm.BYTES_FORM),
             )
@@ -116,13 +116,13 @@ internal class CommandPlacer(private val sink: AssemblySink, private val message
         if (forms.isEmpty()) {
             val suggestion = alike(name, CommandForm.words)
             val message = messages.unknownCommand(short(word.text), suggestion)
-            sink.error(AssemblyProblem.UNKNOWN_COMMAND, word, message, suggestion)
+            sink.error(AssemblyError.UNKNOWN_COMMAND, word, message, suggestion)
             return null
         }
         val form = forms.find { it.places.size == operands.size }
         if (form == null) {
             val message = messages.wrongNumberCount(forms.last().toString())
-            sink.error(AssemblyProblem.WRONG_NUMBER_COUNT, word, message)
+            sink.error(AssemblyError.WRONG_NUMBER_COUNT, word, message)
         }
         return AssembledChunk.Content.Instruction(form ?: forms.last(), operands.takeIf { form != null })
     }

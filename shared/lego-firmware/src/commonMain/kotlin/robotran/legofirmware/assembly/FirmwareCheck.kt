@@ -21,7 +21,7 @@ internal class FirmwareCheck(
         val opcode = instruction.opcode
         if (opcode.firmware > target) return refuse(token, messages.newerCommand(opcode.mnemonic))
         if (opcode.use == OpcodeUse.REQUEST) {
-            sink.warn(AssemblyProblem.REQUEST_ONLY, token, messages.requestOnly(opcode.mnemonic))
+            sink.warn(AssemblyError.REQUEST_ONLY, token, messages.requestOnly(opcode.mnemonic))
         }
         val values = instruction.operands.flatMap {
             when (it) {
@@ -32,7 +32,7 @@ internal class FirmwareCheck(
         }
         val unknown = values.find { ValueSource.of(it.source) == null }
         if (unknown != null) {
-            sink.warn(AssemblyProblem.UNKNOWN_SOURCE, token, messages.unknownSource(unknown.source))
+            sink.warn(AssemblyError.UNKNOWN_SOURCE, token, messages.unknownSource(unknown.source))
         }
         return target != FirmwareTarget.RCX || firstFirmwareAccepts(instruction, values, token)
     }
@@ -49,13 +49,13 @@ internal class FirmwareCheck(
         val refused = FirstFirmware.refusedSource(instruction)
         if (refused != null) {
             val message = messages.restrictedSource(instruction.opcode.mnemonic, refused)
-            sink.warn(AssemblyProblem.RESTRICTED_SOURCE, token, message)
+            sink.warn(AssemblyError.RESTRICTED_SOURCE, token, message)
         }
         return true
     }
 
     private fun refuse(token: Token, message: String): Boolean {
-        sink.error(AssemblyProblem.NEWER_FIRMWARE, token, message)
+        sink.error(AssemblyError.NEWER_FIRMWARE, token, message)
         return false
     }
 }

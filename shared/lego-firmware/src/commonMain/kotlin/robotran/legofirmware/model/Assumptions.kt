@@ -38,6 +38,6 @@ internal object Assumptions {
     /** The seed that the firmware begins with; each start of a program adds the milliseconds of the brick's clock. */
     const val RANDOM_SEED = 1
 
-    /** Greatest number of remarks that a run keeps. */
-    const val REMARKS = 100
+    /** Greatest number of warnings that a run keeps. */
+    const val MAX_WARNINGS = 100
 }

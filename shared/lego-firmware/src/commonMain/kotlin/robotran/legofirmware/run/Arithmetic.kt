@@ -3,8 +3,8 @@ package robotran.legofirmware.run
 import robotran.legofirmware.instructions.Instruction
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.model.absolute
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 
 /** Commands that calculate: 16 bits with a sign, which wrap round. */
 internal class Arithmetic(private val core: Core) {
@@ -40,7 +40,7 @@ internal class Arithmetic(private val core: Core) {
     /** Truncates towards 0. */
     private fun quotient(dividend: Int, divisor: Int): Int {
         if (divisor != 0) return dividend / divisor
-        core.remark(Remark.DivisionByZero)
+        core.warning(FirmwareWarning.DivisionByZero)
         return dividend
     }
 

@@ -7,17 +7,17 @@ import robotran.legofirmware.device.RomCalls
 import robotran.legofirmware.event.Events
 import robotran.legofirmware.image.CodeLine
 import robotran.legofirmware.image.FirmwareTarget
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.legofirmware.model.FirmwareModel
-import robotran.legofirmware.remark.Remark
-import robotran.legofirmware.remark.Remarks
 import robotran.legofirmware.task.AccessControl
 import robotran.legofirmware.task.Task
 import robotran.legofirmware.task.Tasks
+import robotran.legofirmware.warning.FirmwareWarning
+import robotran.legofirmware.warning.FirmwareWarnings
 import robotran.rcxrom.program.Rom
 
 /** All that the firmware knows; the parts of the machine share it. */
-internal class Core(rom: Rom, val messages: RunMessages) {
+internal class Core(rom: Rom, val messages: FirmwareRunMessages) {
     val calls = RomCalls(rom)
     val devices = Devices(calls)
     val variables = Variables()
@@ -29,7 +29,7 @@ internal class Core(rom: Rom, val messages: RunMessages) {
     /** The task that executes requests over infrared light. */
     val requests = Task(Task.REQUESTS)
 
-    private var remarkList = Remarks(messages)
+    private var collectedWarnings = FirmwareWarnings(messages)
     private var place: CodeLine? = null
 
     var model = FirmwareModel.of(FirmwareTarget.RCX2)
@@ -37,12 +37,12 @@ internal class Core(rom: Rom, val messages: RunMessages) {
 
     val now: Long get() = calls.rom.milliseconds
 
-    val remarks: List<RuntimeWarning> get() = remarkList.all
+    val warnings: List<RuntimeWarning> get() = collectedWarnings.all
 
     /** Forgets what belongs to the last program. */
     fun begin(target: FirmwareTarget) {
         model = FirmwareModel.of(target)
-        remarkList = Remarks(messages)
+        collectedWarnings = FirmwareWarnings(messages)
         events.clear()
     }
 
@@ -52,7 +52,7 @@ internal class Core(rom: Rom, val messages: RunMessages) {
         calls.at(line?.line ?: RomCalls.NO_LINE, line?.file)
     }
 
-    fun remark(remark: Remark) = remarkList.add(remark, place?.line ?: RomCalls.NO_LINE, place?.file)
+    fun warning(warning: FirmwareWarning) = collectedWarnings.add(warning, place?.line ?: RomCalls.NO_LINE, place?.file)
 
     /** The value of a variable; 0 if [task] has none with this number. */
     fun variable(number: Int, task: Task): Int = if (hasVariable(number)) variables.get(number, task) else 0
@@ -73,16 +73,16 @@ internal class Core(rom: Rom, val messages: RunMessages) {
         if (has(number, BrickProgram.MAX_PROGRAMS)) devices.slot = number
     }
 
-    /** Whether [number] is one of [count] things; if not, a remark says so. */
+    /** Whether [number] is one of [count] things; if not, a warning says so. */
     fun has(number: Int, count: Int): Boolean {
         if (number in 0 until count) return true
-        remark(Remark.NoPort(number))
+        warning(FirmwareWarning.NoPort(number))
         return false
     }
 
     private fun hasVariable(number: Int): Boolean {
         if (variables.exists(number, model.isSecond)) return true
-        remark(Remark.NoVariable(number))
+        warning(FirmwareWarning.NoVariable(number))
         return false
     }
 }

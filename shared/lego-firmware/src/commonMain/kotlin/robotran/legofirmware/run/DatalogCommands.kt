@@ -2,8 +2,8 @@ package robotran.legofirmware.run
 
 import robotran.legofirmware.instructions.Operand
 import robotran.legofirmware.instructions.ValueSource
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 
 /** Writes values to the datalog, with a type that says where they are from. */
 internal class DatalogCommands(private val core: Core) {
@@ -11,8 +11,8 @@ internal class DatalogCommands(private val core: Core) {
         val datalog = core.devices.datalog
         val number = core.values.read(value, task)
         when {
-            datalog.capacity == 0 -> core.remark(Remark.NoDatalog)
-            !datalog.add(typeOf(value), number) -> core.remark(Remark.DatalogFull(datalog.capacity))
+            datalog.capacity == 0 -> core.warning(FirmwareWarning.NoDatalog)
+            !datalog.add(typeOf(value), number) -> core.warning(FirmwareWarning.DatalogFull(datalog.capacity))
         }
     }
 

@@ -5,8 +5,8 @@ import robotran.legofirmware.device.Outputs
 import robotran.legofirmware.instructions.Instruction
 import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.Operand
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 import robotran.rcxrom.sensors.SensorCode
 
 /** Commands to motors, sensors, loudspeaker, display, clocks, and infrared light. */
@@ -73,7 +73,13 @@ internal class DeviceCommands(private val core: Core) {
 
     private inline fun power(instruction: Instruction, task: Task, set: (Int, Int) -> Unit) {
         val power = core.values.read(instruction.value(1), task)
-        if (power in 0..Outputs.FULL_POWER) set(instruction.number(0), power) else core.remark(Remark.WrongPower(power))
+        if (power in
+            0..Outputs.FULL_POWER
+        ) {
+            set(instruction.number(0), power)
+        } else {
+            core.warning(FirmwareWarning.WrongPower(power))
+        }
     }
 
     private fun toSensors(instruction: Instruction): Boolean {

@@ -3,7 +3,7 @@ package robotran.legofirmware.run
 import robotran.brick.program.RuntimeWarning
 import robotran.legofirmware.device.Clocks
 import robotran.legofirmware.image.CodeLine
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.legofirmware.task.Task
 import robotran.legofirmware.task.TaskState
 import robotran.rcxrom.program.Rom
@@ -12,7 +12,7 @@ import robotran.rcxrom.program.Rom
  * LEGO's firmware on a brick: what it keeps for all programs, and the virtual machine that runs one of them. Time passes
  * with the brick's clock; [tick] must be called in each millisecond, and [step] in those of a running program.
  */
-internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
+internal class FirmwareMachine(rom: Rom, messages: FirmwareRunMessages) {
     val core = Core(rom, messages)
     private val interpreter = Interpreter(core)
     private val display = Display(core)
@@ -31,7 +31,7 @@ internal class FirmwareMachine(rom: Rom, messages: RunMessages) {
     /** Whether the brick was used since the last [takeActivity]: it switches itself off after a time without that. */
     private var wasActive = false
 
-    val remarks: List<RuntimeWarning> get() = core.remarks
+    val warnings: List<RuntimeWarning> get() = core.warnings
 
     /** Makes the View button's step. */
     fun viewNext() {

@@ -1,10 +1,10 @@
 package robotran.legofirmware.run
 
 import robotran.brick.program.CallFrame
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.program.RuntimeWarning
-import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.ThreadView
@@ -37,7 +37,7 @@ internal class FirmwareRun(private val machine: FirmwareMachine, code: ProgramCo
 
     override val firmware: FirmwareState get() = machine.state
 
-    override val remarks: List<RuntimeWarning> get() = machine.remarks
+    override val warnings: List<RuntimeWarning> get() = machine.warnings
 
     override val sourceLine: Int get() = currentLine?.line ?: 0
 
@@ -80,7 +80,7 @@ internal class FirmwareRun(private val machine: FirmwareMachine, code: ProgramCo
         if (line == null || task.isRepeating) return false
         val isPassed = passed === task
         passed = task
-        val statement = Statement(line.line, if (task.returnTo == null) 0 else 1, task.number, line.file)
+        val statement = DebugStatement(line.line, if (task.returnTo == null) 0 else 1, task.number, line.file)
         if (!isPassed && watch?.pausesBefore(statement) == true) return true
         passed = null
         statementsBegun++

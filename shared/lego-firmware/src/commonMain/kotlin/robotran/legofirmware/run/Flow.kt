@@ -6,10 +6,10 @@ import robotran.legofirmware.instructions.Opcode
 import robotran.legofirmware.instructions.Operand
 import robotran.legofirmware.instructions.Relation
 import robotran.legofirmware.model.Assumptions
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.LoadedChunk
 import robotran.legofirmware.task.Location
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 
 /** Commands that decide what is executed next. */
 internal class Flow(private val core: Core) {
@@ -26,7 +26,12 @@ internal class Flow(private val core: Core) {
             Opcode.CALLS -> call(instruction.number(0), task)
             Opcode.RETS -> leave(task)
             Opcode.WAIT -> wait(core.values.read(instruction.value(0), task), task)
-            Opcode.START -> if (!tasks.start(instruction.number(0))) core.remark(Remark.NoTask(instruction.number(0)))
+            Opcode.START -> if (!tasks.start(
+                    instruction.number(0),
+                )
+            ) {
+                core.warning(FirmwareWarning.NoTask(instruction.number(0)))
+            }
             Opcode.STOP -> tasks.stop(instruction.number(0))
             Opcode.STOP_ALL -> tasks.stopAll()
             Opcode.PRGM -> core.selectSlot(instruction.number(0))
@@ -54,7 +59,7 @@ internal class Flow(private val core: Core) {
     private fun jump(instruction: Instruction, task: Task, chunk: LoadedChunk?) {
         if (chunk == null) return
         val target = instruction.jumpTarget()
-        if (target !in 0..chunk.code.size) core.remark(Remark.JumpOut)
+        if (target !in 0..chunk.code.size) core.warning(FirmwareWarning.JumpOut)
         task.location = Location(chunk, target)
     }
 
@@ -71,12 +76,12 @@ internal class Flow(private val core: Core) {
     }
 
     private fun beginLoop(count: Int, task: Task) {
-        if (!task.loops.push(count.coerceIn(0, Assumptions.LOOP_COUNT))) core.remark(Remark.TooManyLoops)
+        if (!task.loops.push(count.coerceIn(0, Assumptions.LOOP_COUNT))) core.warning(FirmwareWarning.TooManyLoops)
     }
 
     private fun countLoop(instruction: Instruction, task: Task, chunk: LoadedChunk?) {
         val goesOn = task.loops.countDown()
-        if (goesOn == null) core.remark(Remark.NoLoop)
+        if (goesOn == null) core.warning(FirmwareWarning.NoLoop)
         if (goesOn != true) jump(instruction, task, chunk)
     }
 
@@ -89,10 +94,14 @@ internal class Flow(private val core: Core) {
     private fun call(number: Int, task: Task) {
         val sub = tasks.sub(number)
         if (sub == null) {
-            core.remark(Remark.NoSub(number))
+            core.warning(FirmwareWarning.NoSub(number))
             return
         }
-        if (task.returnTo != null || task.location?.chunk?.id?.kind == ChunkKind.SUB) core.remark(Remark.NestedCall)
+        if (task.returnTo != null ||
+            task.location?.chunk?.id?.kind == ChunkKind.SUB
+        ) {
+            core.warning(FirmwareWarning.NestedCall)
+        }
         task.returnTo = task.location
         task.location = Location(sub, 0)
     }

@@ -3,10 +3,10 @@ package robotran.legofirmware.run
 import robotran.legofirmware.image.LineTable
 import robotran.legofirmware.instructions.Instruction
 import robotran.legofirmware.instructions.OpcodeUse
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.LoadedChunk
 import robotran.legofirmware.task.Location
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 
 /** Executes instructions of tasks. */
 internal class Interpreter(private val core: Core) {
@@ -28,12 +28,12 @@ internal class Interpreter(private val core: Core) {
         if (chunk.isEnd(location.address)) return flow.leave(task)
         val placed = chunk.instruction(location.address)
         if (placed == null) {
-            core.remark(Remark.InvalidOpcode(chunk.code[location.address], location.address))
+            core.warning(FirmwareWarning.InvalidOpcode(chunk.code[location.address], location.address))
             return task.stop()
         }
         val opcode = placed.instruction.opcode
         if (opcode.firmware > core.model.target) {
-            core.remark(Remark.NewerCommand(opcode.mnemonic))
+            core.warning(FirmwareWarning.NewerCommand(opcode.mnemonic))
             return task.stop()
         }
         task.location = Location(chunk, placed.end)
@@ -50,7 +50,7 @@ internal class Interpreter(private val core: Core) {
     /** Returns false if the instruction must be executed again. */
     private fun execute(instruction: Instruction, task: Task, chunk: LoadedChunk?): Boolean {
         if (instruction.opcode.use == OpcodeUse.REQUEST) {
-            core.remark(Remark.RequestOnly(instruction.opcode.mnemonic))
+            core.warning(FirmwareWarning.RequestOnly(instruction.opcode.mnemonic))
             return true
         }
         val isDone = arithmetic.execute(instruction, task) || flow.execute(instruction, task, chunk) ||

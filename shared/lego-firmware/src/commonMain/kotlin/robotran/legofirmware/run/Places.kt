@@ -4,8 +4,8 @@ import robotran.legofirmware.device.Clocks
 import robotran.legofirmware.event.Event
 import robotran.legofirmware.instructions.Operand
 import robotran.legofirmware.instructions.ValueSource
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 import robotran.rcxrom.sensors.SensorCode
 
 /** Writes what the command `set` of firmware 2.0 can write. */
@@ -15,7 +15,7 @@ internal class Places(private val core: Core) {
     fun write(place: Operand.Value, value: Int, task: Task) {
         val source = ValueSource.of(place.source)
         if (source == null || !source.isWritable) {
-            core.remark(Remark.NotWritable(place.source))
+            core.warning(FirmwareWarning.NotWritable(place.source))
             return
         }
         write(source, place.argument, value, task)
@@ -57,7 +57,7 @@ internal class Places(private val core: Core) {
 
     private fun event(number: Int, change: (Event) -> Unit) {
         val event = core.events[number]
-        if (event == null) core.remark(Remark.NoPort(number)) else change(event)
+        if (event == null) core.warning(FirmwareWarning.NoPort(number)) else change(event)
     }
 
     private companion object {

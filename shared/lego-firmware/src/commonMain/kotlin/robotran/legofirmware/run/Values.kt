@@ -10,8 +10,8 @@ import robotran.legofirmware.instructions.Operand
 import robotran.legofirmware.instructions.ValueSource
 import robotran.legofirmware.model.Assumptions
 import robotran.legofirmware.model.wrapped
-import robotran.legofirmware.remark.Remark
 import robotran.legofirmware.task.Task
+import robotran.legofirmware.warning.FirmwareWarning
 import robotran.rcxrom.sensors.SensorCode
 
 /** Reads values from all sources. */
@@ -24,7 +24,7 @@ internal class Values(private val core: Core) : EventReadings {
     fun read(sourceCode: Int, argument: Int, task: Task): Int {
         val source = ValueSource.of(sourceCode)?.takeIf { it.firmware <= core.model.target }
         if (source == null) {
-            core.remark(Remark.NoSource(sourceCode))
+            core.warning(FirmwareWarning.NoSource(sourceCode))
             return Assumptions.UNKNOWN_VALUE
         }
         return wrapped(read(source, argument, task))
@@ -72,7 +72,7 @@ internal class Values(private val core: Core) : EventReadings {
 
     private fun event(number: Int, read: (Event) -> Int): Int {
         val event = core.events[number]
-        if (event == null) core.remark(Remark.NoPort(number))
+        if (event == null) core.warning(FirmwareWarning.NoPort(number))
         return event?.let(read) ?: 0
     }
 

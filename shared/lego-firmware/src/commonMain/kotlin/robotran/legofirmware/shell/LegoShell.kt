@@ -6,7 +6,7 @@ import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramStatus
 import robotran.brick.program.RuntimeWarning
 import robotran.brick.state.RunState
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.legofirmware.run.FirmwareMachine
 import robotran.legofirmware.run.FirmwareRun
 import robotran.legofirmware.run.FirmwareState
@@ -28,7 +28,7 @@ internal class LegoShell(
     private val codeOf: (RcxProgram) -> ProgramCode?,
     firstSlot: Int,
     private val hardware: ShellHardware,
-    private val messages: RunMessages,
+    private val messages: FirmwareRunMessages,
 ) : RcxShell {
     private val machine = FirmwareMachine(hardware.rom, messages)
     private val devices = machine.core.devices
@@ -36,7 +36,7 @@ internal class LegoShell(
     private var run: FirmwareRun? = null
     private var pausedSteps = 0
     private var lastState: RunState = RunState.Idle
-    private var lastRemarks: List<RuntimeWarning> = emptyList()
+    private var lastWarnings: List<RuntimeWarning> = emptyList()
     private var emptySlot: Int? = null
 
     init {
@@ -53,7 +53,7 @@ internal class LegoShell(
     override val runState: RunState
         get() = run?.let { RunState.Running(it.sourceLine, it.sourceFile) } ?: lastState
 
-    override val remarks: List<RuntimeWarning> get() = run?.remarks ?: lastRemarks
+    override val warnings: List<RuntimeWarning> get() = run?.warnings ?: lastWarnings
 
     override val explanation: String?
         get() {
@@ -161,7 +161,7 @@ internal class LegoShell(
     }
 
     private fun endRun(stopped: Boolean) {
-        lastRemarks = remarks
+        lastWarnings = warnings
         lastState = RunState.Ended(stopped)
         run = null
         pausedSteps = 0

@@ -91,34 +91,34 @@ class AssembleTest {
 
     @Test
     fun `mistakes have a place and a sentence`() {
-        assertProblem("plas 1", AssemblyProblem.UNKNOWN_COMMAND, 2..6, "Did you mean \"plays\"?", "plays")
-        assertProblem("5", AssemblyProblem.MISSING_COMMAND, 2..3, "A line begins with a command")
-        assertProblem("setv 1, 2", AssemblyProblem.WRONG_NUMBER_COUNT, 2..6, "\"setv variable, source, argument\"")
-        assertProblem("setv 1 2, 3", AssemblyProblem.MISSING_COMMA, 9..10, "A comma is missing before \"2\".")
-        assertProblem("setv 1, x, 3", AssemblyProblem.NUMBER_NEEDED, 10..11, "\"x\" is no number.")
-        assertProblem("setv 1, , 3", AssemblyProblem.NUMBER_NEEDED, 10..10, "The source is missing.")
-        assertProblem("plays 256", AssemblyProblem.NUMBER_OUT_OF_RANGE, 8..11, "from 0 to 255")
-        assertProblem("out 8, 2", AssemblyProblem.NUMBER_OUT_OF_RANGE, 6..7, "The mask is 8")
-        assertProblem("wait 2, 70000", AssemblyProblem.NUMBER_OUT_OF_RANGE, 10..15, "from -32768 to 65535")
-        assertProblem("jmp 3", AssemblyProblem.LABEL_NEEDED, 6..7, "\"3\" is no label. The form is \"jmp label\".")
-        assertProblem("jmp ende", AssemblyProblem.UNKNOWN_LABEL, 6..10, "Did you mean \"end\"?", "end")
-        assertProblem("jmp other", AssemblyProblem.LABEL_ELSEWHERE, 6..11, "in another task")
-        assertProblem("end: ping", AssemblyProblem.LABEL_TWICE, 2..5, "already on line 2")
-        assertProblem("chk 2, 0, 0, 0, 0, end", AssemblyProblem.TOO_FAR, 2..5, "Use \"chkl\"", "chkl")
-        assertProblem("ping @", AssemblyProblem.UNKNOWN_CHARACTER, 7..8, "The character \"@\"")
-        assertProblem("ends", AssemblyProblem.WRONG_END, 2..6, "\"endt\" closes what is open", "endt", followed = "")
-        assertProblem(
+        assertError("plas 1", AssemblyError.UNKNOWN_COMMAND, 2..6, "Did you mean \"plays\"?", "plays")
+        assertError("5", AssemblyError.MISSING_COMMAND, 2..3, "A line begins with a command")
+        assertError("setv 1, 2", AssemblyError.WRONG_NUMBER_COUNT, 2..6, "\"setv variable, source, argument\"")
+        assertError("setv 1 2, 3", AssemblyError.MISSING_COMMA, 9..10, "A comma is missing before \"2\".")
+        assertError("setv 1, x, 3", AssemblyError.NUMBER_NEEDED, 10..11, "\"x\" is no number.")
+        assertError("setv 1, , 3", AssemblyError.NUMBER_NEEDED, 10..10, "The source is missing.")
+        assertError("plays 256", AssemblyError.NUMBER_OUT_OF_RANGE, 8..11, "from 0 to 255")
+        assertError("out 8, 2", AssemblyError.NUMBER_OUT_OF_RANGE, 6..7, "The mask is 8")
+        assertError("wait 2, 70000", AssemblyError.NUMBER_OUT_OF_RANGE, 10..15, "from -32768 to 65535")
+        assertError("jmp 3", AssemblyError.LABEL_NEEDED, 6..7, "\"3\" is no label. The form is \"jmp label\".")
+        assertError("jmp ende", AssemblyError.UNKNOWN_LABEL, 6..10, "Did you mean \"end\"?", "end")
+        assertError("jmp other", AssemblyError.LABEL_ELSEWHERE, 6..11, "in another task")
+        assertError("end: ping", AssemblyError.LABEL_TWICE, 2..5, "already on line 2")
+        assertError("chk 2, 0, 0, 0, 0, end", AssemblyError.TOO_FAR, 2..5, "Use \"chkl\"", "chkl")
+        assertError("ping @", AssemblyError.UNKNOWN_CHARACTER, 7..8, "The character \"@\"")
+        assertError("ends", AssemblyError.WRONG_END, 2..6, "\"endt\" closes what is open", "endt", followed = "")
+        assertError(
             "endt\nping",
-            AssemblyProblem.OUTSIDE_CHUNK,
+            AssemblyError.OUTSIDE_CHUNK,
             1..5,
             "\"ping\" is outside a task",
             at = 4,
             followed = "",
         )
-        assertProblem("endt\ntask 0", AssemblyProblem.CHUNK_TWICE, 1..5, "already a \"task 0\"", at = 4)
-        assertProblem("endt\ntask 10", AssemblyProblem.NUMBER_OUT_OF_RANGE, 6..8, "from 0 to 9", at = 4)
-        assertProblem("endt\ntask", AssemblyProblem.WRONG_NUMBER_COUNT, 1..5, "\"task number\"", at = 4)
-        assertProblem("", AssemblyProblem.NOT_CLOSED, 1..5, "This \"task\" has no \"endt\".", at = 1, followed = "")
+        assertError("endt\ntask 0", AssemblyError.CHUNK_TWICE, 1..5, "already a \"task 0\"", at = 4)
+        assertError("endt\ntask 10", AssemblyError.NUMBER_OUT_OF_RANGE, 6..8, "from 0 to 9", at = 4)
+        assertError("endt\ntask", AssemblyError.WRONG_NUMBER_COUNT, 1..5, "\"task number\"", at = 4)
+        assertError("", AssemblyError.NOT_CLOSED, 1..5, "This \"task\" has no \"endt\".", at = 1, followed = "")
     }
 
     @Test
@@ -127,26 +127,26 @@ class AssembleTest {
         assertNewer("setv 0, 34, 0", "Only firmware 2.0 knows source 34")
         assertNewer("setv 32, 2, 0", "no variable 32")
         assertNewer("setv 0, 0, 40", "no variable 40")
-        assertEquals(listOf(AssemblyProblem.RESTRICTED_SOURCE), warnings("wait 9, 0", FirmwareTarget.RCX))
+        assertEquals(listOf(AssemblyError.RESTRICTED_SOURCE), warnings("wait 9, 0", FirmwareTarget.RCX))
         assertEquals(emptyList(), warnings("wait 9, 0", FirmwareTarget.RCX2))
-        assertEquals(listOf(AssemblyProblem.UNKNOWN_SOURCE), warnings("setv 0, 16, 0", FirmwareTarget.RCX2))
-        assertEquals(listOf(AssemblyProblem.REQUEST_ONLY), warnings("poll 9, 0", FirmwareTarget.RCX2))
+        assertEquals(listOf(AssemblyError.UNKNOWN_SOURCE), warnings("setv 0, 16, 0", FirmwareTarget.RCX2))
+        assertEquals(listOf(AssemblyError.REQUEST_ONLY), warnings("poll 9, 0", FirmwareTarget.RCX2))
     }
 
     @Test
     fun `warnings and limits`() {
         val empty = assertIs<AssemblyResult.Success>(assemble("; nothing\n", Language.ENGLISH))
-        assertEquals(listOf(AssemblyProblem.NO_MAIN_TASK), empty.warnings.map { it.code })
+        assertEquals(listOf(AssemblyError.NO_MAIN_TASK), empty.warnings.map { it.code })
         val full =
             assertIs<AssemblyResult.Success>(assemble("task 0\n${"byte 0\n".repeat(6145)}endt", Language.ENGLISH))
-        assertEquals(listOf(AssemblyProblem.LARGE_PROGRAM), full.warnings.map { it.code })
+        assertEquals(listOf(AssemblyError.LARGE_PROGRAM), full.warnings.map { it.code })
         val long = assertIs<AssemblyResult.Failure>(assemble(" ".repeat(1_000_001), Language.ENGLISH))
-        assertEquals(AssemblyProblem.SOURCE_TOO_LONG, long.diagnostics.single().code)
+        assertEquals(AssemblyError.SOURCE_TOO_LONG, long.diagnostics.single().code)
         val many = assertIs<AssemblyResult.Failure>(assemble("x\n".repeat(5000), Language.ENGLISH))
         assertEquals(AssemblyLimits.DIAGNOSTICS, many.diagnostics.size)
         val code = "byte 0, 1, 2, 3\n".repeat(16_384)
         val large = assertIs<AssemblyResult.Failure>(assemble("task 0\n${code}endt", Language.ENGLISH))
-        assertEquals(AssemblyProblem.CODE_TOO_LONG, large.diagnostics.first().code)
+        assertEquals(AssemblyError.CODE_TOO_LONG, large.diagnostics.first().code)
     }
 
     @Test
@@ -165,9 +165,9 @@ class AssembleTest {
         )
     }
 
-    private fun assertProblem(
+    private fun assertError(
         line: String,
-        code: AssemblyProblem,
+        code: AssemblyError,
         columns: IntRange,
         sentence: String,
         replacement: String? = null,
@@ -191,7 +191,7 @@ class AssembleTest {
         val found = assertIs<AssemblyResult.Failure>(
             assemble(source, target = FirmwareTarget.RCX, language = Language.ENGLISH),
         ).diagnostics.single()
-        assertEquals(AssemblyProblem.NEWER_FIRMWARE, found.code)
+        assertEquals(AssemblyError.NEWER_FIRMWARE, found.code)
         assertTrue(sentence in found.message, found.message)
     }
 

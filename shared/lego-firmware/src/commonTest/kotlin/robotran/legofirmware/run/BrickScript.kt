@@ -40,12 +40,12 @@ internal class BrickScript(private val name: String, private val source: String)
             val words = line.substringAfter(": ").split(' ')
             if ('=' in line) check(words, line) else act(words, line)
         }
-        val remarks = brick.remarks.map { "${it.sourceLine}: ${it.message}" }
+        val warnings = brick.warnings.map { "${it.sourceLine}: ${it.message}" }
         val expected = source.lines().filter { it.startsWith("; remark ") }.map { it.removePrefix("; remark ") }
-        assertEquals(expected.size, remarks.size, "$name: $remarks")
+        assertEquals(expected.size, warnings.size, "$name: $warnings")
         for (part in expected) {
             val (place, text) = part.split(": ", limit = 2)
-            assertTrue(remarks.any { it.startsWith("$place: ") && text in it }, "$name: $part in $remarks")
+            assertTrue(warnings.any { it.startsWith("$place: ") && text in it }, "$name: $part in $warnings")
         }
     }
 

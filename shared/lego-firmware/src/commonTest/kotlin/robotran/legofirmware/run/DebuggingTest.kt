@@ -2,8 +2,8 @@ package robotran.legofirmware.run
 
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.CallFrame
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.DebuggableRun
-import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.VariableScope
@@ -30,17 +30,17 @@ class DebuggingTest {
     @Test
     fun `a watch pauses before each instruction of an assembly text, and the brick's clock stands still`() {
         val brick = started(programOf("task 0\n setv 0, 2, 1\n calls 0\nendt\nsub 0\n setv 1, 2, 2\nends"))
-        val seen = mutableListOf<Statement>()
+        val seen = mutableListOf<DebugStatement>()
         run(brick).watch = StatementWatch { seen.add(it) }
         brick.tick()
         assertTrue(brick.isPaused)
         val now = brick.state.milliseconds
-        assertEquals(listOf(Statement(2, 0)), seen)
+        assertEquals(listOf(DebugStatement(2, 0)), seen)
         assertTrue(run(brick).isBeforeStatement)
         brick.tick()
         assertEquals(now, brick.state.milliseconds)
         repeat(20) { brick.tick() }
-        assertEquals(listOf(Statement(2, 0), Statement(3, 0), Statement(6, 1)), seen)
+        assertEquals(listOf(DebugStatement(2, 0), DebugStatement(3, 0), DebugStatement(6, 1)), seen)
         assertEquals(null, brick.debuggableRun)
     }
 

@@ -8,7 +8,7 @@ import robotran.nqc.tree.Statement
 
 /** Generates the bytes of `asm`. */
 internal class AssemblyEmitter(private val emitter: Emitter, private val values: ValueEmitter) {
-    fun emit(statement: Statement.Assembly, frame: Frame) {
+    fun emit(statement: Statement.Assembly, frame: FrameLayout) {
         val instantiation = Instantiation(emitter, frame)
         val places = statement.fields.map { field ->
             val value = instantiation.of(field.value)

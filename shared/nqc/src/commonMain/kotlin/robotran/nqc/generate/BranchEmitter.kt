@@ -10,7 +10,7 @@ internal class BranchEmitter(private val emitter: Emitter, private val statement
     private val buffer = emitter.buffer
     private val sink = emitter.sink
 
-    fun branch(statement: Statement.If, frame: Frame) {
+    fun branch(statement: Statement.If, frame: FrameLayout) {
         val condition = statements.value(statement.condition, frame)
         val constant = condition.constant
         if (constant != null) {
@@ -33,7 +33,7 @@ internal class BranchEmitter(private val emitter: Emitter, private val statement
     }
 
     /** Tests all cases in their order, then come the bodies. */
-    fun switch(statement: Statement.Switch, frame: Frame) {
+    fun switch(statement: Statement.Switch, frame: FrameLayout) {
         val selector = statements.values.constrained(statements.value(statement.selector, frame)) { it == VARIABLE }
         val labels = HashMap<Statement.Case, Label>()
         val end = buffer.label()
@@ -69,7 +69,7 @@ internal class BranchEmitter(private val emitter: Emitter, private val statement
         else -> body.parts.flatMap { casesIn(it) }
     }
 
-    fun case(statement: Statement.Case, frame: Frame) {
+    fun case(statement: Statement.Case, frame: FrameLayout) {
         val label = frame.switches.lastOrNull()?.get(statement)
         if (label == null) {
             emitter.report(NqcDiagnosticCode.CASE_OUTSIDE_SWITCH, statement.range, sink.messages.caseOutsideSwitch())

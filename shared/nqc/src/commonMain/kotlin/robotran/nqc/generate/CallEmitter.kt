@@ -22,7 +22,7 @@ internal class CallEmitter(
 ) {
     private val sink = emitter.sink
 
-    fun call(statement: Statement.Call, frame: Frame) {
+    fun call(statement: Statement.Call, frame: FrameLayout) {
         val sub = units.subs[statement.name]
         if (sub != null) return callSub(sub, statement)
         // A name of neither kind is a mistake that the check of calls has reported.
@@ -39,7 +39,7 @@ internal class CallEmitter(
         emitter.add(Opcode.CALLS, sub.number)
     }
 
-    private fun expand(function: FunctionUnit, statement: Statement.Call, frame: Frame) {
+    private fun expand(function: FunctionUnit, statement: Statement.Call, frame: FrameLayout) {
         val depth = frame.depth + 1
         if (depth > NqcLimits.CALL_DEPTH) {
             val message = sink.messages.nestedTooDeeply(NqcLimits.CALL_DEPTH)
@@ -62,7 +62,7 @@ internal class CallEmitter(
     }
 
     /** Gives [parameter] its [argument]; false if that is of a wrong kind. */
-    private fun bind(parameter: Variable, argument: Expression, frame: Frame, call: SourceRange): Boolean {
+    private fun bind(parameter: Variable, argument: Expression, frame: FrameLayout, call: SourceRange): Boolean {
         val messages = sink.messages
         val kind = checkNotNull(parameter.parameter)
         val isRight = when (kind) {

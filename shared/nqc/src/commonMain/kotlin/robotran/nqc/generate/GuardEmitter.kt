@@ -15,7 +15,7 @@ internal class GuardEmitter(private val emitter: Emitter, private val statements
     private val buffer = emitter.buffer
     private val sink = emitter.sink
 
-    fun monitor(statement: Statement.Monitor, frame: Frame) {
+    fun monitor(statement: Statement.Monitor, frame: FrameLayout) {
         if (emitter.target == FirmwareTarget.RCX) {
             val message = sink.messages.monitorUnsupported()
             return emitter.report(NqcDiagnosticCode.MONITOR_UNSUPPORTED, statement.range, message)
@@ -54,7 +54,7 @@ internal class GuardEmitter(private val emitter: Emitter, private val statements
         emitter.test(Emitter.constant(0), Relation.EQUAL, Emitter.variable(variable), next)
     }
 
-    fun acquire(statement: Statement.Acquire, frame: Frame) {
+    fun acquire(statement: Statement.Acquire, frame: FrameLayout) {
         if (emitter.target == FirmwareTarget.RCX) {
             val message = sink.messages.acquireUnsupported()
             return emitter.report(NqcDiagnosticCode.ACQUIRE_UNSUPPORTED, statement.range, message)

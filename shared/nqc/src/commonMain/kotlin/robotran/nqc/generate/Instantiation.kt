@@ -23,7 +23,7 @@ import robotran.nqc.tree.Variable
 import robotran.nqc.tree.isDivision
 
 /** Replaces variables and parameters of a frame by their places and arguments. */
-internal class Instantiation(private val emitter: Emitter, private val frame: Frame) {
+internal class Instantiation(private val emitter: Emitter, private val frame: FrameLayout) {
     private val sink = emitter.sink
 
     fun of(expression: Expression): Expression {

@@ -15,7 +15,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
     /** Whether the loop counter of firmware 1.0 is in use: NQC uses only one. */
     private var usesCounter = false
 
-    fun whileLoop(statement: Statement.While, frame: Frame) = loop { again, out ->
+    fun whileLoop(statement: Statement.While, frame: FrameLayout) = loop { again, out ->
         val condition = statements.value(statement.condition, frame)
         val constant = condition.constant
         if (constant != null && constant != 0) {
@@ -28,7 +28,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         buffer.place(out)
     }
 
-    private fun testAtEnd(statement: Statement.While, condition: Expression, again: Label, frame: Frame) {
+    private fun testAtEnd(statement: Statement.While, condition: Expression, again: Label, frame: FrameLayout) {
         val count = buffer.count
         emitter.jump(again)
         val start = buffer.label()
@@ -42,7 +42,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         statements.values.branch(condition, start, isWanted = true)
     }
 
-    fun doWhile(statement: Statement.DoWhile, frame: Frame) = loop { again, out ->
+    fun doWhile(statement: Statement.DoWhile, frame: FrameLayout) = loop { again, out ->
         val start = buffer.label()
         statements.emit(statement.body, frame)
         buffer.place(again)
@@ -51,7 +51,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         buffer.place(out)
     }
 
-    fun forLoop(statement: Statement.For, frame: Frame) {
+    fun forLoop(statement: Statement.For, frame: FrameLayout) {
         statement.first?.let { statements.emit(it, frame) }
         loop { again, out ->
             val start = buffer.label()
@@ -65,7 +65,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         }
     }
 
-    fun repeat(statement: Statement.Repeat, frame: Frame) {
+    fun repeat(statement: Statement.Repeat, frame: FrameLayout) {
         val count = statements.value(statement.count, frame)
         when {
             emitter.target == FirmwareTarget.RCX2 -> withDecrement(count, statement, frame)
@@ -74,7 +74,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         }
     }
 
-    private fun withCounter(count: Expression, statement: Statement.Repeat, frame: Frame) = loop { again, out ->
+    private fun withCounter(count: Expression, statement: Statement.Repeat, frame: FrameLayout) = loop { again, out ->
         usesCounter = true
         val place = statements.values.any(count)
         emitter.add(Opcode.LOOPS, place.type, Emitter.low(place.data))
@@ -86,7 +86,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         usesCounter = false
     }
 
-    private fun withVariable(count: Expression, statement: Statement.Repeat, frame: Frame) = loop { again, out ->
+    private fun withVariable(count: Expression, statement: Statement.Repeat, frame: FrameLayout) = loop { again, out ->
         counted(count) { variable ->
             buffer.place(again)
             emitter.test(Emitter.constant(0), Relation.AT_LEAST, Emitter.variable(variable), out)
@@ -97,7 +97,7 @@ internal class LoopEmitter(private val emitter: Emitter, private val statements:
         buffer.place(out)
     }
 
-    private fun withDecrement(count: Expression, statement: Statement.Repeat, frame: Frame) = loop { again, out ->
+    private fun withDecrement(count: Expression, statement: Statement.Repeat, frame: FrameLayout) = loop { again, out ->
         counted(count) { variable ->
             buffer.place(again)
             emitter.jump(Opcode.DECVJNL, out, variable)

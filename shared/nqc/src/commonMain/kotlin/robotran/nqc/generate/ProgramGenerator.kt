@@ -121,7 +121,7 @@ internal class ProgramGenerator(
         var code = Code(ByteArray(0), emptyList())
         try {
             val body = Statement.Block(bodies, isScope = false, bodies.last().range)
-            val frame = Frame(globals, null, task, 0, statements.labelsOf(body), units.jumpsOf(body).targets)
+            val frame = FrameLayout(globals, null, task, 0, statements.labelsOf(body), units.jumpsOf(body).targets)
             statements.flow.withinFunction { statements.emit(body, frame) }
             code = emitter.buffer.layout()
         } catch (_: GenerationStop) {

@@ -34,7 +34,7 @@ internal class StatementEmitter(
     /** The variables to release at the end of each open block. */
     private val scopes = mutableListOf<MutableList<Int>>(mutableListOf())
 
-    fun emit(statement: Statement, frame: Frame) {
+    fun emit(statement: Statement, frame: FrameLayout) {
         emitter.work(1)
         if (statement !is Statement.Block) mark(statement, frame)
         when (statement) {
@@ -62,14 +62,14 @@ internal class StatementEmitter(
     }
 
     /** Says that what follows comes from [statement]. */
-    fun mark(statement: Statement, frame: Frame) {
+    fun mark(statement: Statement, frame: FrameLayout) {
         emitter.position = frame.call ?: statement.range
         if (emitter.position.line > 0) buffer.mark(emitter.position)
     }
 
-    fun value(expression: Expression, frame: Frame): Expression = Instantiation(emitter, frame).of(expression)
+    fun value(expression: Expression, frame: FrameLayout): Expression = Instantiation(emitter, frame).of(expression)
 
-    private fun block(statement: Statement.Block, frame: Frame) {
+    private fun block(statement: Statement.Block, frame: FrameLayout) {
         if (statement.isScope) {
             inScope { statement.statements.forEach { emit(it, frame) } }
         } else {
@@ -86,7 +86,7 @@ internal class StatementEmitter(
         scopes.removeAt(scopes.lastIndex)
     }
 
-    private fun declaration(statement: Statement.Declaration, frame: Frame) {
+    private fun declaration(statement: Statement.Declaration, frame: FrameLayout) {
         val variable = statement.variable
         if (!variable.isGlobal) {
             val place = allocate(variable.size, statement.range)
@@ -113,7 +113,7 @@ internal class StatementEmitter(
     /** Gives the variable or parameter [variable] its name in the image. */
     fun name(variable: Variable, index: Int) = names.add(variable, index)
 
-    private fun assignment(statement: Statement.Assignment, frame: Frame) =
+    private fun assignment(statement: Statement.Assignment, frame: FrameLayout) =
         assign(value(statement.target, frame), value(statement.value, frame))
 
     fun assign(target: Expression, value: Expression) {
@@ -135,7 +135,7 @@ internal class StatementEmitter(
     private fun isWritable(place: Place) =
         emitter.target == FirmwareTarget.RCX2 && ValueSource.of(place.type)?.isWritable == true
 
-    private fun update(statement: Statement.Update, frame: Frame) {
+    private fun update(statement: Statement.Update, frame: FrameLayout) {
         val target = value(statement.target, frame)
         if (target !is Cell) {
             emitter.report(NqcDiagnosticCode.NOT_ASSIGNABLE, target.range, sink.messages.notAssignable())
@@ -146,12 +146,12 @@ internal class StatementEmitter(
         emitter.release(place)
     }
 
-    private fun label(statement: Statement.Label, frame: Frame) {
+    private fun label(statement: Statement.Label, frame: FrameLayout) {
         frame.labels[statement.name]?.let { buffer.place(it) }
         emit(statement.body, frame)
     }
 
-    private fun goto(statement: Statement.Goto, frame: Frame) {
+    private fun goto(statement: Statement.Goto, frame: FrameLayout) {
         val label = frame.labels[statement.label]
         if (label == null) {
             val message = sink.messages.undefinedLabel(statement.label)

@@ -70,7 +70,7 @@ internal class NxtShell(
             return ending.shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
         }
 
-    val remarks: List<RuntimeWarning> get() = run?.remarks ?: previousWarnings
+    val warnings: List<RuntimeWarning> get() = run?.warnings ?: previousWarnings
     val explanation: String? get() = ending.explanation
     val debuggableRun: DebuggableRun? get() = run as? DebuggableRun
     val isPaused: Boolean get() = pausedSteps > 0
@@ -230,7 +230,7 @@ internal class NxtShell(
     }
 
     private fun leaveRun() {
-        previousWarnings = remarks
+        previousWarnings = warnings
         run = null
         pausedSteps = 0
         exceptionScreen = null

@@ -4,7 +4,7 @@ import robotran.javacompiler.messages.JavaMessages
 import robotran.json.messages.JsonMessages
 import robotran.language.Language
 import robotran.legofirmware.messages.AssemblyMessages
-import robotran.legofirmware.messages.RunMessages
+import robotran.legofirmware.messages.FirmwareRunMessages
 import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
 import robotran.nxt.messages.NxtMessages
@@ -117,7 +117,7 @@ class MessageTablesTest {
             ListingMessages::class.java to ListingMessages::of,
             RcxImageMessages::class.java to RcxImageMessages::of,
             AssemblyMessages::class.java to AssemblyMessages::of,
-            RunMessages::class.java to RunMessages::of,
+            FirmwareRunMessages::class.java to FirmwareRunMessages::of,
             ProgramMessages::class.java to ProgramMessages::of,
             SimulationMessages::class.java to SimulationMessages::of,
             JsonMessages::class.java to JsonMessages::of,

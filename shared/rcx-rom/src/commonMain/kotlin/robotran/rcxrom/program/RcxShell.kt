@@ -19,7 +19,7 @@ interface RcxShell {
     val runState: RunState
 
     /** The warnings of the run, or of the last one if none runs. */
-    val remarks: List<RuntimeWarning>
+    val warnings: List<RuntimeWarning>
 
     /** See [robotran.brick.state.BrickState.explanation]. */
     val explanation: String?

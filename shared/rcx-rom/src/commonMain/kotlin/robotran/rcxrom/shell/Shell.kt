@@ -53,7 +53,7 @@ internal class Shell(
             return ending.shownFailure?.let { RunState.Failed(it) } ?: RunState.Running(run.sourceLine, run.sourceFile)
         }
 
-    override val remarks: List<RuntimeWarning> get() = run?.remarks ?: previousWarnings
+    override val warnings: List<RuntimeWarning> get() = run?.warnings ?: previousWarnings
 
     /** See [ProgramExit.explanation]. */
     override val explanation: String? get() = ending.explanation
@@ -234,7 +234,7 @@ internal class Shell(
 
     private fun leaveProgram() {
         if (hardware.serial.line.isActive) firmware.initializeSerial()
-        previousWarnings = remarks
+        previousWarnings = warnings
         run = null
         ending.leaveFailure()
         pausedSteps = 0

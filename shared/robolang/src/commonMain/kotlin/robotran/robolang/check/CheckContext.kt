@@ -38,18 +38,18 @@ internal class CheckContext(val parsed: ParsedProgram, val diagnostics: Diagnost
     var suggestions = 0
 
     /** Lines with syntax errors. */
-    val mistakenLines: Set<Int> = diagnostics.lines.toSet()
+    val errorLines: Set<Int> = diagnostics.lines.toSet()
 
     /** Words that may be declared on a line with a syntax error; their uses are not reported. */
-    private val excused: Set<String> = mistakenLines.flatMapTo(mutableSetOf()) { line ->
+    private val excused: Set<String> = errorLines.flatMapTo(mutableSetOf()) { line ->
         val tokens = parsed.lines[line - 1].tokens
         tokens.filter { it.kind == TokenKind.WORD }.map { lowercaseKeyword(it.text) } + declaredNames(tokens)
     }
 
     /** All names of the program if its block structure is uncertain. */
-    private val doubtful: Set<String> = if (parsed.isDoubtful) declaredSomewhere() else emptySet()
+    private val uncertain: Set<String> = if (parsed.isUncertain) declaredSomewhere() else emptySet()
 
-    fun isExcused(name: Name): Boolean = name.key in excused || name.key in doubtful
+    fun isExcused(name: Name): Boolean = name.key in excused || name.key in uncertain
 
     private fun declaredSomewhere(): Set<String> = parsed.lines.flatMapTo(mutableSetOf()) { line ->
         val first = line.tokens.firstOrNull()

@@ -31,7 +31,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     }
 
     private fun isDamaged(routine: Routine): Boolean =
-        context.parsed.isDoubtful || context.mistakenLines.any { it in routine.range.line..routine.endRange.line }
+        context.parsed.isUncertain || context.errorLines.any { it in routine.range.line..routine.endRange.line }
 
     private fun reportMissingReturn(routine: Routine) {
         val message = messages.missingReturn(shortened(routine.name.text))
@@ -83,7 +83,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     private fun leaveRound(statement: Statement): Boolean {
         if (left.isEmpty()) {
             val word = context.textOf(statement.range)
-            if (!context.parsed.isDoubtful) {
+            if (!context.parsed.isUncertain) {
                 context.report(
                     DiagnosticCode.OUTSIDE_LOOP,
                     statement.range,
@@ -100,7 +100,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
         val routine = routine
         val value = statement.value
         if (routine == null) {
-            if (!context.parsed.isDoubtful) {
+            if (!context.parsed.isUncertain) {
                 context.report(
                     DiagnosticCode.OUTSIDE_ROUTINE,
                     statement.range,
@@ -124,7 +124,7 @@ internal class ControlFlowChecker(private val context: CheckContext) {
     }
 
     private fun report(range: SourceRange, code: DiagnosticCode, message: String) {
-        if (!context.parsed.isDoubtful) context.report(code, range, message)
+        if (!context.parsed.isUncertain) context.report(code, range, message)
     }
 }
 

@@ -15,7 +15,7 @@ internal class DeclarationOrder(private val context: CheckContext, private val g
     private val toldOfBehaviours = mutableSetOf<UnresolvedSymbol>()
 
     fun check() {
-        if (context.parsed.isDoubtful) return
+        if (context.parsed.isUncertain) return
         for (statement in context.tree.statements) {
             for (call in Uses().apply { add(statement) }.calls) {
                 val routine = context.routineOf(call) ?: continue

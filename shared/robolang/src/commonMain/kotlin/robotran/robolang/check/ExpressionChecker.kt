@@ -101,7 +101,7 @@ internal class ExpressionChecker(private val context: CheckContext) {
         val builtIn = BuiltIn.of(name.key)
         if (builtIn != null) return builtIn(builtIn, name, arguments)
         val routine = context.routineOf(name) ?: return
-        if (routine.range.line in context.mistakenLines) return
+        if (routine.range.line in context.errorLines) return
         if (!isCount(name, routine.parameters.size, arguments.size)) return
         routine.parameters.zip(arguments).forEach { (parameter, argument) ->
             context.draftsByName[parameter.range]?.let { needType(it.type.type, argument) }

@@ -21,23 +21,23 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
     var declaredNames: Set<String> = emptySet()
 
     private val diagnostics = mutableListOf<Diagnostic>()
-    private val mistakenLines = mutableSetOf<Int>()
-    private val doubtfulLines = mutableSetOf<Int>()
+    private val errorLines = mutableSetOf<Int>()
+    private val warnedLines = mutableSetOf<Int>()
 
     /** Keywords, in lower case, that the program declares as names, each with the lines of these declarations. */
     val takenWords = mutableMapOf<String, MutableSet<Int>>()
 
-    val isEmpty: Boolean get() = mistakenLines.isEmpty()
+    val isEmpty: Boolean get() = errorLines.isEmpty()
 
     /** The lines with an error so far. */
-    val lines: Set<Int> get() = mistakenLines
+    val lines: Set<Int> get() = errorLines
 
     fun report(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
-        if (mistakenLines.add(range.line)) add(Severity.ERROR, code, range, text, message, fix)
+        if (errorLines.add(range.line)) add(Severity.ERROR, code, range, text, message, fix)
     }
 
     fun warn(code: DiagnosticCode, range: SourceRange, text: String, message: String, fix: SourceFix? = null) {
-        if (doubtfulLines.add(range.line)) add(Severity.WARNING, code, range, text, message, fix)
+        if (warnedLines.add(range.line)) add(Severity.WARNING, code, range, text, message, fix)
     }
 
     private fun add(
@@ -57,7 +57,7 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
     }
 
     /** The errors; the warnings if there are no errors. */
-    fun mistakesInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.ERROR)
+    fun errorsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.ERROR)
 
     fun warningsInSourceOrder(): List<Diagnostic> = inSourceOrder(Severity.WARNING)
 

@@ -28,7 +28,7 @@ fun formatRobolang(source: String, messages: RobolangMessages): FormatResult {
             "",
             messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS),
         )
-        return FormatResult.Failure(diagnostics.mistakesInSourceOrder())
+        return FormatResult.Failure(diagnostics.errorsInSourceOrder())
     }
     val lines = scan(source, diagnostics)
     diagnostics.brick = brickIn(lines) ?: BrickKind.default
@@ -36,6 +36,6 @@ fun formatRobolang(source: String, messages: RobolangMessages): FormatResult {
     return if (diagnostics.isEmpty) {
         FormatResult.Success(layout(parsed))
     } else {
-        FormatResult.Failure(diagnostics.mistakesInSourceOrder())
+        FormatResult.Failure(diagnostics.errorsInSourceOrder())
     }
 }

@@ -16,9 +16,9 @@ import robotran.robolang.syntax.TurnDirection
 internal class NqcCommands(
     private val expressions: NqcExpressions,
     private val helpers: UsedNqcHelpers,
-    private val remarks: Remarks,
+    private val notes: TranslationNotes,
 ) {
-    private val messages = remarks.messages
+    private val messages = notes.messages
 
     fun linesOf(command: Command): List<String> = when (command) {
         is Command.Move -> listOf(move(command))
@@ -49,7 +49,7 @@ internal class NqcCommands(
         is Command.ShowText -> lost(command, messages.text())
 
         is Command.ClearScreen -> {
-            remarks.changed(command.range, messages.clearScreen())
+            notes.changed(command.range, messages.clearScreen())
             listOf("SelectDisplay(DISPLAY_WATCH);")
         }
 
@@ -57,7 +57,7 @@ internal class NqcCommands(
     }
 
     private fun lost(command: Command, message: String): List<String> {
-        remarks.lost(command.range, message)
+        notes.lost(command.range, message)
         return emptyList()
     }
 
@@ -126,7 +126,7 @@ internal class NqcCommands(
         } else {
             helpers.robot.millisecondsPerDegree
         }
-        if (magnitude(number) * figure > LONGEST_WAIT) remarks.lost(number.range, messages.tooLong())
+        if (magnitude(number) * figure > LONGEST_WAIT) notes.lost(number.range, messages.tooLong())
         val name = helpers.use(unit)
         return when (val value = number.value) {
             is NumberValue.Whole -> "$name(${if (value.value < 0) -value.value else value.value})"
@@ -143,7 +143,7 @@ internal class NqcCommands(
         if (unit == TimeUnit.SECONDS) return expressions.times(bare, NqcExpressions.HUNDREDTHS)
         if (bare !is Expression.Number) return "${expressions.text(bare, TIGHT)} / 10"
         val hundredths = (magnitude(bare) / TENTHS + HALF).toInt()
-        if (hundredths > LONGEST_WAIT / TENTHS) remarks.lost(bare.range, messages.tooLong())
+        if (hundredths > LONGEST_WAIT / TENTHS) notes.lost(bare.range, messages.tooLong())
         return "$hundredths"
     }
 

@@ -12,16 +12,16 @@ import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.allStatements
 
-/** Writes expressions as NQC, with the brackets that it needs. What it cannot write becomes 0 and a remark. */
+/** Writes expressions as NQC, with the brackets that it needs. What it cannot write becomes 0 and a note. */
 internal class NqcExpressions(
     private val program: CheckedProgram,
     private val names: NqcNames,
     private val lightPort: Int,
     private val recursive: RecursiveRoutines,
     private val lists: KnownLists,
-    private val remarks: Remarks,
+    private val notes: TranslationNotes,
 ) {
-    private val messages = remarks.messages
+    private val messages = notes.messages
 
     /** The decimal constants; NQC has no names for such numbers. */
     private val decimals: Map<Symbol, Expression.Number> = allStatements(program.tree)
@@ -69,7 +69,7 @@ internal class NqcExpressions(
     fun isWrittenDown(symbol: Symbol): Boolean = symbol in decimals
 
     private fun lost(expression: Expression, message: String): Pair<String, Int> {
-        remarks.lost(expression.range, message)
+        notes.lost(expression.range, message)
         return "0" to TIGHTEST
     }
 
@@ -124,7 +124,7 @@ internal class NqcExpressions(
         val left = text(expression.left, strength)
         val (right, calls) = withCalls { text(expression.right, strength + 1) }
         val isLogical = expression.operator == BinaryOperator.AND || expression.operator == BinaryOperator.OR
-        if (isLogical && calls.isNotEmpty()) remarks.changed(expression.right.range, messages.alwaysCalled())
+        if (isLogical && calls.isNotEmpty()) notes.changed(expression.right.range, messages.alwaysCalled())
         before += calls
         return "$left $operator $right" to strength
     }
@@ -160,7 +160,7 @@ internal class NqcExpressions(
         val product = bare.value.decimal.toDouble() * factor
         val rounded = (if (product < 0) product - HALF else product + HALF).toInt()
         if (rounded !in NUMBERS) {
-            remarks.lost(bare.range, messages.numberTooLarge(rounded))
+            notes.lost(bare.range, messages.numberTooLarge(rounded))
             return "0"
         }
         return "$rounded"

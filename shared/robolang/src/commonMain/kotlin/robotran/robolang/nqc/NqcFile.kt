@@ -19,7 +19,7 @@ import robotran.robolang.translate.SourceLines
 internal class NqcFile(
     private val program: RobolangProgram,
     private val robot: RobotTarget.Rcx,
-    private val remarks: Remarks,
+    private val notes: TranslationNotes,
 ) {
     private val checked = program.checked
     private val tree = checked.tree
@@ -30,8 +30,8 @@ internal class NqcFile(
     private val body = JavaWriter(sourceLines = SourceLines(tree))
     private val recursive = RecursiveRoutines(checked)
     private val lists = KnownLists(checked)
-    private val expressions = NqcExpressions(checked, names, ports.lightPort, recursive, lists, remarks)
-    private val statements = NqcStatements(checked, names, expressions, helpers, recursive, lists, remarks, body)
+    private val expressions = NqcExpressions(checked, names, ports.lightPort, recursive, lists, notes)
+    private val statements = NqcStatements(checked, names, expressions, helpers, recursive, lists, notes, body)
 
     fun write(): JavaWriter {
         val declarations = tree.statements.filterIsInstance<Statement.Declare>().filter { isGlobal(it) }
@@ -44,7 +44,7 @@ internal class NqcFile(
             if (isShown(global.type)) body.line("int ${names.of(global)};")
         }
         tree.routines.forEach { routine(it) }
-        tree.behaviours.forEach { body.line("// ${remarks.lost(it.range, remarks.messages.whenever())}") }
+        tree.behaviours.forEach { body.line("// ${notes.lost(it.range, notes.messages.whenever())}") }
         main()
         return whole()
     }
@@ -56,11 +56,11 @@ internal class NqcFile(
         body.takeComments(comments.of(routine.range))
         val symbol = checked.symbolOf(routine.name)
         if (routine in recursive) {
-            body.line("// ${remarks.lost(routine.name.range, remarks.messages.recursion(routine.name.text))}")
+            body.line("// ${notes.lost(routine.name.range, notes.messages.recursion(routine.name.text))}")
             return
         }
         if (routine.isFunction && (symbol.type == ValueType.DECIMAL || symbol.type.isList)) {
-            body.line("// ${remarks.lost(routine.name.range, remarks.messages.decimal())}")
+            body.line("// ${notes.lost(routine.name.range, notes.messages.decimal())}")
         }
         names.inScope {
             val result = if (routine.isFunction) names.local("result") else null

@@ -12,7 +12,7 @@ internal class NqcLoops(
     private val names: NqcNames,
     private val expressions: NqcExpressions,
     private val lists: KnownLists,
-    private val remarks: Remarks,
+    private val notes: TranslationNotes,
     private val statements: NqcStatements,
 ) {
     fun write(loop: Statement.Loop) = when (loop) {
@@ -29,7 +29,7 @@ internal class NqcLoops(
 
     private fun lost(loop: Statement.Loop, message: String) {
         statements.lines(loop.range.line) {
-            remarks.lost(loop.range, message)
+            notes.lost(loop.range, message)
             emptyList()
         }
     }
@@ -53,7 +53,7 @@ internal class NqcLoops(
         val list = expressions.bare(loop.list)
         val symbol = program.symbolOf(loop.variable)
         val size = (list as? Expression.ListOf)?.elements?.size ?: lists.sizeOf(list)
-        if (size == null || symbol.type != ValueType.WHOLE) return lost(loop, remarks.messages.list())
+        if (size == null || symbol.type != ValueType.WHOLE) return lost(loop, notes.messages.list())
         var variable = ""
         var array = ""
         val place = names.local("place")
@@ -82,8 +82,8 @@ internal class NqcLoops(
             else -> null
         }
         val symbol = program.symbolOf(loop.variable)
-        if (symbol.type == ValueType.DECIMAL) return lost(loop, remarks.messages.decimal())
-        if (step == null || step == 0) return lost(loop, remarks.messages.unknownStep())
+        if (symbol.type == ValueType.DECIMAL) return lost(loop, notes.messages.decimal())
+        if (step == null || step == 0) return lost(loop, notes.messages.unknownStep())
         var variable = ""
         var from = ""
         var last = ""

@@ -17,11 +17,11 @@ internal class NqcStatements(
     private val helpers: UsedNqcHelpers,
     private val recursive: RecursiveRoutines,
     private val lists: KnownLists,
-    private val remarks: Remarks,
+    private val notes: TranslationNotes,
     private var writer: JavaWriter,
 ) {
-    private val commands = NqcCommands(expressions, helpers, remarks)
-    private val loops = NqcLoops(program, names, expressions, lists, remarks, this)
+    private val commands = NqcCommands(expressions, helpers, notes)
+    private val loops = NqcLoops(program, names, expressions, lists, notes, this)
 
     /** The parameter for the value of the function around; null outside of functions. */
     private var result: String? = null
@@ -67,10 +67,10 @@ internal class NqcStatements(
 
     /** Writes lines and the calls that come before them; if something is lost, the reason instead. */
     fun lines(line: Int, write: () -> List<String>): Boolean {
-        val lost = remarks.lostCount
+        val lost = notes.lostCount
         val (texts, calls) = expressions.withCalls(write)
-        if (remarks.lostCount > lost) {
-            writer.line("// ${remarks.lastLost}", line)
+        if (notes.lostCount > lost) {
+            writer.line("// ${notes.lastLost}", line)
             return false
         }
         (calls + texts).forEach { writer.line(it, line) }
@@ -86,8 +86,8 @@ internal class NqcStatements(
             return listOfNotNull(if (symbol.isGlobal) null else "int $name[${list.elements.size}];") +
                 elements(name, list)
         }
-        if (symbol.type.isList) return lost(statement, remarks.messages.list())
-        if (symbol.type == ValueType.DECIMAL) return lost(statement, remarks.messages.decimal())
+        if (symbol.type.isList) return lost(statement, notes.messages.list())
+        if (symbol.type == ValueType.DECIMAL) return lost(statement, notes.messages.decimal())
         val value = expressions.text(statement.value)
         if (symbol.isGlobal) return listOf("${names.of(symbol)} = $value;")
         return listOf("int ${names.declareLocal(symbol)} = $value;")
@@ -99,14 +99,14 @@ internal class NqcStatements(
             is AssignTarget.ListElement -> return assignElement(statement, target)
         }
         val symbol = program.symbolOf(target.name)
-        if (symbol.type.isList) return lost(statement, remarks.messages.list())
-        if (symbol.type == ValueType.DECIMAL) return lost(statement, remarks.messages.decimal())
+        if (symbol.type.isList) return lost(statement, notes.messages.list())
+        if (symbol.type == ValueType.DECIMAL) return lost(statement, notes.messages.decimal())
         return listOf("${names.of(symbol)} = ${expressions.text(statement.value)};")
     }
 
     private fun assignElement(statement: Statement.Assign, target: AssignTarget.ListElement): List<String> {
         val symbol = program.symbolOf(target.list)
-        if (lists.sizeOf(symbol) == null) return lost(statement, remarks.messages.list())
+        if (lists.sizeOf(symbol) == null) return lost(statement, notes.messages.list())
         val place = "${names.of(symbol)}[${expressions.text(target.index)}]"
         return listOf("$place = ${expressions.text(statement.value)};")
     }
@@ -117,7 +117,7 @@ internal class NqcStatements(
 
     private fun call(statement: Statement.Call): List<String> {
         if (recursive.isCalledBy(statement.name)) {
-            return lost(statement, remarks.messages.recursion(statement.name.text))
+            return lost(statement, notes.messages.recursion(statement.name.text))
         }
         val arguments = statement.arguments.joinToString { expressions.text(it) }
         return listOf("${names.of(program.symbolOf(statement.name))}($arguments);")
@@ -129,7 +129,7 @@ internal class NqcStatements(
     }
 
     private fun lost(statement: Statement, message: String): List<String> {
-        remarks.lost(statement.range, message)
+        notes.lost(statement.range, message)
         return emptyList()
     }
 
@@ -140,9 +140,9 @@ internal class NqcStatements(
         writer.enter()
         block(branches.first().body)
         for ((index, branch) in branches.withIndex().drop(1)) {
-            val lost = remarks.lostCount
+            val lost = notes.lostCount
             val (condition, calls) = expressions.withCalls { expressions.text(branch.condition) }
-            if (calls.isNotEmpty() || remarks.lostCount > lost) {
+            if (calls.isNotEmpty() || notes.lostCount > lost) {
                 nested(statement, first + index)
                 return
             }

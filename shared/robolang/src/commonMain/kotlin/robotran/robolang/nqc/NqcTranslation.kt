@@ -9,16 +9,16 @@ import robotran.robolang.translate.LineMap
  * @property fileName such as `square.nqc`.
  * @property nqc the whole text. What does not go over is a comment there.
  * @property lineMap maps its lines to those of the program.
- * @property remarks what is lost or changed, in the order of the program.
+ * @property notes what is lost or changed, in the order of the program.
  */
 class NqcTranslation internal constructor(
     val fileName: String,
     val nqc: String,
     val lineMap: LineMap,
-    val remarks: List<NqcRemark>,
+    val notes: List<NqcTranslationNote>,
 ) {
     /** Whether the NQC does all that the program does. */
-    val isComplete: Boolean get() = remarks.none { it.isLost }
+    val isComplete: Boolean get() = notes.none { it.isLost }
 }
 
 /**
@@ -27,4 +27,4 @@ class NqcTranslation internal constructor(
  * @property message one or two sentences in a pupil's words.
  * @property isLost whether the NQC leaves it out; otherwise it does nearly the same.
  */
-data class NqcRemark(val range: SourceRange, val message: String, val isLost: Boolean)
+data class NqcTranslationNote(val range: SourceRange, val message: String, val isLost: Boolean)

@@ -9,17 +9,17 @@ import robotran.robolang.translate.JavaWriter
 /**
  * Translates [program] to NQC, as far as whole numbers of 16 bits and LEGO's firmware carry it. Never throws.
  *
- * @param messages the remarks in the pupil's language.
+ * @param messages the notes in the pupil's language.
  */
 fun translateToNqc(program: RobolangProgram, messages: NqcTranslationMessages): NqcTranslation {
-    val remarks = Remarks(messages)
+    val notes = TranslationNotes(messages)
     val writer = if (program is RobolangRcxProgram) {
-        NqcFile(program, program.robot, remarks).write()
+        NqcFile(program, program.robot, notes).write()
     } else {
-        val message = remarks.lost(SourceRange(1, 1, 1), messages.otherBrick())
+        val message = notes.lost(SourceRange(1, 1, 1), messages.otherBrick())
         JavaWriter().apply { line("// $message") }
     }
-    return NqcTranslation(fileNameOf(program.name), writer.text, writer.lineMap, remarks.inOrder())
+    return NqcTranslation(fileNameOf(program.name), writer.text, writer.lineMap, notes.inOrder())
 }
 
 private fun fileNameOf(program: String): String =

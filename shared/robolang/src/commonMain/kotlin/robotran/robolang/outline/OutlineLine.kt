@@ -35,7 +35,7 @@ enum class LineRole {
  * @property form what it says; null for blank lines, comments and lines with a mistake.
  * @property parts its words and values in order, without the spaces between them; empty if [form] is null.
  * @property comment its comment from `//`, without spaces behind it; null if there is none.
- * @property mistake the lexical or syntactic mistake that is reported on it; null if there is none. A block without an
+ * @property error the lexical or syntactic mistake that is reported on it; null if there is none. A block without an
  * `end` has one, although its [form] is known.
  */
 class OutlineLine internal constructor(
@@ -47,5 +47,5 @@ class OutlineLine internal constructor(
     val form: LineForm?,
     val parts: List<PhrasePart>,
     val comment: SourceSpan?,
-    val mistake: Diagnostic?,
+    val error: Diagnostic?,
 )

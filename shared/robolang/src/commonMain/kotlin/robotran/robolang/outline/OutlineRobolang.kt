@@ -44,7 +44,7 @@ private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline
         form = null,
         parts = emptyList(),
         comment = null,
-        diagnostics.mistakesInSourceOrder().single(),
+        diagnostics.errorsInSourceOrder().single(),
     )
     return ProgramOutline(source, listOf(line)) { emptyList() }
 }
@@ -52,13 +52,13 @@ private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline
 private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: DiagnosticSink): List<OutlineLine> {
     val places = BlockStructure(parsed.lines, parsed.edges, parsed.lackingEnds).places()
     val phrases = LinePhrases(parsed.tree)
-    val mistakes: Map<Int?, Diagnostic> = diagnostics.mistakesInSourceOrder().associateBy { it.range?.line }
+    val errors: Map<Int?, Diagnostic> = diagnostics.errorsInSourceOrder().associateBy { it.range?.line }
     return parsed.lines.mapIndexed { index, line ->
         val place = places[index]
-        val mistake = mistakes[line.number]
-        val isMistaken = line.number in diagnostics.lines && mistake?.code !in ABOUT_BLOCKS
+        val error = errors[line.number]
+        val hasError = line.number in diagnostics.lines && error?.code !in ABOUT_BLOCKS
         val phrase = when {
-            isMistaken || line.tokens.isEmpty() -> null
+            hasError || line.tokens.isEmpty() -> null
             place.role == LineRole.CLOSES -> LinePhrase(LineForm.END)
             else -> phrases[line.number]
         }
@@ -72,7 +72,7 @@ private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: Di
             phrase?.form.takeIf { parts != null },
             parts.orEmpty(),
             line.comment?.let { offsets.span(it.range) },
-            mistake,
+            error,
         )
     }
 }

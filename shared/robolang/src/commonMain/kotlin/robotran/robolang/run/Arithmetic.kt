@@ -1,7 +1,7 @@
 package robotran.robolang.run
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.messages.RunMessages
+import robotran.robolang.messages.RobolangRunMessages
 
 /** The arithmetic of one number type, on the 32 bits on the stack, with Java's semantics. */
 internal sealed interface Arithmetic {
@@ -11,9 +11,9 @@ internal sealed interface Arithmetic {
 
     fun times(left: Int, right: Int): Int
 
-    fun divide(left: Int, right: Int, messages: RunMessages): Int
+    fun divide(left: Int, right: Int, messages: RobolangRunMessages): Int
 
-    fun modulo(left: Int, right: Int, messages: RunMessages): Int
+    fun modulo(left: Int, right: Int, messages: RobolangRunMessages): Int
 
     fun negate(value: Int): Int
 
@@ -35,13 +35,13 @@ internal sealed interface Arithmetic {
         override fun times(left: Int, right: Int) = left * right
 
         /** Division by -1 is a negation: the smallest number has no opposite, and some processors trap. */
-        override fun divide(left: Int, right: Int, messages: RunMessages): Int = when (right) {
+        override fun divide(left: Int, right: Int, messages: RobolangRunMessages): Int = when (right) {
             0 -> fail(messages.divisionByZero(text(left)))
             -1 -> -left
             else -> left / right
         }
 
-        override fun modulo(left: Int, right: Int, messages: RunMessages): Int = when (right) {
+        override fun modulo(left: Int, right: Int, messages: RobolangRunMessages): Int = when (right) {
             0 -> fail(messages.divisionByZero(text(left)))
             -1 -> 0
             else -> left % right
@@ -66,10 +66,10 @@ internal sealed interface Arithmetic {
 
         override fun times(left: Int, right: Int) = bits(decimal(left) * decimal(right))
 
-        override fun divide(left: Int, right: Int, messages: RunMessages) = bits(decimal(left) / decimal(right))
+        override fun divide(left: Int, right: Int, messages: RobolangRunMessages) = bits(decimal(left) / decimal(right))
 
         /** The remainder by repeated subtraction; the brick has no such operation. */
-        override fun modulo(left: Int, right: Int, messages: RunMessages): Int {
+        override fun modulo(left: Int, right: Int, messages: RobolangRunMessages): Int {
             val dividend = decimal(left)
             val divisor = decimal(right)
             return bits(dividend - divisor * (dividend / divisor).toInt())

@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.robolang.messages.RunMessages
+import robotran.robolang.messages.RobolangRunMessages
 import robotran.robolang.robot.Durations
 
 /**
@@ -11,7 +11,7 @@ internal class InterpreterState(
     val code: Code,
     val robot: RobotDevice,
     val durations: Durations,
-    val messages: RunMessages,
+    val messages: RobolangRunMessages,
 ) {
     val timer = ProgramTimer(robot)
 

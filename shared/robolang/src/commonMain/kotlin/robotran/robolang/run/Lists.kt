@@ -1,6 +1,6 @@
 package robotran.robolang.run
 
-import robotran.robolang.messages.RunMessages
+import robotran.robolang.messages.RobolangRunMessages
 
 /**
  * All lists of a run. An RCX, which has no garbage collection, never frees one; an NXT frees those that no value refers
@@ -9,7 +9,7 @@ import robotran.robolang.messages.RunMessages
  * @param values passes all values of the run to a function, of which some are indices of lists; null if the brick keeps
  * every list.
  */
-internal class Lists(private val messages: RunMessages, private val values: (((Int) -> Unit) -> Unit)? = null) {
+internal class Lists(private val messages: RobolangRunMessages, private val values: (((Int) -> Unit) -> Unit)? = null) {
     private val lists = arrayListOf<IntArray?>(IntArray(0))
     private val free = ArrayDeque<Int>()
     private var words = 0

@@ -1,20 +1,20 @@
 package robotran.robolang.run
 
 import robotran.brick.program.CallFrame
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.DebuggableRun
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
-import robotran.brick.program.Statement
 import robotran.brick.program.StatementWatch
 import robotran.brick.program.VariableScope
-import robotran.robolang.messages.RunMessages
+import robotran.robolang.messages.RobolangRunMessages
 import robotran.robolang.robot.Durations
 
 /**
  * One run of a Robolang program. A step is a statement or a loop's check for another round, so even an empty loop uses
  * its budget. The whole state is on the stacks of its activities, so the run can stop before any statement.
  */
-internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations, messages: RunMessages) :
+internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations, messages: RobolangRunMessages) :
     DebuggableRun {
     private val machine = InterpreterState(code, robot, durations, messages)
     private val arbiter = Arbiter(machine)
@@ -95,6 +95,6 @@ internal class RobolangRun(code: Code, robot: RobotDevice, durations: Durations,
         val watch = watch
         if (watch == null || isPassed) return false
         isPassed = true
-        return watch.pausesBefore(Statement(statement.line, arbiter.depthOf(activity)))
+        return watch.pausesBefore(DebugStatement(statement.line, arbiter.depthOf(activity)))
     }
 }

@@ -32,7 +32,7 @@ internal class OpenBlocks {
     private var openChoices = 0
 
     /** Whether an unknown line may have opened a block. */
-    var isDoubtful = false
+    var isUncertain = false
         private set
 
     /** Whether the max nesting depth is reached. */
@@ -57,7 +57,7 @@ internal class OpenBlocks {
     /** Called for an unknown line that may begin a block. */
     fun openUnknown() {
         unknown++
-        isDoubtful = true
+        isUncertain = true
     }
 
     /** Closes the innermost block with [keyword]. Returns false if no block is open, not even an unknown one. */
@@ -75,7 +75,7 @@ internal class OpenBlocks {
     /** Closes the innermost block with [word], which is probably meant as its `end`. */
     fun closeUnsurely(word: Token) {
         close(word.copy(keyword = Keyword.END))
-        isDoubtful = true
+        isUncertain = true
     }
 
     /** Closes the innermost blocks that [lack] an `end` before [line]. */

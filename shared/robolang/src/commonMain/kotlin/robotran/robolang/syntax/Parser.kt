@@ -46,7 +46,7 @@ internal class Parser(private val lines: List<ScannedLine>, private val diagnost
                 statements,
                 lines.mapNotNull { it.comment },
             )
-        return ParsedProgram(tree, lines, names, blocks.isDoubtful || lacking.isNotEmpty(), edges, lacking)
+        return ParsedProgram(tree, lines, names, blocks.isUncertain || lacking.isNotEmpty(), edges, lacking)
     }
 
     private fun line(reader: LineReader) {

@@ -25,7 +25,7 @@ internal interface JavaDialect {
     fun heading(writer: JavaWriter, program: String, tree: SyntaxTree)
 
     /** The figures of the robot that stand in the Java of helpers, by placeholder. */
-    fun figures(isReacting: Boolean): Map<String, String>
+    fun parameters(isReacting: Boolean): Map<String, String>
 
     /** The helpers that the Java of [helper] uses. */
     fun needsOf(helper: JavaHelper, isReacting: Boolean): List<JavaHelper>
@@ -59,7 +59,7 @@ private class LejosDialect(override val robot: RobotTarget.Rcx) : JavaDialect {
         if (tree.behaviours.isNotEmpty()) line("import josx.robotics.*;")
     }
 
-    override fun figures(isReacting: Boolean) = mapOf(
+    override fun parameters(isReacting: Boolean) = mapOf(
         "MILLISECONDS_PER_CENTIMETRE" to decimal(robot.millisecondsPerCentimetre),
         "MILLISECONDS_PER_DEGREE" to decimal(robot.millisecondsPerDegree),
         "PEN_MILLISECONDS" to "${RobotConstants.PEN_MILLISECONDS}",
@@ -88,7 +88,7 @@ private class NxjDialect(override val robot: RobotTarget.Nxt) : JavaDialect {
         if (tree.behaviours.isNotEmpty()) line("import lejos.robotics.subsumption.Behavior;")
     }
 
-    override fun figures(isReacting: Boolean) = mapOf(
+    override fun parameters(isReacting: Boolean) = mapOf(
         "WHEEL_DIAMETER" to decimal(robot.wheelDiameter),
         "TRACK_WIDTH" to decimal(robot.track),
         "LEFT_MOTOR" to robot.left.name,

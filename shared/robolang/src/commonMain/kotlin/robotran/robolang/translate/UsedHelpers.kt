@@ -14,7 +14,7 @@ internal class UsedHelpers(private val dialect: JavaDialect, val isReacting: Boo
     val durations = Durations(dialect.robot)
 
     private val values: Map<String, String> by lazy {
-        dialect.figures(isReacting) + ("THROWS" to throwsClause(isReacting))
+        dialect.parameters(isReacting) + ("THROWS" to throwsClause(isReacting))
     }
 
     /** The used helpers, in order of declaration. */

@@ -24,7 +24,7 @@ class SameDrivingTest {
         val compared = PROGRAMS.map { name ->
             val program = translatablePrograms.getValue(name)
             val translation = translateToNqc(program, messages = NqcTranslationMessages.of(Language.ENGLISH))
-            assertTrue(translation.isComplete, "$name ${translation.remarks}")
+            assertTrue(translation.isComplete, "$name ${translation.notes}")
             val compiled =
                 compileNqc(translation.fileName, translation.nqc, messages = NqcMessages.of(Language.ENGLISH))
             assertTrue(compiled is NqcResult.Success, (compiled as? NqcResult.Failure)?.diagnostics.toString())

@@ -82,7 +82,7 @@ class TranslateToNqcTest {
         for ((source, sentence) in lost) {
             val translation = translationOf(source)
             assertFalse(translation.isComplete, source)
-            assertTrue(translation.remarks.any { sentence in it.message }, "$source ${translation.remarks}")
+            assertTrue(translation.notes.any { sentence in it.message }, "$source ${translation.notes}")
         }
     }
 
@@ -111,7 +111,7 @@ class TranslateToNqcTest {
     @Test
     fun `remarks are in the language of the pupil`() {
         val messages = Language.entries.map {
-            translationOf("show \"HI\"", NqcTranslationMessages.of(it)).remarks.single()
+            translationOf("show \"HI\"", NqcTranslationMessages.of(it)).notes.single()
         }
         assertEquals(3, messages.map { it.message }.distinct().size)
     }

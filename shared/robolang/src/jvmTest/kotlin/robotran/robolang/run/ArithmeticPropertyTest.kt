@@ -12,7 +12,7 @@ import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RecordedCall
 import robotran.robolang.RecordingRom
 import robotran.robolang.SensorEvent
-import robotran.robolang.mistakesOf
+import robotran.robolang.errorsOf
 import robotran.robolang.programOf
 import robotran.robolang.runOn
 import kotlin.random.Random
@@ -47,7 +47,7 @@ class ArithmeticPropertyTest :
                 left,
                 right,
                 ->
-                mistakesOf(BUSY_PROGRAM) shouldBe emptyList()
+                errorsOf(BUSY_PROGRAM) shouldBe emptyList()
                 val sensors = listOf(
                     SensorEvent(port = 1, milliseconds = left.toLong(), raw = 20),
                     SensorEvent(port = 1, milliseconds = left + 90L, raw = 900),

@@ -45,14 +45,14 @@ internal object LejosCompiler {
         if (errors.isNotEmpty()) {
             throw AssertionError(
                 errors.take(MAX_ERRORS).joinToString("\n") {
-                    told(it, translations)
+                    described(it, translations)
                 },
             )
         }
         return classes
     }
 
-    private fun told(problem: Diagnostic<out JavaFileObject>, translations: Collection<Translation>): String {
+    private fun described(problem: Diagnostic<out JavaFileObject>, translations: Collection<Translation>): String {
         val java = translations.firstOrNull { problem.source?.name?.endsWith(it.fileName) == true }?.java.orEmpty()
         return "$problem\n${java.lines().getOrNull(problem.lineNumber.toInt() - 1)}\n$java"
     }

@@ -23,7 +23,7 @@ import org.apache.bcel.generic.NEWARRAY
 import org.apache.bcel.generic.PushInstruction
 
 /** The errors that the leJOS linker would report for the class file [bytes]; empty if there are none. */
-internal fun tinyVmProblems(bytes: ByteArray): List<String> {
+internal fun tinyVmErrors(bytes: ByteArray): List<String> {
     val javaClass = ClassParser(bytes.inputStream(), "memory").parse()
     return (
         problemsOf(javaClass) + javaClass.methods.flatMap {

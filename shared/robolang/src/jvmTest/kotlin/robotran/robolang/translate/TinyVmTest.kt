@@ -13,7 +13,7 @@ class TinyVmTest {
         val translations = translatablePrograms.values.mapIndexed { index, program -> translatedAs("P$index", program) }
         val classes = LejosCompiler.compile(translations).filterKeys { NAME.matches(it) }
         assertTrue(classes.size >= translations.size)
-        assertEquals("", classes.values.flatMap(::tinyVmProblems).joinToString("\n"))
+        assertEquals("", classes.values.flatMap(::tinyVmErrors).joinToString("\n"))
     }
 
     @Test
@@ -30,7 +30,7 @@ class TinyVmTest {
         for ((statements, problem) in refused) {
             val java = "public class Refused { public static void main(String[] arguments) { $statements } }"
             val problems =
-                tinyVmProblems(
+                tinyVmErrors(
                     LejosCompiler.compile(
                         listOf(Translation("Refused", java, LineMap(emptyList()), brick = BrickKind.RCX)),
                     ).getValue("Refused"),

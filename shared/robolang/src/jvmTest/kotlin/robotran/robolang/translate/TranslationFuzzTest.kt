@@ -27,7 +27,7 @@ class TranslationFuzzTest {
                 ).rcxProgram
         }
         val comparison = RunComparison(programs)
-        val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmProblems)
+        val problems = comparison.classes.filterKeys { it.startsWith("P") }.values.flatMap(::tinyVmErrors)
         // Some programs have more constants and names than a class on the brick can have; see docs/lejos.md.
         assertEquals("", problems.filterNot { it.endsWith(" ldc_w") }.joinToString("\n"))
         val compared = programs.filterValues { !isReacting(it) }.keys.map { comparison.compare(it, emptyList()) }

@@ -55,7 +55,7 @@ internal class Explanation(
 
     private fun flutter() = (left.flutter - right.flutter).let {
         cause(Cause.FLUTTER, it, MIN_LENGTH) {
-            messages.flutter(text(it), text(it / machine.figures.wheelTrack / RADIANS_PER_DEGREE), left = it < 0)
+            messages.flutter(text(it), text(it / machine.parameters.wheelTrack / RADIANS_PER_DEGREE), left = it < 0)
         }
     }
 

@@ -24,16 +24,16 @@ internal class FollowLineEvaluator(
     } else {
         EndToEnd(ArcLengthPath(line).length, goal, ahead)
     }
-    private val tracker = LineTracker<Scene>(ArcLengthPath(line), goal.tolerance, laps)
+    private val tracker = LineTracker<GoalScene>(ArcLengthPath(line), goal.tolerance, laps)
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         if (scene.isAfter(goal.within)) return fail(scene)
         tracker.moveTo(scene.lightSensor(actor) ?: return, scene)
         tell(laps.share >= 1.0, laps.share)
     }
 
     /** By how much it comes too late. */
-    override fun lookOn(scene: Scene) {
+    override fun lookOn(scene: GoalScene) {
         val limit = goal.within ?: return
         if (laps.share >= 1.0) return
         tracker.moveTo(scene.lightSensor(actor) ?: return, scene)
@@ -42,7 +42,7 @@ internal class FollowLineEvaluator(
         tellShortfall(LineShortfall.TooLate(late, momentOf(scene)))
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall {
+    override fun shortfall(scene: GoalScene): GoalShortfall {
         val nearest = tracker.nearest
         val left = tracker.left ?: tracker.leftForElsewhere
         return when {
@@ -61,7 +61,7 @@ internal class FollowLineEvaluator(
 
     private fun doneShare() = laps.share.coerceIn(0.0, 1.0)
 
-    private fun momentOf(scene: Scene) = scene.moment(actor, scene.lightSensor(actor))
+    private fun momentOf(scene: GoalScene) = scene.moment(actor, scene.lightSensor(actor))
 }
 
 /** null if there is no such line, or if it is a single point. */

@@ -24,12 +24,12 @@ internal interface GoalEvaluator {
      * Activates the goal in the middle of the run; earlier events do not count. Not called if the goal is active from
      * the start.
      */
-    fun begin(scene: Scene)
+    fun begin(scene: GoalScene)
 
-    fun observe(scene: Scene)
+    fun observe(scene: GoalScene)
 
     /** Ends the run: observes it once more and decides what is still pending. */
-    fun finish(scene: Scene)
+    fun finish(scene: GoalScene)
 
     /** Ends the run for a goal that was never activated. */
     fun failInactive()
@@ -53,9 +53,9 @@ internal abstract class SingleGoalEvaluator(
     /** Whether the goal is about what programs do between two moments, and not only about the moments themselves. */
     protected open val followsPrograms: Boolean get() = false
 
-    override fun begin(scene: Scene) = Unit
+    override fun begin(scene: GoalScene) = Unit
 
-    override fun observe(scene: Scene) {
+    override fun observe(scene: GoalScene) {
         if (scene.between != null && !followsPrograms) return
         when (progress.status) {
             GoalStatus.PENDING -> look(scene)
@@ -64,7 +64,7 @@ internal abstract class SingleGoalEvaluator(
         }
     }
 
-    override fun finish(scene: Scene) {
+    override fun finish(scene: GoalScene) {
         observe(scene)
         if (progress.status == GoalStatus.PENDING) {
             if (progress.holds) setProgress(GoalStatus.MET, 1.0) else fail(scene)
@@ -77,16 +77,16 @@ internal abstract class SingleGoalEvaluator(
         setProgress(GoalStatus.FAILED, belowOne(progress.progress), shortfall = GoalShortfall.NotBegun)
     }
 
-    protected abstract fun look(scene: Scene)
+    protected abstract fun look(scene: GoalScene)
 
     /** Observes the run after the goal has failed, to tell more about what was missing. Most goals need not. */
-    protected open fun lookOn(scene: Scene) = Unit
+    protected open fun lookOn(scene: GoalScene) = Unit
 
     /** What is missing at the moment when the goal fails. */
-    protected abstract fun shortfall(scene: Scene): GoalShortfall?
+    protected abstract fun shortfall(scene: GoalScene): GoalShortfall?
 
     /** What is missing when the run ends, for a goal that has failed. */
-    protected open fun shortfallAtEnd(scene: Scene): GoalShortfall? = progress.shortfall
+    protected open fun shortfallAtEnd(scene: GoalScene): GoalShortfall? = progress.shortfall
 
     /**
      * Tells whether the condition [holds] now.
@@ -100,7 +100,7 @@ internal abstract class SingleGoalEvaluator(
     }
 
     /** Tells that the condition can no longer be met. */
-    protected fun fail(scene: Scene, share: Double? = null) =
+    protected fun fail(scene: GoalScene, share: Double? = null) =
         setProgress(GoalStatus.FAILED, belowOne(share ?: progress.progress), shortfall = shortfall(scene))
 
     /** Changes what was missing for a goal that has failed. */
@@ -132,11 +132,11 @@ internal abstract class SingleGoalEvaluator(
 internal class UnsatisfiableGoal(sentence: String) : GoalEvaluator {
     override val progress = GoalProgress(sentence, GoalStatus.FAILED, 0.0, shortfall = GoalShortfall.ImpossibleGoal)
 
-    override fun begin(scene: Scene) = Unit
+    override fun begin(scene: GoalScene) = Unit
 
-    override fun observe(scene: Scene) = Unit
+    override fun observe(scene: GoalScene) = Unit
 
-    override fun finish(scene: Scene) = Unit
+    override fun finish(scene: GoalScene) = Unit
 
     override fun failInactive() = Unit
 }

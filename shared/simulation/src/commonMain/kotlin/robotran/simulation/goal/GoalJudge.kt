@@ -48,13 +48,13 @@ internal class GoalJudge(world: World, trigonometry: Trigonometry, messages: Goa
         isOver = true
     }
 
-    private fun observe(scene: Scene) = evaluators.forEach { it.observe(scene) }
+    private fun observe(scene: GoalScene) = evaluators.forEach { it.observe(scene) }
 
-    private fun sceneOf(state: SessionState, between: ProgramEvent? = null): Scene {
+    private fun sceneOf(state: SessionState, between: ProgramEvent? = null): GoalScene {
         val now = state.robots
         val hasChanged = lines.indices.any { now[it].brick.run is RunState.Running && now[it].brick.run != lines[it] }
         if (hasChanged) lines = lines.mapIndexed { number, line -> now[number].brick.run as? RunState.Running ?: line }
-        return Scene(state, places, lines, between)
+        return GoalScene(state, places, lines, between)
     }
 
     private fun tell() {

@@ -33,11 +33,11 @@ internal abstract class GroupEvaluator(private val sentence: String, protected v
 
     override val toneCounts: List<PlaySoundEvaluator> get() = parts.flatMap { it.toneCounts }
 
-    override fun begin(scene: Scene) = change { parts.forEach { it.begin(scene) } }
+    override fun begin(scene: GoalScene) = change { parts.forEach { it.begin(scene) } }
 
-    override fun observe(scene: Scene) = change { parts.forEach { it.observe(scene) } }
+    override fun observe(scene: GoalScene) = change { parts.forEach { it.observe(scene) } }
 
-    override fun finish(scene: Scene) = change { parts.forEach { it.finish(scene) } }
+    override fun finish(scene: GoalScene) = change { parts.forEach { it.finish(scene) } }
 
     override fun failInactive() {
         isInactive = true

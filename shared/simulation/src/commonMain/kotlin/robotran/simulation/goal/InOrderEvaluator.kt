@@ -15,21 +15,21 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
     private val byEvent = BooleanArray(parts.size)
 
     /** What programs have done while the display of an NXT may not have shown yet what was drawn before. */
-    private val recent = ArrayDeque<Scene>()
+    private val recent = ArrayDeque<GoalScene>()
 
-    override fun begin(scene: Scene) = change {
+    override fun begin(scene: GoalScene) = change {
         parts.firstOrNull()?.begin(scene)
         beginNext(scene)
     }
 
-    override fun observe(scene: Scene) = change {
+    override fun observe(scene: GoalScene) = change {
         repeat(begun) { if (counts(scene, it)) parts[it].observe(scene) }
         beginNext(scene)
         if (scene.between != null && begun < parts.size) recent += scene
         while (recent.isNotEmpty() && isOld(recent.first(), scene)) recent.removeFirst()
     }
 
-    override fun finish(scene: Scene) = change {
+    override fun finish(scene: GoalScene) = change {
         var number = 0
         while (number < begun) {
             parts[number++].finish(scene)
@@ -46,7 +46,7 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
 
     override fun shareOf(shares: List<Double>): Double = mean(shares)
 
-    private fun beginNext(scene: Scene) {
+    private fun beginNext(scene: GoalScene) {
         while (begun in 1..<parts.size && parts[begun - 1].allowsNext) {
             val number = begun++
             begunAt[number] = scene.between?.milliseconds ?: scene.state.milliseconds
@@ -64,7 +64,7 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
     }
 
     /** Whether [scene] counts for the part with the index [number]: not if a program did it before the part's turn. */
-    private fun counts(scene: Scene, number: Int): Boolean {
+    private fun counts(scene: GoalScene, number: Int): Boolean {
         val event = scene.between ?: return true
         if (number == 0 || byEvent[number] || event.milliseconds > begunAt[number]) return true
         return when (parts[number - 1].isDoneBy(event)) {
@@ -74,12 +74,13 @@ internal class InOrderEvaluator(sentence: String, parts: List<GoalEvaluator>) : 
     }
 
     /** Whether the program had done what the part before [number] wants in that part's turn. */
-    private fun isAfterPartBefore(scene: Scene, number: Int): Boolean {
+    private fun isAfterPartBefore(scene: GoalScene, number: Int): Boolean {
         val event = scene.between ?: return false
         return parts[number - 1].isDoneBy(event) == true && event.milliseconds > begunAt[number - 1]
     }
 
-    private fun isOld(event: Scene, now: Scene) = now.state.milliseconds - event.state.milliseconds > LATEST_REFRESH
+    private fun isOld(event: GoalScene, now: GoalScene) =
+        now.state.milliseconds - event.state.milliseconds > LATEST_REFRESH
 
     private companion object {
         /** After so many milliseconds the glass of an NXT shows what is drawn, unless something else is drawn by then. */

@@ -13,17 +13,17 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
     private val atLeast = goal.atLeast ?: 0.0
     private var lengthAtStart = 0.0
 
-    override fun begin(scene: Scene) {
+    override fun begin(scene: GoalScene) {
         lengthAtStart = scene.state.ink.lengthCentimetres
     }
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         val length = length(scene)
         if (length > (goal.atMost ?: Double.MAX_VALUE)) return fail(scene)
         tell(length >= atLeast, if (atLeast > 0.0) length / atLeast else null)
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall {
+    override fun shortfall(scene: GoalScene): GoalShortfall {
         val most = goal.atMost
         val length = length(scene)
         if (most == null || length <= most) {
@@ -33,12 +33,12 @@ internal class InkLengthEvaluator(sentence: String, private val goal: GoalCondit
     }
 
     /** The drawing goes on after it has become too long. */
-    override fun shortfallAtEnd(scene: Scene): GoalShortfall? = when (val known = progress.shortfall) {
+    override fun shortfallAtEnd(scene: GoalScene): GoalShortfall? = when (val known = progress.shortfall) {
         is InkShortfall.TooLong -> known.copy(centimetres = length(scene) - (goal.atMost ?: 0.0))
         else -> known
     }
 
-    private fun length(scene: Scene): Double = scene.state.ink.lengthCentimetres - lengthAtStart
+    private fun length(scene: GoalScene): Double = scene.state.ink.lengthCentimetres - lengthAtStart
 }
 
 /** Evaluates whether the template is drawn, with little ink beside it. */
@@ -50,7 +50,7 @@ internal class DrawTemplateEvaluator(
     private val tracing = Tracing(template, goal.tolerance)
     private var seen: Ink? = null
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         val ink = scene.state.ink
         if (ink === seen) return
         seen = ink
@@ -60,14 +60,14 @@ internal class DrawTemplateEvaluator(
     }
 
     /** Follows the rest of the drawing, so that all of what is wrong can be shown. */
-    override fun lookOn(scene: Scene) {
+    override fun lookOn(scene: GoalScene) {
         val ink = scene.state.ink
         if (ink === seen) return
         seen = ink
         tracing.follow(ink)
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall = if (tracing.excess > goal.excess) {
+    override fun shortfall(scene: GoalScene): GoalShortfall = if (tracing.excess > goal.excess) {
         InkShortfall.InkBesideTemplate(
             tracing.centimetresBeside,
             tracing.stretchesBeside,
@@ -77,7 +77,7 @@ internal class DrawTemplateEvaluator(
         InkShortfall.TemplateMissing(tracing.coverage, goal.coverage, tracing.missingStretches())
     }
 
-    override fun shortfallAtEnd(scene: Scene): GoalShortfall? = when (val known = progress.shortfall) {
+    override fun shortfallAtEnd(scene: GoalScene): GoalShortfall? = when (val known = progress.shortfall) {
         is InkShortfall.InkBesideTemplate -> {
             known.copy(centimetres = tracing.centimetresBeside, beside = tracing.stretchesBeside)
         }
@@ -87,7 +87,7 @@ internal class DrawTemplateEvaluator(
 }
 
 /** This moment, at the pen of the robot that draws; with several, of the first that does. */
-private fun Scene.drawingMoment(): RunMoment {
+private fun GoalScene.drawingMoment(): RunMoment {
     val number = maxOf(0, state.robots.indexOfFirst { it.robot.penDown })
     val actor = Actor.OfRobots(number)
     return moment(actor, middle(actor))

@@ -9,9 +9,9 @@ import robotran.world.TouchKind
 internal abstract class InvariantEvaluator(sentence: String, condition: GoalCondition) :
     SingleGoalEvaluator(sentence, condition, holds = true) {
     /** Whether the condition is violated now. */
-    protected abstract fun isBroken(scene: Scene): Boolean
+    protected abstract fun isBroken(scene: GoalScene): Boolean
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         if (isBroken(scene)) fail(scene)
     }
 }
@@ -25,16 +25,16 @@ internal class NeverTouchEvaluator(
     /** The kinds touched before this goal was activated; only a current touch of them can be detected. */
     private var touchedBefore: Set<TouchKind> = emptySet()
 
-    override fun begin(scene: Scene) {
+    override fun begin(scene: GoalScene) {
         touchedBefore = scene.robot(actor)?.robot?.touched.orEmpty()
     }
 
-    override fun isBroken(scene: Scene): Boolean {
+    override fun isBroken(scene: GoalScene): Boolean {
         val robot = scene.robot(actor)?.robot ?: return false
         return goal.what.any { it in robot.touching || (it in robot.touched && it !in touchedBefore) }
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall? {
+    override fun shortfall(scene: GoalScene): GoalShortfall? {
         val robot = scene.robot(actor)?.robot ?: return null
         val what = goal.what.filterTo(mutableSetOf()) {
             it in robot.touching || (it in robot.touched && it !in touchedBefore)

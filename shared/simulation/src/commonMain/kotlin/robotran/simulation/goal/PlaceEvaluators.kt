@@ -18,13 +18,13 @@ internal class StayOutEvaluator(
     private val region: Outline,
     private val area: String?,
 ) : InvariantEvaluator(sentence, goal) {
-    override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
+    override fun isBroken(scene: GoalScene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.meets(region) == true
     } else {
         scene.middle(actor)?.let { region.contains(it.x, it.y) } == true
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall {
+    override fun shortfall(scene: GoalScene): GoalShortfall {
         val place = if (goal.whole) scene.footprint(actor)?.commonPoint(region) else scene.middle(actor)
         return PlaceShortfall.Entered(scene.moment(actor, place), area)
     }
@@ -38,13 +38,13 @@ internal class StayInEvaluator(
     private val region: Outline,
     private val area: String?,
 ) : InvariantEvaluator(sentence, goal) {
-    override fun isBroken(scene: Scene): Boolean = if (goal.whole) {
+    override fun isBroken(scene: GoalScene): Boolean = if (goal.whole) {
         scene.footprint(actor)?.isInside(region) == false
     } else {
         scene.middle(actor)?.let { region.contains(it.x, it.y) } == false
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall? {
+    override fun shortfall(scene: GoalScene): GoalShortfall? {
         val out = scene.distance(actor, region, goal.whole) ?: return null
         return PlaceShortfall.Left(out.centimetres, scene.moment(actor, out.place), area)
     }

@@ -33,26 +33,26 @@ internal class PlaySoundEvaluator(
         isClosed = true
     }
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         if (!hear(scene)) return
         if (played > wanted && goal.times != null) return fail(scene)
         tell(played >= wanted, played.toDouble() / wanted)
     }
 
     /** How many too many there are. */
-    override fun lookOn(scene: Scene) {
+    override fun lookOn(scene: GoalScene) {
         val known = progress.shortfall as? ProgramShortfall.TooManyTones ?: return
         if (hear(scene)) tellShortfall(known.copy(played = played))
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall {
+    override fun shortfall(scene: GoalScene): GoalShortfall {
         firstTooMany?.let { return ProgramShortfall.TooManyTones(played, wanted, momentOf(it)) }
         val other = firstOther
         return ProgramShortfall.TonesMissing(played, wanted, others, other?.tone?.hertz, other?.let(::momentOf))
     }
 
     /** Counts the tone of [scene]; returns whether there is one. */
-    private fun hear(scene: Scene): Boolean {
+    private fun hear(scene: GoalScene): Boolean {
         val event = scene.between
         if (isClosed || event == null || event.robot != actor.number || event.tone.isFirmware) return false
         val heard = Heard(event.tone, scene)
@@ -68,7 +68,7 @@ internal class PlaySoundEvaluator(
     private fun momentOf(heard: Heard) =
         heard.scene.moment(actor, heard.scene.middle(actor)).copy(milliseconds = heard.tone.milliseconds)
 
-    private class Heard(val tone: SoundEvent.Tone, val scene: Scene)
+    private class Heard(val tone: SoundEvent.Tone, val scene: GoalScene)
 
     private companion object {
         /** Half a semitone. */

@@ -17,11 +17,11 @@ internal class ReachEvaluator(
     private var nearest = Double.MAX_VALUE
 
     /** When it was nearest, and when it was seen outside after its last visit. */
-    private var nearestScene: Scene? = null
-    private var leavingScene: Scene? = null
+    private var nearestScene: GoalScene? = null
+    private var leavingScene: GoalScene? = null
     private var lastFootprint: Outline? = null
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         val middle = scene.middle(actor) ?: return
         val distance = region.distanceTo(middle)
         val atStart = distanceAtStart ?: distance.also { distanceAtStart = it }
@@ -41,7 +41,7 @@ internal class ReachEvaluator(
     }
 
     /** By how much it comes too late. */
-    override fun lookOn(scene: Scene) {
+    override fun lookOn(scene: GoalScene) {
         val limit = goal.within ?: return
         val isKnown = progress.shortfall is PlaceShortfall.ReachedTooLate
         val middle = scene.middle(actor) ?: return
@@ -50,7 +50,7 @@ internal class ReachEvaluator(
         tellShortfall(PlaceShortfall.ReachedTooLate(late, scene.moment(actor, middle), area))
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall? {
+    override fun shortfall(scene: GoalScene): GoalShortfall? {
         val end = scene.middle(actor) ?: return null
         leavingScene?.let {
             val moment = it.moment(actor, it.middle(actor))
@@ -64,7 +64,7 @@ internal class ReachEvaluator(
         return PlaceShortfall.PartlyOutside(distance.centimetres, wasPartlyInside, end, moment, area)
     }
 
-    override fun shortfallAtEnd(scene: Scene): GoalShortfall? {
+    override fun shortfallAtEnd(scene: GoalScene): GoalShortfall? {
         val end = scene.middle(actor) ?: return progress.shortfall
         return when (val known = progress.shortfall) {
             is PlaceShortfall.NotReached -> known.copy(end = end)
@@ -74,10 +74,10 @@ internal class ReachEvaluator(
         }
     }
 
-    private fun isThere(scene: Scene, distance: Double): Boolean =
+    private fun isThere(scene: GoalScene, distance: Double): Boolean =
         if (goal.whole) scene.footprint(actor)?.isInside(region) == true else distance == 0.0
 
-    private fun remember(scene: Scene, distance: Double) {
+    private fun remember(scene: GoalScene, distance: Double) {
         val now = if (goal.whole) overhang(scene) ?: return else distance
         if (now >= nearest) return
         nearest = now
@@ -85,7 +85,7 @@ internal class ReachEvaluator(
     }
 
     /** null if it has not moved. */
-    private fun overhang(scene: Scene): Double? {
+    private fun overhang(scene: GoalScene): Double? {
         val footprint = scene.footprint(actor)
         if (footprint == null || footprint === lastFootprint) return null
         lastFootprint = footprint

@@ -23,12 +23,12 @@ internal class ShowOnDisplayEvaluator(
     private var nearest: ShownText? = null
 
     /** When the text was replaced for the last time. */
-    private var replacingScene: Scene? = null
+    private var replacingScene: GoalScene? = null
 
     override fun isDoneBy(event: ProgramEvent): Boolean? =
         event.drawn?.takeIf { event.robot == actor.number }?.shows(goal.text)
 
-    override fun look(scene: Scene) {
+    override fun look(scene: GoalScene) {
         val brick = scene.robot(actor)?.brick ?: return
         val screen = brick.screen
         when {
@@ -46,7 +46,7 @@ internal class ShowOnDisplayEvaluator(
         }
     }
 
-    private fun lookAt(screen: Screen, scene: Scene) {
+    private fun lookAt(screen: Screen, scene: GoalScene) {
         if (screen == last) return
         last = screen
         if (screen.shows(goal.text)) return tell(holds = true)
@@ -55,15 +55,15 @@ internal class ShowOnDisplayEvaluator(
         tell(holds = false)
     }
 
-    override fun shortfall(scene: Scene): GoalShortfall {
+    override fun shortfall(scene: GoalScene): GoalShortfall {
         val shown = last?.text?.takeIf { it.isNotEmpty() }
         replacingScene?.let { return ProgramShortfall.DisplayChanged(wanted, shown, momentOf(it)) }
         return ProgramShortfall.DisplayDiffered(wanted, shown, nearest?.text, nearest?.let { momentOf(it.scene) })
     }
 
-    private fun momentOf(scene: Scene) = scene.moment(actor, scene.middle(actor))
+    private fun momentOf(scene: GoalScene) = scene.moment(actor, scene.middle(actor))
 
-    private fun remember(screen: Screen, scene: Scene) {
+    private fun remember(screen: Screen, scene: GoalScene) {
         for (text in screen.texts.toSet()) {
             if (text.isEmpty()) continue
             val errors = editDistance(text.lowercase(), wanted.lowercase())
@@ -74,5 +74,5 @@ internal class ShowOnDisplayEvaluator(
     /** Without the icons, which the firmware changes when a program starts. */
     private fun charactersOf(screen: Screen): String = screen.text
 
-    private class ShownText(val text: String, val errors: Int, val scene: Scene)
+    private class ShownText(val text: String, val errors: Int, val scene: GoalScene)
 }

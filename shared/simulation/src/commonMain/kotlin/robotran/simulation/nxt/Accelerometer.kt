@@ -34,7 +34,7 @@ internal class Accelerometer(
     fun tick() {
         if (hasMeasured && clock.milliseconds() % PERIOD != 0L) return
         val motion = machine.body.motion
-        val middle = machine.body.point(machine.figures.massX, machine.figures.massY)
+        val middle = machine.body.point(machine.parameters.massX, machine.parameters.massY)
         val at = place.point
         val x = motion.velocityX - motion.angularVelocity * (at.y - middle.y)
         val y = motion.velocityY + motion.angularVelocity * (at.x - middle.x)

@@ -1,6 +1,6 @@
 package robotran.simulation.physics
 
-import robotran.world.Block
+import robotran.world.MovableBlock
 import robotran.world.Penbot
 import robotran.world.TouchKind
 import robotran.world.Wall
@@ -35,7 +35,7 @@ internal fun PhysicsWorld.addBarrier(shape: Shape, trigonometry: Trigonometry) {
 }
 
 /** Adds a block as a body that slides on the floor, with its origin in [Shape.centre]; returns its index. */
-internal fun PhysicsWorld.addBlock(block: Block, trigonometry: Trigonometry): Int {
+internal fun PhysicsWorld.addBlock(block: MovableBlock, trigonometry: Trigonometry): Int {
     val outline = block.shape.outline(trigonometry)
     val body = addShape(TouchKind.BLOCKS, outline, block.shape.centre)
     spreadMass(body, block.mass)

@@ -4,7 +4,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.world.Penbot
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import kotlin.math.abs
 
 /** A motor with its gears, modelled as the speed of the tyre that it turns, in cm/s. */
@@ -35,7 +35,7 @@ internal abstract class MotorModel {
  * pulses would make the same program drive slightly different distances, depending on the pulse at which a command
  * starts.
  */
-internal class RcxMotor(private val f: RobotFigures) : MotorModel() {
+internal class RcxMotor(private val f: RobotParameters) : MotorModel() {
     /** The part of the speed difference made up for in a tick. */
     private val response = TICK_MILLISECONDS / (f.motorLag + TICK_MILLISECONDS)
 
@@ -53,7 +53,7 @@ internal class RcxMotor(private val f: RobotFigures) : MotorModel() {
 
     /**
      * The speed of a driven tyre at a power of 0..7, in cm/s. It rises less and less with power, like that of a lightly
-     * loaded gearmotor, through [RobotFigures.calibratedSpeed] at [Penbot.CALIBRATED_POWER] and [RobotFigures.topSpeed]
+     * loaded gearmotor, through [RobotParameters.calibratedSpeed] at [Penbot.CALIBRATED_POWER] and [RobotParameters.topSpeed]
      * at 7.
      */
     fun drivenSpeed(power: Int): Double {

@@ -3,27 +3,27 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
-import robotran.world.NxtMotorFigures
-import robotran.world.robot.RobotFigures
+import robotran.world.NxtMotorParameters
+import robotran.world.robot.RobotParameters
 
 /**
  * The motor of an NXT. Its speed is proportional to power and voltage, and falls in a straight line with the load. In the
  * pauses of the pulses it brakes or rolls; if it rolls, a load slows it down much more.
  *
- * @param topSpeed without load at full power and [NxtMotorFigures.VOLTS], in any unit of speed.
+ * @param topSpeed without load at full power and [NxtMotorParameters.VOLTS], in any unit of speed.
  * @param stallForce what stalls it then.
  * @param rollingDeceleration the speed that it loses in a second while it rolls.
  */
 internal class NxtMotor(private val topSpeed: Double, private val stallForce: Double, rollingDeceleration: Double) :
     MotorModel() {
-    constructor(f: RobotFigures) : this(
+    constructor(f: RobotParameters) : this(
         f.topSpeed,
-        f.stallForce * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
+        f.stallForce * (NxtMotorParameters.VOLTS / NxtMotorParameters.STALL_VOLTS),
         f.rollingDeceleration,
     )
 
     private val loss = rollingDeceleration * SimulationLimits.TICK_SECONDS
-    private val standstill = topSpeed * NxtMotorFigures.STANDSTILL
+    private val standstill = topSpeed * NxtMotorParameters.STANDSTILL
 
     /** The current that it draws, 1 for a free motor at full power. */
     var current = 0.0
@@ -47,7 +47,7 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
 
     /** Drives forwards, against [load]. */
     private fun drive(command: MotorState, supply: Double, load: Double) {
-        val duty = if (command.power < NxtMotorFigures.LOWEST_POWER) 0.0 else command.power / FULL_POWER
+        val duty = if (command.power < NxtMotorParameters.LOWEST_POWER) 0.0 else command.power / FULL_POWER
         val free = topSpeed * supply * duty
         val wanted = loaded(free, stallForce * supply * (if (command.brakesInPauses) duty else duty * duty), load)
         if (free > 0) current = duty * (1 + STALLED_CURRENT * (1 - speed / free).coerceIn(0.0, 1.0))
@@ -68,7 +68,7 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
 
     private fun loaded(free: Double, strongest: Double, load: Double): Double = when {
         free == 0.0 || load == 0.0 -> free
-        load > 0 && strongest <= load * NxtMotorFigures.STICKING -> 0.0
+        load > 0 && strongest <= load * NxtMotorParameters.STICKING -> 0.0
         else -> free * (1 - load / strongest).coerceIn(0.0, MAX_PUSHED_RATIO)
     }
 
@@ -87,7 +87,7 @@ internal class NxtMotor(private val topSpeed: Double, private val stallForce: Do
 
         private const val FULL_POWER = 100.0
         private const val MAX_PUSHED_RATIO = 1.2
-        private const val RESPONSE = 1.0 / (NxtMotorFigures.LAG + 1)
-        private const val BRAKE_RESPONSE = 1.0 / (NxtMotorFigures.BRAKE_LAG + 1)
+        private const val RESPONSE = 1.0 / (NxtMotorParameters.LAG + 1)
+        private const val BRAKE_RESPONSE = 1.0 / (NxtMotorParameters.BRAKE_LAG + 1)
     }
 }

@@ -4,25 +4,25 @@ import robotran.brick.controls.MotorPort
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
 import robotran.simulation.noise.WheelNoise
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import robotran.world.Penbot
 import robotran.world.RobotDescription
 import robotran.world.SensorPart
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 
 /** The three motors of a robot with an NXT: those of its wheels, and one that moves its pen or a turret, or nothing. */
 internal class NxtMotors(
     private val robot: RobotDescription,
-    private val figures: RobotFigures,
+    private val parameters: RobotParameters,
     private val streams: NoiseStreams,
     private val realism: Double,
 ) {
     private val hasTurret = robot.parts.any { it is SensorPart && it.turret != null }
     private val degreesOfCentimetre =
-        robot.drive.gear * FULL_TURN / figures.wheelCircumference * (if (robot.drive.reversed) -1 else 1)
+        robot.drive.gear * FULL_TURN / parameters.wheelCircumference * (if (robot.drive.reversed) -1 else 1)
 
-    val left = NxtMotor(figures)
-    val right = NxtMotor(figures)
+    val left = NxtMotor(parameters)
+    val right = NxtMotor(parameters)
 
     /** The port of [third]. */
     val thirdPort = MotorPort.entries.first { it != robot.drive.left && it != robot.drive.right }
@@ -35,7 +35,7 @@ internal class NxtMotors(
         get() = if (robot.pen == null) {
             0.0
         } else {
-            (third.degrees - NxtMotorFigures.PEN_TOP) / (NxtMotorFigures.PEN_BOTTOM - NxtMotorFigures.PEN_TOP)
+            (third.degrees - NxtMotorParameters.PEN_TOP) / (NxtMotorParameters.PEN_BOTTOM - NxtMotorParameters.PEN_TOP)
         }
 
     val penIsDown: Boolean get() = penDepth >= Penbot.PEN_CONTACT
@@ -58,14 +58,14 @@ internal class NxtMotors(
         if (realism == 0.0) return null
         val degrees = NxtRealism.LEAST_PLAY + (NxtRealism.MOST_PLAY - NxtRealism.LEAST_PLAY) *
             streams.named("$side: play").share()
-        return MotorPlay(realism * degrees / FULL_TURN / robot.drive.gear * figures.wheelCircumference)
+        return MotorPlay(realism * degrees / FULL_TURN / robot.drive.gear * parameters.wheelCircumference)
     }
 
     private fun thirdMotor(): SmallMotor {
         val noise = WheelNoise(streams, "motor $thirdPort", realism)
         return when {
-            robot.pen != null -> SmallMotor(noise, NxtMotorFigures.PEN_TOP, NxtMotorFigures.PEN_BOTTOM)
-            hasTurret -> SmallMotor(noise, -NxtMotorFigures.TURRET_END, NxtMotorFigures.TURRET_END)
+            robot.pen != null -> SmallMotor(noise, NxtMotorParameters.PEN_TOP, NxtMotorParameters.PEN_BOTTOM)
+            hasTurret -> SmallMotor(noise, -NxtMotorParameters.TURRET_END, NxtMotorParameters.TURRET_END)
             else -> SmallMotor(noise, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY)
         }
     }

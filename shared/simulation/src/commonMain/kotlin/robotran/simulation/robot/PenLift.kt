@@ -3,11 +3,11 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.world.Penbot
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 
 /** The pen on its motor. It starts lifted. */
 internal class PenLift {
-    private val motor = RcxMotor(RobotFigures.PENBOT)
+    private val motor = RcxMotor(RobotParameters.PENBOT)
 
     /** 0 at the upper end stop, 1 at the lower. */
     var depth = 0.0

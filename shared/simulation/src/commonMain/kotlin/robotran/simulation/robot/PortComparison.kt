@@ -24,12 +24,12 @@ internal class PortComparison(private val robot: RobotDescription, private val m
     private fun isPlugged(sensor: ExpectedSensor) = robot.parts.any { it.port == sensor.port && it.kind == sensor.kind }
 
     private fun missing(sensors: List<ExpectedSensor>) = MissingSensors(
-        sensors.map { MissingSensor(it.port, it.kind, remark(listOf(it))) }.sortedBy { it.port },
-        remark(sensors),
+        sensors.map { MissingSensor(it.port, it.kind, warning(listOf(it))) }.sortedBy { it.port },
+        warning(sensors),
     )
 
-    /** A remark about [sensors], on the line of the first of them. */
-    private fun remark(sensors: List<ExpectedSensor>): RuntimeWarning {
+    /** A warning about [sensors], on the line of the first of them. */
+    private fun warning(sensors: List<ExpectedSensor>): RuntimeWarning {
         val ports = sensors.sortedBy { it.port }.groupBy({ it.kind }, { it.port })
         return RuntimeWarning(
             messages.missingSensors(ports),

@@ -50,7 +50,7 @@ internal fun rotationRaw(machine: SimulatedRobot, wheel: Wheel, active: Boolean)
 
 /** The steps of such a sensor, forwards from where the wheel began. */
 internal fun rotationSteps(machine: SimulatedRobot, wheel: Wheel): Int {
-    val turns = wheel.turned / machine.figures.wheelCircumference
+    val turns = wheel.turned / machine.parameters.wheelCircumference
     return floor(turns * RotationSensor.COUNTS_PER_TURN).toInt()
 }
 

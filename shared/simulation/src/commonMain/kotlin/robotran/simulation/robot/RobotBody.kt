@@ -10,7 +10,7 @@ import robotran.world.geometry.Pose
 import robotran.world.geometry.RADIANS_PER_DEGREE
 import robotran.world.geometry.Trigonometry
 import robotran.world.geometry.normalHeading
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import robotran.world.robot.bumpers
 import robotran.world.robot.chassisCorners
 import robotran.world.robot.corners
@@ -22,7 +22,7 @@ internal class RobotBody(
     private val trigonometry: Trigonometry,
     start: Pose,
     robot: RobotDescription,
-    private val figures: RobotFigures,
+    private val parameters: RobotParameters,
 ) {
     /** Its index in the physics. */
     val body = physics.addBody(TouchKind.ROBOTS.ordinal, start.x, start.y, start.heading * RADIANS_PER_DEGREE)
@@ -32,12 +32,12 @@ internal class RobotBody(
     init {
         // The order of the shapes is part of the result of a run.
         addPolygon(robot.chassisCorners)
-        val wheelPlace = figures.wheelTrack / 2
-        val wheelRadius = figures.wheelDiameter / 2
-        addBox(-wheelRadius, wheelRadius, wheelPlace, figures.wheelWidth)
-        addBox(-wheelRadius, wheelRadius, -wheelPlace, figures.wheelWidth)
+        val wheelPlace = parameters.wheelTrack / 2
+        val wheelRadius = parameters.wheelDiameter / 2
+        addBox(-wheelRadius, wheelRadius, wheelPlace, parameters.wheelWidth)
+        addBox(-wheelRadius, wheelRadius, -wheelPlace, parameters.wheelWidth)
         bumpers = IntArray(robot.bumpers.size) { addPolygon(robot.bumpers[it].corners) }
-        physics.setMass(body, figures.massX, figures.massY, figures.mass, figures.inertia)
+        physics.setMass(body, parameters.massX, parameters.massY, parameters.mass, parameters.inertia)
     }
 
     /** Its motion after the last step. */
@@ -56,8 +56,8 @@ internal class RobotBody(
 
     /** Applies the impulses of the tyres before a physics step. */
     fun push(rollingImpulses: TyreImpulses) {
-        push(rollingImpulses.left, rollingImpulses.leftSideways, figures.wheelTrack / 2)
-        push(rollingImpulses.right, rollingImpulses.rightSideways, -figures.wheelTrack / 2)
+        push(rollingImpulses.left, rollingImpulses.leftSideways, parameters.wheelTrack / 2)
+        push(rollingImpulses.right, rollingImpulses.rightSideways, -parameters.wheelTrack / 2)
     }
 
     /** Updates it after a physics step. */

@@ -13,13 +13,13 @@ import robotran.simulation.physics.PhysicsWorld
 import robotran.simulation.state.RobotState
 import robotran.world.BumperPart
 import robotran.world.BumperSide
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import robotran.world.RobotDescription
 import robotran.world.TouchKind
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Trigonometry
 import robotran.world.isSameThing
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import robotran.world.robot.bumpers
 
 /** A robot without its brick: wheels, pen and bumpers on a physics body. */
@@ -33,19 +33,19 @@ internal class SimulatedRobot(
 ) {
     /** Its real start pose. */
     val start = realStart(plannedStart, streams, realism)
-    val figures = RobotFigures.of(robot)
-    val body = RobotBody(physics, trigonometry, start, robot, figures)
+    val parameters = RobotParameters.of(robot)
+    val body = RobotBody(physics, trigonometry, start, robot, parameters)
     val leftNoise = WheelNoise(streams, "left wheel", realism)
     val rightNoise = WheelNoise(streams, "right wheel", realism)
 
     /** null for a brick whose motors do not count. */
-    private val nxt = if (robot.brick.hasMotorCounters) NxtMotors(robot, figures, streams, realism) else null
-    val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(figures), figures, nxt?.play("left wheel"))
-    val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(figures), figures, nxt?.play("right wheel"))
+    private val nxt = if (robot.brick.hasMotorCounters) NxtMotors(robot, parameters, streams, realism) else null
+    val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(parameters), parameters, nxt?.play("left wheel"))
+    val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(parameters), parameters, nxt?.play("right wheel"))
     val battery = if (nxt == null) {
         BatteryNoise(streams, realism)
     } else {
-        BatteryNoise(streams, realism, NxtMotorFigures.VOLTS, NxtRealism.EMPTY_BATTERY)
+        BatteryNoise(streams, realism, NxtMotorParameters.VOLTS, NxtRealism.EMPTY_BATTERY)
     }
     private val bumperParts = robot.bumpers
 
@@ -54,7 +54,7 @@ internal class SimulatedRobot(
     private val pen = robot.pen?.takeIf { nxt == null }?.let { PenLift() }
     private val left = MotorCommand(robot.drive.reversed)
     private val right = MotorCommand(robot.drive.reversed)
-    private val traction = Traction(figures)
+    private val traction = Traction(parameters)
     private var rollingImpulses = traction.rollingImpulses(body.motion, 0.0, 0.0)
     private var touchedKinds = 0
 
@@ -74,8 +74,8 @@ internal class SimulatedRobot(
     val state: RobotState
         get() = RobotState(
             pose = body.pose,
-            leftWheelTurn = leftWheel.turned / figures.wheelCircumference,
-            rightWheelTurn = rightWheel.turned / figures.wheelCircumference,
+            leftWheelTurn = leftWheel.turned / parameters.wheelCircumference,
+            rightWheelTurn = rightWheel.turned / parameters.wheelCircumference,
             penDown = penIsDown,
             leftBumperPressed = isPressed(BumperSide.LEFT),
             rightBumperPressed = isPressed(BumperSide.RIGHT),
@@ -126,7 +126,7 @@ internal class SimulatedRobot(
         touchedKinds = touchedKinds or body.touchedKinds
         val left = leftWheel.speedChange
         val right = rightWheel.speedChange
-        val place = figures.wheelTrack / 2
+        val place = parameters.wheelTrack / 2
         leftWheel.endStep(
             force(rollingImpulses.left - traction.rollingImpulse(left, right)),
             rollingImpulses.leftSlips,

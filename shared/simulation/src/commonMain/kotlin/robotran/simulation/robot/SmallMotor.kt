@@ -3,14 +3,14 @@ package robotran.simulation.robot
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.WheelNoise
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 
 /** A motor of an NXT that turns no wheel, but something light between two end stops, or nothing. */
 internal class SmallMotor(private val noise: WheelNoise, private val first: Double, private val last: Double) {
     private val motor = NxtMotor(
-        NxtMotorFigures.FREE_SPEED,
-        NxtMotorFigures.STALL_TORQUE * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
-        NxtMotorFigures.ROLLING_DECELERATION,
+        NxtMotorParameters.FREE_SPEED,
+        NxtMotorParameters.STALL_TORQUE * (NxtMotorParameters.VOLTS / NxtMotorParameters.STALL_VOLTS),
+        NxtMotorParameters.ROLLING_DECELERATION,
     )
 
     /** Degrees that it has turned. */

@@ -3,7 +3,7 @@ package robotran.simulation.robot
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.physics.BodyMotion
 import robotran.world.geometry.length
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 
 /**
  * The impulses of the two tyres on the robot in one physics step, in kg cm/s.
@@ -31,7 +31,7 @@ internal data class TyreImpulses(
  * speeds, it does not move sideways, and the robot turns by their difference. The three unknowns are the forward
  * impulse of each tyre, and the sideways one, which both tyres share.
  */
-internal class Traction(private val f: RobotFigures) {
+internal class Traction(private val f: RobotParameters) {
     private val strongestImpulse = f.tyreFriction * f.wheelLoad * SimulationLimits.PHYSICS_STEP_SECONDS
 
     /**

@@ -4,7 +4,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.WheelNoise
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import kotlin.math.abs
 
 /**
@@ -13,7 +13,7 @@ import kotlin.math.abs
 internal class Wheel(
     private val noise: WheelNoise,
     private val motor: MotorModel,
-    private val f: RobotFigures,
+    private val f: RobotParameters,
     private val play: MotorPlay? = null,
 ) {
     private var floats = true

@@ -8,6 +8,6 @@ import robotran.brick.sensors.SensorKind
  * [robotran.world.robot.withSensor] plugs one in.
  *
  * @property port from 1.
- * @property remark says so of this sensor alone, with the line of the program.
+ * @property warning says so of this sensor alone, with the line of the program.
  */
-data class MissingSensor(val port: Int, val kind: SensorKind, val remark: RuntimeWarning)
+data class MissingSensor(val port: Int, val kind: SensorKind, val warning: RuntimeWarning)

@@ -6,6 +6,6 @@ import robotran.brick.program.RuntimeWarning
  * The sensors that a program expects, but its robot does not have.
  *
  * @property sensors at most one per port, in the order of the ports; not empty.
- * @property remark says it of all of them, with the line that first expects one.
+ * @property warning says it of all of them, with the line that first expects one.
  */
-data class MissingSensors(val sensors: List<MissingSensor>, val remark: RuntimeWarning)
+data class MissingSensors(val sensors: List<MissingSensor>, val warning: RuntimeWarning)

@@ -37,7 +37,7 @@ data class SessionState(
     val brick: BrickState get() = first.brick
     val robot: RobotState get() = first.robot
     val bumps: Int get() = first.bumps
-    val remarks: List<RuntimeWarning> get() = first.remarks
+    val warnings: List<RuntimeWarning> get() = first.warnings
     val missingSensors: MissingSensors? get() = first.missingSensors
     val romCalls: Int get() = first.romCalls
 }
@@ -48,7 +48,7 @@ data class SessionState(
  * @property brick the observable state of its brick.
  * @property robot the pose and the parts of the penbot.
  * @property bumps number of times a bumper has touched something.
- * @property remarks warnings for the pupil about the current or last program, that of [missingSensors] first.
+ * @property warnings warnings for the pupil about the current or last program, that of [missingSensors] first.
  * @property romCalls number of logged calls so far.
  * @property missingSensors what that program expects at the ports, but the robot does not have there; null for nothing.
  * @property bumpedAt virtual time of the latest of [bumps], in milliseconds since the session began; null before it.
@@ -57,7 +57,7 @@ data class RobotSnapshot(
     val brick: BrickState,
     val robot: RobotState,
     val bumps: Int,
-    val remarks: List<RuntimeWarning>,
+    val warnings: List<RuntimeWarning>,
     val romCalls: Int,
     val missingSensors: MissingSensors? = null,
     val bumpedAt: Long? = null,

@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import kotlinx.coroutines.test.runTest
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.AnyOf
@@ -18,6 +17,7 @@ import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.RobotPlacement
 import robotran.world.TouchKind
 import robotran.world.geometry.Point
@@ -31,7 +31,7 @@ class GoalSentenceTest {
     private val home = Shape.Circle(Point(50.0, 40.0), 9.0)
     private val world = sheet.copy(
         robots = sheet.robots + RobotPlacement(Pose(20.0, 20.0, 0.0), name = "red"),
-        blocks = listOf(Block(rectangle(10.0, 10.0, 14.0, 14.0), name = "box")),
+        blocks = listOf(MovableBlock(rectangle(10.0, 10.0, 14.0, 14.0), name = "box")),
         marks = listOf(
             Mark(MarkFigure.Area(home), name = "home"),
             Mark(

@@ -2,12 +2,12 @@ package robotran.simulation.goal
 
 import kotlinx.coroutines.test.runTest
 import robotran.simulation.state.GoalStatus
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.NeverTouch
 import robotran.world.GoalCondition.Reach
 import robotran.world.GoalCondition.StayIn
 import robotran.world.GoalCondition.StayOut
+import robotran.world.MovableBlock
 import robotran.world.RobotPlacement
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
@@ -18,7 +18,7 @@ import kotlin.test.assertSame
 
 class PlaceGoalTest {
     private val garage = rectangle(80.0, 30.0, 100.0, 50.0)
-    private val box = Block(rectangle(20.0, 20.0, 26.0, 24.0), name = "box")
+    private val box = MovableBlock(rectangle(20.0, 20.0, 26.0, 24.0), name = "box")
     private val red = RobotPlacement(Pose(20.0, 20.0, 0.0), name = "red")
 
     @Test
@@ -129,7 +129,8 @@ class PlaceGoalTest {
 
     @Test
     fun `a triangle turns about the middle of its area`() = runTest {
-        val triangle = Block(Shape.Polygon(listOf(Point(0.0, 0.0), Point(9.0, 0.0), Point(0.0, 9.0))), name = "wedge")
+        val triangle =
+            MovableBlock(Shape.Polygon(listOf(Point(0.0, 0.0), Point(9.0, 0.0), Point(0.0, 9.0))), name = "wedge")
         val run =
             run(
                 Goal(Reach(rectangle(2.9, 2.9, 3.1, 3.1), who = "wedge")),

@@ -70,7 +70,7 @@ class AddonSensorsTest {
             "Color mndsnsrs",
         )
         assertEquals(expected, lines)
-        assertEquals(emptyList(), session.remarks.map { it.message })
+        assertEquals(emptyList(), session.warnings.map { it.message })
         assertEquals(
             listOf(8, 90, 0, 300),
             session.state.brick.inputs.mapIndexed { port, input ->
@@ -93,8 +93,8 @@ class AddonSensorsTest {
             Shade.Colour(250, 130, 30) to "5",
         )
         for ((shade, number) in shades) {
-            val told = shown(makers.painted(shade), "MakersSensors", 1_000).first.first()
-            assertEquals(number, told.substringBefore(' '), "$shade")
+            val described = shown(makers.painted(shade), "MakersSensors", 1_000).first.first()
+            assertEquals(number, described.substringBefore(' '), "$shade")
         }
     }
 
@@ -128,7 +128,7 @@ class AddonSensorsTest {
         assertEquals("0 200", rest)
         assertTrue(push.toInt() in 10..200, push)
         assertTrue(difference.toInt() in -30..30, difference)
-        assertEquals(emptyList(), session.remarks.map { it.message })
+        assertEquals(emptyList(), session.warnings.map { it.message })
     }
 
     @Test
@@ -173,9 +173,9 @@ class AddonSensorsTest {
         val directions = mapOf(120.0 to 1, 60.0 to 3, 30.0 to 4, 0.0 to 5, -30.0 to 6, -60.0 to 7, -120.0 to 9)
         for ((degrees, direction) in directions) {
             val one = seekers.copy(lamps = listOf(lamp(degrees, sends = true)))
-            val told = shown(one, "SeekLamp", 500).first
-            assertEquals("$direction", told[0].substringBefore(' '), "$degrees")
-            assertEquals("$direction ${(direction - 5) * 30}.0", told[1])
+            val described = shown(one, "SeekLamp", 500).first
+            assertEquals("$direction", described[0].substringBefore(' '), "$degrees")
+            assertEquals("$direction ${(direction - 5) * 30}.0", described[1])
         }
     }
 
@@ -210,7 +210,7 @@ class AddonSensorsTest {
     fun `an RCX in its menu answers the link of an NXT`() = runTest(timeout = 3.minutes) {
         val near = called(away = 0.0, program = null)
         assertEquals(listOf("7", "239 16 239 16 0"), near.lines())
-        assertEquals(emptyList(), near.remarks.map { it.message })
+        assertEquals(emptyList(), near.warnings.map { it.message })
         assertEquals(listOf("0", "0"), called(away = 150.0, program = null).lines(), "the light does not go so far")
     }
 

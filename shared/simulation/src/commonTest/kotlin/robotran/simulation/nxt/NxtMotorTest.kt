@@ -5,7 +5,7 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
 import robotran.simulation.robot.MotorPlay
 import robotran.simulation.robot.NxtMotor
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -13,12 +13,12 @@ import kotlin.test.assertTrue
 /** The motor by itself, in degrees a second and N cm, as builders have measured it. */
 class NxtMotorTest {
     private fun motor() = NxtMotor(
-        NxtMotorFigures.FREE_SPEED,
-        NxtMotorFigures.STALL_TORQUE * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
-        NxtMotorFigures.ROLLING_DECELERATION,
+        NxtMotorParameters.FREE_SPEED,
+        NxtMotorParameters.STALL_TORQUE * (NxtMotorParameters.VOLTS / NxtMotorParameters.STALL_VOLTS),
+        NxtMotorParameters.ROLLING_DECELERATION,
     )
 
-    private fun told(power: Int, brakes: Boolean = true) = MotorState(
+    private fun described(power: Int, brakes: Boolean = true) = MotorState(
         MotorPort.A,
         if (power < 0) {
             MotorMode.BACKWARD
@@ -31,13 +31,13 @@ class NxtMotorTest {
 
     /** The speed after a second at 9 volts. */
     private fun speed(power: Int, load: Double = 0.0, brakes: Boolean = true): Double = motor().apply {
-        repeat(1_000) { tick(told(power, brakes), NINE_VOLTS, load) }
+        repeat(1_000) { tick(described(power, brakes), NINE_VOLTS, load) }
     }.speed
 
     /** The degrees that a motor turns until it stands, from full speed at 9 volts. */
     private fun way(mode: MotorMode): Double {
         val motor = motor()
-        repeat(1_000) { motor.tick(told(100), NINE_VOLTS) }
+        repeat(1_000) { motor.tick(described(100), NINE_VOLTS) }
         var degrees = 0.0
         repeat(2_000) {
             motor.tick(MotorState(MotorPort.A, mode, 0, true))
@@ -77,7 +77,7 @@ class NxtMotorTest {
     @Test
     fun `it gets to full speed in a few tenths of a second`() {
         val motor = motor()
-        repeat(70) { motor.tick(told(100), NINE_VOLTS) }
+        repeat(70) { motor.tick(described(100), NINE_VOLTS) }
         assertEquals(0.63 * 1017, motor.speed, 20.0)
     }
 
@@ -90,9 +90,9 @@ class NxtMotorTest {
     @Test
     fun `a standing motor draws ten times as much as a free one`() {
         val motor = motor()
-        motor.tick(told(100), NINE_VOLTS)
+        motor.tick(described(100), NINE_VOLTS)
         assertEquals(10.0, motor.current, 0.5)
-        repeat(1_000) { motor.tick(told(100), NINE_VOLTS) }
+        repeat(1_000) { motor.tick(described(100), NINE_VOLTS) }
         assertEquals(1.0, motor.current, 0.1)
     }
 

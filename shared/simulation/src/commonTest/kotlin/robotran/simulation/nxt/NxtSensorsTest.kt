@@ -177,7 +177,7 @@ class NxtSensorsTest {
         assertEquals(600, resting)
         assertEquals(600 - perSecond, session.value(1).toDouble(), 2.0)
         assertEquals((90 - session.state.robot.pose.heading).mod(360.0), session.value(2).toDouble(), 1.0)
-        assertEquals(emptyList(), session.remarks.map { it.message })
+        assertEquals(emptyList(), session.warnings.map { it.message })
     }
 
     @Test

@@ -6,7 +6,7 @@ import robotran.brick.controls.MotorState
 import robotran.nxt.regulator.MotorRegulator
 import robotran.nxt.regulator.RegulatedMotor
 import robotran.simulation.robot.NxtMotor
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import kotlin.math.floor
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -15,15 +15,15 @@ import kotlin.test.assertTrue
 
 /** A motor with its regulator on a test bench, in degrees a second, N cm and volts. */
 class RegulatedNxtTest {
-    private class Bench(private val volts: Double = NxtMotorFigures.VOLTS, private val load: Double = 0.0) :
+    private class MotorInTest(private val volts: Double = NxtMotorParameters.VOLTS, private val load: Double = 0.0) :
         RegulatedMotor {
         private val motor = NxtMotor(
-            NxtMotorFigures.FREE_SPEED,
-            NxtMotorFigures.STALL_TORQUE * (NxtMotorFigures.VOLTS / NxtMotorFigures.STALL_VOLTS),
-            NxtMotorFigures.ROLLING_DECELERATION,
+            NxtMotorParameters.FREE_SPEED,
+            NxtMotorParameters.STALL_TORQUE * (NxtMotorParameters.VOLTS / NxtMotorParameters.STALL_VOLTS),
+            NxtMotorParameters.ROLLING_DECELERATION,
         )
         val regulator = MotorRegulator(this)
-        private var told = MotorState(MotorPort.A, MotorMode.FLOAT, 0)
+        private var described = MotorState(MotorPort.A, MotorMode.FLOAT, 0)
         var degrees = 0.0
             private set
 
@@ -37,12 +37,12 @@ class RegulatedNxtTest {
             } else {
                 MotorMode.BRAKE
             }
-            told = MotorState(MotorPort.A, mode, if (power < 0) -power else power, brakes)
+            described = MotorState(MotorPort.A, mode, if (power < 0) -power else power, brakes)
         }
 
         fun run(milliseconds: Int) = repeat(milliseconds) {
             if (it % MotorRegulator.PERIOD == 0) regulator.tick()
-            motor.tick(told, volts / NxtMotorFigures.VOLTS, load)
+            motor.tick(described, volts / NxtMotorParameters.VOLTS, load)
             degrees += motor.speed / 1000
         }
 
@@ -59,7 +59,7 @@ class RegulatedNxtTest {
     @Test
     fun `a load does not change the speed of a regulated motor`() {
         for (load in listOf(0.0, 5.0, 11.5)) {
-            val bench = Bench(load = load)
+            val bench = MotorInTest(load = load)
             bench.forward(360f)
             bench.run(1_500)
             assertEquals(360.0, bench.speed(), 4.0, "at $load N cm")
@@ -68,7 +68,7 @@ class RegulatedNxtTest {
 
     @Test
     fun `a weak battery slows a fast motor down but does not stall it`() {
-        val bench = Bench(volts = 6.5)
+        val bench = MotorInTest(volts = 6.5)
         bench.forward(900f)
         bench.run(6_000)
         assertTrue(bench.speed() in 650.0..735.0)
@@ -78,7 +78,7 @@ class RegulatedNxtTest {
     @Test
     fun `it ends within a degree of its limit`() {
         for (limit in listOf(1, 45, 90, 360, 1_000, -360)) {
-            val bench = Bench()
+            val bench = MotorInTest()
             bench.regulator.start(360f, 6_000, limit, hold = true)
             bench.run(6_000)
             assertFalse(bench.regulator.isMoving)
@@ -88,7 +88,7 @@ class RegulatedNxtTest {
 
     @Test
     fun `seven hundred and twenty degrees one by one are two turns`() {
-        val bench = Bench()
+        val bench = MotorInTest()
         for (degree in 1..720) {
             bench.regulator.start(360f, 6_000, degree, hold = true)
             while (bench.regulator.isMoving) bench.run(4)
@@ -98,7 +98,7 @@ class RegulatedNxtTest {
 
     @Test
     fun `a motor that cannot move stalls after four seconds`() {
-        val bench = Bench(load = 100.0)
+        val bench = MotorInTest(load = 100.0)
         bench.forward(360f)
         bench.run(3_000)
         assertFalse(bench.regulator.isStalled)

@@ -5,8 +5,8 @@ import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.program.NxtCall
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Facing
+import robotran.world.MovableBlock
 import robotran.world.ReadyRobots
 import robotran.world.RobotPlacement
 import robotran.world.SensorPart
@@ -90,7 +90,7 @@ class SonarTest {
     fun `soft things are heard from near only`() = runTest {
         fun soft(distance: Double, friction: Double) = openWorld().copy(
             blocks = listOf(
-                Block(Shape.Rectangle(Point(front + distance + 10, 300.0), 20.0, 20.0), friction = friction),
+                MovableBlock(Shape.Rectangle(Point(front + distance + 10, 300.0), 20.0, 20.0), friction = friction),
             ),
         )
         assertEquals(100, reading(soft(100.0, 0.9)))

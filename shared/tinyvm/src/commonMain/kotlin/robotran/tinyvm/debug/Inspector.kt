@@ -1,7 +1,7 @@
 package robotran.tinyvm.debug
 
 import robotran.brick.program.CallFrame
-import robotran.brick.program.Statement
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.ThreadActivity
 import robotran.brick.program.ThreadView
 import robotran.brick.program.VariableScope
@@ -35,9 +35,9 @@ internal class Inspector(private val machine: VirtualMachine) {
     }
 
     /** The statement on [line] that [thread] is about to begin. */
-    fun statementOf(thread: VmThread, line: Int): Statement {
+    fun statementOf(thread: VmThread, line: Int): DebugStatement {
         val depth = thread.callStack.count { it.method.owner.isOfProgram } - 1
-        return Statement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
+        return DebugStatement(line, depth, thread.number, thread.frame.method.owner.sourceFile)
     }
 
     /**

@@ -1,4 +1,4 @@
 package robotran.tinyvm.messages
 
 /** Those of an NXT. */
-internal val RunMessages.nxt: NxtRunMessages get() = NxtRunMessages.of(language)
+internal val TinyVmRunMessages.nxt: NxtRunMessages get() = NxtRunMessages.of(language)

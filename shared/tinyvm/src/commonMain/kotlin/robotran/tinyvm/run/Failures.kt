@@ -6,14 +6,14 @@ import robotran.brick.program.ProgramFailure
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.SpecialNumbers
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 import robotran.tinyvm.messages.nxt
 
 /**
  * Records uncaught exceptions. An uncaught exception ends its thread, and the brick shows the numbers of the method and
  * of the exception class. Source: leJOS `main.c`, handle_uncaught_exception.
  */
-internal class Failures(private val machine: VirtualMachine, private val messages: RunMessages) {
+internal class Failures(private val machine: VirtualMachine, private val messages: TinyVmRunMessages) {
     /** The exception that ended the last thread and with it the program. */
     var last: ProgramFailure? = null
         private set

@@ -33,7 +33,7 @@ internal class HandlerEntries(private val machine: VirtualMachine) {
         if (owner.isOfProgram &&
             isRead(local, frame.body.code, store)
         ) {
-            machine.remarks.add(Quirk.LOST_EXCEPTION, frame.upcomingLine, owner.sourceFile)
+            machine.warnings.add(Quirk.LOST_EXCEPTION, frame.upcomingLine, owner.sourceFile)
         }
         return when {
             !machine.model.hasQuirks -> exception

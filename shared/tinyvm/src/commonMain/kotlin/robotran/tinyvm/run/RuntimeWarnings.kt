@@ -5,7 +5,7 @@ import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.QuirkHandling
 import robotran.tinyvm.config.TinyVmLimits
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 import robotran.tinyvm.messages.nxt
 
 /**
@@ -15,7 +15,7 @@ import robotran.tinyvm.messages.nxt
  */
 internal class RuntimeWarnings(
     private val model: MachineModel,
-    private val messages: RunMessages,
+    private val messages: TinyVmRunMessages,
     private val programBytes: Int,
     private val allBytes: Int,
 ) {

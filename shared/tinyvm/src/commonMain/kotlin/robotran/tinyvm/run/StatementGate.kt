@@ -1,6 +1,6 @@
 package robotran.tinyvm.run
 
-import robotran.brick.program.Statement
+import robotran.brick.program.DebugStatement
 import robotran.brick.program.StatementWatch
 
 /** Counts the program's statements and asks [watch] once before each of them whether to pause. */
@@ -15,7 +15,7 @@ internal class StatementGate {
     var watch: StatementWatch? = null
 
     /** Describes the statement on a line, which a thread is about to begin, for [watch]. */
-    var statementOf: (VmThread, Int) -> Statement = { _, line -> Statement(line, 0) }
+    var statementOf: (VmThread, Int) -> DebugStatement = { _, line -> DebugStatement(line, 0) }
 
     val isWatched: Boolean get() = watch != null
 

@@ -14,7 +14,7 @@ import robotran.tinyvm.link.InitialValue
 import robotran.tinyvm.link.LinkedClass
 import robotran.tinyvm.link.LinkedField
 import robotran.tinyvm.link.LinkedProgram
-import robotran.tinyvm.messages.RunMessages
+import robotran.tinyvm.messages.TinyVmRunMessages
 
 /**
  * The state of a running program, without the interpreter.
@@ -26,7 +26,7 @@ internal class VirtualMachine(
     val program: LinkedProgram,
     val peripherals: Peripherals,
     val model: MachineModel,
-    messages: RunMessages,
+    messages: TinyVmRunMessages,
     objectBytes: Int,
     allBytes: Int,
 ) {
@@ -41,7 +41,7 @@ internal class VirtualMachine(
     val isInitialized = BooleanArray(program.classes.size)
     val monitors = Monitors()
     val scheduler = Scheduler(monitors, model) { peripherals.milliseconds }
-    val remarks = RuntimeWarnings(model, messages, program.bytes, allBytes)
+    val warnings = RuntimeWarnings(model, messages, program.bytes, allBytes)
     val stacks = ThreadStacks(this)
 
     /** Bytecodes left to execute; negative if the last one took longer than the rest. */
@@ -122,7 +122,7 @@ internal class VirtualMachine(
 
     fun addWarning(quirk: Quirk) {
         if (model.isExact && quirk !in QUIRKS_OF_NXT) return
-        remarks.add(quirk, sourceLine, current?.let { fileOf(it) })
+        warnings.add(quirk, sourceLine, current?.let { fileOf(it) })
     }
 
     /**
@@ -386,7 +386,7 @@ internal class VirtualMachine(
         threadsByReference.keys.filter { it != 0 && !heap.survivedCollection(it) }.forEach { threadsByReference -= it }
         if (model.isExact) {
             charge((heap.wordsVisited / NxtCosts.COLLECTED_WORDS_IN_A_BYTECODE).toInt())
-            if (heap.isNearlyFull) remarks.addNearlyFull(sourceLine, current?.let { fileOf(it) })
+            if (heap.isNearlyFull) warnings.addNearlyFull(sourceLine, current?.let { fileOf(it) })
         }
         return isWorthIt
     }

@@ -36,7 +36,7 @@ internal class RecordingBrick(program: RcxProgram, private val events: List<Even
 
     val milliseconds: Long get() = brick.state.milliseconds
     val isRunning: Boolean get() = brick.state.run is RunState.Running
-    val remarks: List<String> get() = brick.remarks.map { "${it.sourceLine}: ${it.message}" }
+    val warnings: List<String> get() = brick.warnings.map { "${it.sourceLine}: ${it.message}" }
 
     /** Starts the program and runs it until it ends, for at most [milliseconds]. */
     fun run(milliseconds: Long) {

@@ -29,10 +29,10 @@ class NxjElementsTest {
         return NxjBrickRun(assertIs<NxjResult.Success>(result).program).also { it.run(LONGEST) }
     }
 
-    /** The texts of the lines that [remarks][NxjBrickRun] are about. */
+    /** The texts of the lines that [warnings][NxjBrickRun] are about. */
     private fun linesOf(path: String, run: NxjBrickRun): List<String> {
         val lines = nxjPrograms.getValue(path).lines()
-        return run.brick.remarks.map { lines[it.sourceLine - 1].trim().substringBefore(';') }
+        return run.brick.warnings.map { lines[it.sourceLine - 1].trim().substringBefore(';') }
     }
 
     @Test
@@ -50,7 +50,7 @@ class NxjElementsTest {
         assertEquals(setOf(TinyVmMessages.of(Language.ENGLISH).quirkWarning(Quirk.UNCHECKED_ELEMENT)), messagesOf(run))
     }
 
-    private fun messagesOf(run: NxjBrickRun) = run.brick.remarks.map { it.message }.toSet()
+    private fun messagesOf(run: NxjBrickRun) = run.brick.warnings.map { it.message }.toSet()
 
     private companion object {
         const val WRONG = "language/WrongElements.java"

@@ -1,6 +1,6 @@
 package robotran.tower.line
 
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 
 private val HEADER = byteArrayOf(0x55, 0xFF.toByte(), 0x00)
 
@@ -49,7 +49,7 @@ internal fun pairsFrom(heard: ByteArray, start: Int): ByteArray {
 }
 
 /** The opcode byte of a message that follows one with the opcode byte [last]. */
-internal fun toggled(opcode: Int, last: Int): Int = if (opcode == last) opcode xor Opcode.TOGGLE else opcode
+internal fun toggled(opcode: Int, last: Int): Int = if (opcode == last) opcode xor RcxOpcode.TOGGLE else opcode
 
 /** [number] in two bytes, the low one first. */
 internal fun twoBytes(number: Int): ByteArray = byteArrayOf(number.toByte(), (number shr Byte.SIZE_BITS).toByte())

@@ -1,6 +1,6 @@
 package robotran.tower.line
 
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.ReceivedMessage
 
 /**
@@ -44,7 +44,7 @@ internal class MessageReader {
         return pairs.takeIf { isWhole }
     }
 
-    private fun isNumber(packet: ByteArray) = packet.size == NUMBER_BYTES && opcodeOf(packet) == Opcode.MESSAGE
+    private fun isNumber(packet: ByteArray) = packet.size == NUMBER_BYTES && opcodeOf(packet) == RcxOpcode.MESSAGE
 
     private fun take(packet: ByteArray): ReceivedMessage {
         heard = heard.copyOfRange(checkNotNull(headerSize()) + 2 * packet.size, heard.size)
@@ -78,7 +78,7 @@ internal class MessageReader {
     private fun startsWith(part: ByteArray, start: Int) =
         start + part.size <= heard.size && part.indices.all { heard[start + it] == part[it] }
 
-    private fun opcodeOf(packet: ByteArray) = packet[0].toInt() and 0xFF and Opcode.TOGGLE.inv()
+    private fun opcodeOf(packet: ByteArray) = packet[0].toInt() and 0xFF and RcxOpcode.TOGGLE.inv()
 
     private companion object {
         val HEADERS = listOf(byteArrayOf(0x55, -1, 0), byteArrayOf(-1, 0), byteArrayOf(0))

@@ -1,6 +1,6 @@
 package robotran.tower.line
 
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.TowerError
 import robotran.tower.Tries
 import robotran.tower.port.TowerPort
@@ -37,7 +37,7 @@ internal class Requests(port: TowerPort) {
     suspend fun aliveBetweenBlocks(): TowerError? {
         val failures = Failures()
         repeat(Tries.REQUEST) {
-            when (val result = line.attempt(byteArrayOf(Opcode.ALIVE.toByte()), 0)) {
+            when (val result = line.attempt(byteArrayOf(RcxOpcode.ALIVE.toByte()), 0)) {
                 is Attempt.Answered -> return null
                 is Attempt.Unanswered -> failures.add(result)
                 Attempt.Gone -> return TowerError.TowerGone

@@ -2,7 +2,7 @@ package robotran.tower.rcx
 
 import kotlinx.coroutines.delay
 import robotran.tower.Key
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.Remains
 import robotran.tower.Status
 import robotran.tower.TowerError
@@ -61,10 +61,10 @@ private fun failedToBegin(error: TowerError, isFirst: Boolean) = when {
 }
 
 private suspend fun beginFirmware(requests: Requests, firmware: FirmwareImage): TowerError? {
-    val delete = byteArrayOf(Opcode.DELETE_FIRMWARE.toByte()) + Key.PRIMES
+    val delete = byteArrayOf(RcxOpcode.DELETE_FIRMWARE.toByte()) + Key.PRIMES
     (requests.request(delete, 0) as? Reply.Failure)?.let { return it.error }
     val begin =
-        byteArrayOf(Opcode.BEGIN_FIRMWARE.toByte()) + twoBytes(firmware.start) + twoBytes(firmware.checksum) + 0
+        byteArrayOf(RcxOpcode.BEGIN_FIRMWARE.toByte()) + twoBytes(firmware.start) + twoBytes(firmware.checksum) + 0
     return when (val reply = requests.request(begin, 1)) {
         is Reply.Failure -> reply.error
         is Reply.Success -> TowerError.FirmwareRefused.takeUnless { reply.payload.single().toInt() == Status.GOOD }
@@ -82,7 +82,7 @@ private sealed interface Unlocked {
 }
 
 private suspend fun unlock(requests: Requests): Unlocked {
-    val message = requests.next(byteArrayOf(Opcode.UNLOCK_FIRMWARE.toByte()) + Key.LEGO)
+    val message = requests.next(byteArrayOf(RcxOpcode.UNLOCK_FIRMWARE.toByte()) + Key.LEGO)
     repeat(Tries.UNLOCK) {
         delay(Wait.BEFORE_UNLOCK.milliseconds)
         when (val result = requests.line.attempt(message, UNLOCK_TEXT_BYTES, Wait.FOR_UNLOCK)) {

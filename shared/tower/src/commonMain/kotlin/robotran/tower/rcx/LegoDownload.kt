@@ -9,7 +9,7 @@ import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.image.FirmwareTarget
 import robotran.legofirmware.image.RcxImage
 import robotran.tower.LegoLimits
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.Remains
 import robotran.tower.Status
 import robotran.tower.TowerError
@@ -83,7 +83,7 @@ internal suspend fun legoVersions(requests: Requests): TowerResult<Versions> {
 }
 
 /** `selectSlot(1)` selects the first slot. */
-internal fun selectSlot(slot: Int): ByteArray = byteArrayOf(Opcode.SELECT_SLOT.toByte(), (slot - 1).toByte())
+internal fun selectSlot(slot: Int): ByteArray = byteArrayOf(RcxOpcode.SELECT_SLOT.toByte(), (slot - 1).toByte())
 
 /** One download to a brick that can take it. */
 private class LegoDownload(
@@ -101,7 +101,7 @@ private class LegoDownload(
 
     /** Empties the slot and sends all parts; the error if that fails. */
     suspend fun send(): TowerError? {
-        val messages = listOf(byteArrayOf(Opcode.STOP.toByte()), selectSlot(slot), DELETE_TASKS, DELETE_SUBROUTINES)
+        val messages = listOf(byteArrayOf(RcxOpcode.STOP.toByte()), selectSlot(slot), DELETE_TASKS, DELETE_SUBROUTINES)
         for (message in messages) {
             val reply = requests.request(message, 0)
             if (reply is Reply.Failure) return reply.error
@@ -113,7 +113,7 @@ private class LegoDownload(
     private suspend fun sendPart(part: Chunk): TowerError? {
         if (part.id == ChunkId.MAIN) isMainBegun = true
         val sender = BlockSender(requests, LEGO_RULES, progress)
-        val opcode = if (part.id.kind == ChunkKind.TASK) Opcode.BEGIN_TASK else Opcode.BEGIN_SUBROUTINE
+        val opcode = if (part.id.kind == ChunkKind.TASK) RcxOpcode.BEGIN_TASK else RcxOpcode.BEGIN_SUBROUTINE
         val code = part.code.toByteArray()
         val begin = byteArrayOf(opcode.toByte(), 0, part.id.number.toByte(), 0) + twoBytes(code.size)
         repeat(Tries.DOWNLOAD) {
@@ -136,7 +136,7 @@ private class LegoDownload(
 
     /** All parts are there: the brick plays a sound, which nothing depends on. */
     suspend fun end(): TransferResult {
-        requests.request(byteArrayOf(Opcode.PLAY_SOUND.toByte(), UP_SOUND), 0, Tries.CLEAN_UP)
+        requests.request(byteArrayOf(RcxOpcode.PLAY_SOUND.toByte(), UP_SOUND), 0, Tries.CLEAN_UP)
         return TransferResult.Success(total, progress.repeats)
     }
 
@@ -161,8 +161,8 @@ private val NO_LEGO_FIRMWARE = TowerResult.Failure(TowerError.NoLegoFirmware)
 private val ORDER =
     compareBy<Chunk> { it.id.kind == ChunkKind.TASK }.thenBy { it.id == ChunkId.MAIN }.thenBy { it.id.number }
 private val LEGO_RULES = BlockRules(minBlocks = 1, lastIsZero = true)
-private val DELETE_TASKS = byteArrayOf(Opcode.DELETE_TASKS.toByte())
-private val DELETE_SUBROUTINES = byteArrayOf(Opcode.DELETE_SUBROUTINES.toByte())
+private val DELETE_TASKS = byteArrayOf(RcxOpcode.DELETE_TASKS.toByte())
+private val DELETE_SUBROUTINES = byteArrayOf(RcxOpcode.DELETE_SUBROUTINES.toByte())
 
 /** The quick rising sound, with which nqc ends a download, too. */
 private const val UP_SOUND: Byte = 5

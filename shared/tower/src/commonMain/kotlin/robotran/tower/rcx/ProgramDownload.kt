@@ -3,7 +3,7 @@ package robotran.tower.rcx
 import robotran.tower.Blocks
 import robotran.tower.BrickMemory
 import robotran.tower.Key
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -62,7 +62,7 @@ private fun failedToBegin(error: TowerError, isFirst: Boolean): TransferResult.F
 /** Begins a download; the error if the brick does not answer as leJOS. */
 private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerError? {
     val tries = if (isClear) Tries.LEJOS_BEGIN_WHEN_CLEAR else Tries.LEJOS_BEGIN
-    val reply = requests.request(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
+    val reply = requests.request(byteArrayOf(RcxOpcode.LEJOS_BEGIN.toByte()) + Key.LEJOS, Key.LEJOS.size, tries)
     return when (reply) {
         is Reply.Success -> if (reply.payload.contentEquals(Key.LEJOS)) null else noLejos(requests)
 
@@ -78,7 +78,7 @@ private suspend fun beginProgram(requests: Requests, isClear: Boolean): TowerErr
 
 /** A brick that answers alive, but does not begin a download, has no leJOS. */
 private suspend fun silenceAtBegin(requests: Requests): TowerError =
-    when (val alive = requests.request(byteArrayOf(Opcode.ALIVE.toByte()), 0)) {
+    when (val alive = requests.request(byteArrayOf(RcxOpcode.ALIVE.toByte()), 0)) {
         is Reply.Success -> noLejos(requests)
         is Reply.Failure -> alive.error
     }
@@ -92,7 +92,7 @@ private suspend fun noLejos(requests: Requests): TowerError {
 /** Wakes the tower and asks whether a brick is there; the error if not. */
 internal suspend fun Requests.reach(): TowerError? {
     wake()?.let { return it }
-    return (request(byteArrayOf(Opcode.ALIVE.toByte()), 0) as? Reply.Failure)?.error
+    return (request(byteArrayOf(RcxOpcode.ALIVE.toByte()), 0) as? Reply.Failure)?.error
 }
 
 private val LEJOS_RULES =

@@ -9,7 +9,7 @@ import robotran.legofirmware.image.RcxImage
 import robotran.tower.BrickMemory
 import robotran.tower.BrickStatus
 import robotran.tower.LegoLimits
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.ReceivedMessage
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -102,16 +102,17 @@ class RcxTower(private val port: TowerPort) {
         requireSlot(slot)
         return legoCommand(
             selectSlot(slot),
-            byteArrayOf(Opcode.DELETE_TASKS.toByte()),
-            byteArrayOf(Opcode.DELETE_SUBROUTINES.toByte()),
+            byteArrayOf(RcxOpcode.DELETE_TASKS.toByte()),
+            byteArrayOf(RcxOpcode.DELETE_SUBROUTINES.toByte()),
         )
     }
 
     /** Starts the main task of the selected slot of LEGO's firmware. */
-    suspend fun startLegoProgram(): TowerResult<Unit> = legoCommand(byteArrayOf(Opcode.START_TASK.toByte(), MAIN_TASK))
+    suspend fun startLegoProgram(): TowerResult<Unit> =
+        legoCommand(byteArrayOf(RcxOpcode.START_TASK.toByte(), MAIN_TASK))
 
     /** Stops all tasks of LEGO's firmware. */
-    suspend fun stopLegoProgram(): TowerResult<Unit> = legoCommand(byteArrayOf(Opcode.STOP.toByte()))
+    suspend fun stopLegoProgram(): TowerResult<Unit> = legoCommand(byteArrayOf(RcxOpcode.STOP.toByte()))
 
     /**
      * The datalog of LEGO's firmware, without the first entry, which only counts the others; empty if there is none. The
@@ -125,7 +126,7 @@ class RcxTower(private val port: TowerPort) {
     /** Sets the clock of LEGO's firmware. */
     suspend fun setLegoClock(hours: Int, minutes: Int): TowerResult<Unit> {
         require(hours in 0..23 && minutes in 0..59) { "$hours:$minutes is no time" }
-        return legoCommand(byteArrayOf(Opcode.SET_CLOCK.toByte(), hours.toByte(), minutes.toByte()))
+        return legoCommand(byteArrayOf(RcxOpcode.SET_CLOCK.toByte(), hours.toByte(), minutes.toByte()))
     }
 
     /**
@@ -136,7 +137,7 @@ class RcxTower(private val port: TowerPort) {
         require(number in 1..0xFF) { "$number is no message" }
         return exclusively {
             requests.wake()?.let { return@exclusively TowerResult.Failure(it) }
-            val message = requests.next(byteArrayOf(Opcode.MESSAGE.toByte(), number.toByte()))
+            val message = requests.next(byteArrayOf(RcxOpcode.MESSAGE.toByte(), number.toByte()))
             val isSent = requests.line.sendOnly(message)
             (if (isSent) null else TowerError.TowerGone).asResult()
         }

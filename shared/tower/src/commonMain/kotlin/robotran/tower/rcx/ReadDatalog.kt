@@ -3,7 +3,7 @@ package robotran.tower.rcx
 import robotran.legofirmware.device.DatalogEntry
 import robotran.tower.LegoLimits
 import robotran.tower.LineSpeed
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
 import robotran.tower.TransferProgress
@@ -64,7 +64,7 @@ private class DatalogReader(private val requests: Requests, private val report: 
     }
 
     private suspend fun readSome(first: Int, count: Int): TowerResult<List<DatalogEntry>> {
-        val message = byteArrayOf(Opcode.READ_DATALOG.toByte()) + twoBytes(first) + twoBytes(count)
+        val message = byteArrayOf(RcxOpcode.READ_DATALOG.toByte()) + twoBytes(first) + twoBytes(count)
         val tries = if (count <= SIZES.last()) Tries.SMALLEST_DATALOG else Tries.DATALOG
         val reply = requests.request(message, count * ENTRY_BYTES, tries)
         repeats += requests.attempts - 1

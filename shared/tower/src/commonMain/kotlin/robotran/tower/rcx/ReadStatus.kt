@@ -2,7 +2,7 @@ package robotran.tower.rcx
 
 import robotran.tower.BrickStatus
 import robotran.tower.Key
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.RcxVersion
 import robotran.tower.TowerError
 import robotran.tower.TowerResult
@@ -18,7 +18,7 @@ internal suspend fun readStatus(requests: Requests): TowerResult<BrickStatus> {
         is TowerResult.Failure -> return if (result.error == TowerError.BrickSilent) UNKNOWN else result
     }
     if (!versions.hasFirmware) return TowerResult.Success(BrickStatus.LejosOrNoFirmware(versions.rom))
-    val battery = requests.request(byteArrayOf(Opcode.BATTERY.toByte()), BATTERY_BYTES)
+    val battery = requests.request(byteArrayOf(RcxOpcode.BATTERY.toByte()), BATTERY_BYTES)
     if (battery is Reply.Failure && battery.error == TowerError.TowerGone) return TowerResult.Failure(battery.error)
     val millivolts = (battery as? Reply.Success)?.let { lowFirst(it.payload) }
     return TowerResult.Success(BrickStatus.LegoFirmware(versions.rom, versions.firmware, millivolts))
@@ -31,7 +31,7 @@ internal class Versions(val rom: RcxVersion, val firmware: RcxVersion) {
 }
 
 internal suspend fun readVersions(requests: Requests, tries: Int = Tries.REQUEST): TowerResult<Versions> {
-    val message = byteArrayOf(Opcode.VERSIONS.toByte()) + Key.PRIMES
+    val message = byteArrayOf(RcxOpcode.VERSIONS.toByte()) + Key.PRIMES
     return when (val reply = requests.request(message, VERSIONS_BYTES, tries)) {
         is Reply.Failure -> TowerResult.Failure(reply.error)
         is Reply.Success -> TowerResult.Success(Versions(versionAt(reply.payload, 0), versionAt(reply.payload, 4)))
@@ -40,7 +40,7 @@ internal suspend fun readVersions(requests: Requests, tries: Int = Tries.REQUEST
 
 /** The voltage of the batteries, in mV. Only LEGO's firmware tells it. */
 internal suspend fun readBattery(requests: Requests): TowerResult<Int> =
-    when (val reply = requests.request(byteArrayOf(Opcode.BATTERY.toByte()), BATTERY_BYTES)) {
+    when (val reply = requests.request(byteArrayOf(RcxOpcode.BATTERY.toByte()), BATTERY_BYTES)) {
         is Reply.Failure -> TowerResult.Failure(reply.error)
         is Reply.Success -> TowerResult.Success(lowFirst(reply.payload))
     }
@@ -51,7 +51,7 @@ internal suspend fun Requests.firmwareRuns(): TowerResult<Boolean> {
         is TowerResult.Success -> if (versions.value.hasFirmware) return TowerResult.Success(true)
         is TowerResult.Failure -> return if (versions.error == TowerError.BrickSilent) FALSE else versions
     }
-    val begin = byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS
+    val begin = byteArrayOf(RcxOpcode.LEJOS_BEGIN.toByte()) + Key.LEJOS
     return when (val reply = request(begin, Key.LEJOS.size, Tries.LEJOS_BEGIN_WHEN_CLEAR)) {
         is Reply.Failure -> if (reply.error == TowerError.TowerGone) TowerResult.Failure(reply.error) else FALSE
         is Reply.Success -> TowerResult.Success(reply.payload.contentEquals(Key.LEJOS)).also { endBegun(it.value) }
@@ -60,7 +60,7 @@ internal suspend fun Requests.firmwareRuns(): TowerResult<Boolean> {
 
 /** leJOS waits for a program now. The same message again makes it stop waiting, and it does not answer that. */
 private suspend fun Requests.endBegun(hasBegun: Boolean) {
-    if (hasBegun) line.sendOnly(byteArrayOf(Opcode.LEJOS_BEGIN.toByte()) + Key.LEJOS)
+    if (hasBegun) line.sendOnly(byteArrayOf(RcxOpcode.LEJOS_BEGIN.toByte()) + Key.LEJOS)
 }
 
 /** Two bytes of the major version, two digits of the minor one: `00 03 03 02` is 3.32. */

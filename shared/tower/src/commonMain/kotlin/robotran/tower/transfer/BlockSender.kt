@@ -1,7 +1,7 @@
 package robotran.tower.transfer
 
 import robotran.tower.Blocks
-import robotran.tower.Opcode
+import robotran.tower.RcxOpcode
 import robotran.tower.Status
 import robotran.tower.TowerError
 import robotran.tower.Tries
@@ -129,7 +129,7 @@ internal class BlockSender(
 /** A block as it is sent, before its toggle. */
 private class Block(number: Int, data: ByteArray) {
     val message =
-        byteArrayOf(Opcode.BLOCK.toByte()) + twoBytes(number) + twoBytes(data.size) + data + checksum(data)
+        byteArrayOf(RcxOpcode.BLOCK.toByte()) + twoBytes(number) + twoBytes(data.size) + data + checksum(data)
 }
 
 /** The result of sending one block until it was answered. */

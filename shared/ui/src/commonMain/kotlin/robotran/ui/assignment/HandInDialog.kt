@@ -110,7 +110,7 @@ private fun Step(step: HandInStep, hasShareSheet: Boolean, maxHeight: Dp, onEven
     when (step) {
         is HandInStep.Asking -> AskingView(step, onEvent)
         is HandInStep.Running -> RunningView(step)
-        is HandInStep.HasMistakes -> MistakesView(step)
+        is HandInStep.HasErrors -> ErrorsView(step)
         is HandInStep.Ready -> ReadyView(step, hasShareSheet, maxHeight, onEvent)
     }
 }
@@ -130,10 +130,10 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
 
         is HandInStep.Running -> OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-stop", back)
 
-        is HandInStep.HasMistakes -> {
+        is HandInStep.HasErrors -> {
             OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
             MainButton(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway") {
-                onEvent(AssignmentEvent.HandInMade(withMistakes = true))
+                onEvent(AssignmentEvent.HandInMade(withErrors = true))
             }
         }
 

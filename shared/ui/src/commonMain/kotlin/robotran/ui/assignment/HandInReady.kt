@@ -29,7 +29,7 @@ import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 
 /** @param maxHeight of what is seen at once: the code is seen whole. */
 @Composable
@@ -54,7 +54,7 @@ internal fun ReadyView(
     } else {
         Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Ways(step, hasShareSheet, onEvent)
-            LinkOrProblem(step.link, step.linkProblem, "hand-in-qr", help, maxHeight = maxHeight)
+            LinkOrError(step.link, step.linkError, "hand-in-qr", help, maxHeight = maxHeight)
             Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
         }
     }
@@ -106,9 +106,9 @@ internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
  * @param maxHeight how high the code may be, so that it can be seen whole.
  */
 @Composable
-internal fun LinkOrProblem(
+internal fun LinkOrError(
     link: String?,
-    problem: LinkProblem?,
+    problem: LinkError?,
     tag: String,
     qrHelp: Label = DocumentTexts::qrHelp,
     isForClass: Boolean = false,
@@ -119,8 +119,8 @@ internal fun LinkOrProblem(
         if (link != null) LinkAsQrCode(link, qrHelp(spoken), isForClass, maxHeight)
         when (problem) {
             null -> Unit
-            LinkProblem.NoSite -> Explanation(SchoolTexts.handInNoLink(spoken), news)
-            is LinkProblem.TooLong -> Explanation(problem.message, news)
+            LinkError.NoSite -> Explanation(SchoolTexts.handInNoLink(spoken), news)
+            is LinkError.TooLong -> Explanation(problem.message, news)
         }
     }
 }

@@ -130,7 +130,7 @@ internal fun ProgressBar(part: Float, tag: String) = LinearProgressIndicator(
 )
 
 @Composable
-internal fun MistakesView(step: HandInStep.HasMistakes) {
+internal fun ErrorsView(step: HandInStep.HasErrors) {
     Explanation(SchoolTexts.handInMistakes(spoken), Modifier.testTag("hand-in-mistakes"), bad = true)
     for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
 }

@@ -55,7 +55,7 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
             // The focus goes with a row that moves.
             key(task.assignmentId) { TaskRow(task, index, tasks.size, onEvent) }
         }
-        ComesIntoView(page.problem) { page.problem?.let { CourseProblemText(it) } }
+        ComesIntoView(page.problem) { page.problem?.let { CourseErrorText(it) } }
         Chips {
             SecondButton(SchoolTexts.courseAddFiles(spoken), "course-add-files", {
                 onEvent(CourseEvent.FilesRequested)

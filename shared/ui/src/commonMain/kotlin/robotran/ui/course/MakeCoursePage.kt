@@ -29,8 +29,8 @@ import robotran.ui.parts.SecondButton
 import robotran.ui.texts.SchoolTexts
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.CourseError
 import robotran.workshop.state.CoursePage
-import robotran.workshop.state.CourseProblem
 import robotran.workshop.state.PupilLink
 import robotran.world.WorldLimits
 
@@ -100,14 +100,14 @@ private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (Works
 
 /** Why the last action did nothing. */
 @Composable
-internal fun CourseProblemText(problem: CourseProblem) {
+internal fun CourseErrorText(problem: CourseError) {
     val words = when (problem) {
-        is CourseProblem.NotAnAssignment -> SchoolTexts.courseProblemOther(spoken, problem.name)
-        is CourseProblem.NotOpened -> wordsFor(problem.error)
-        is CourseProblem.TooMany -> SchoolTexts.courseProblemMany(spoken, problem.max)
-        CourseProblem.TooLong -> SchoolTexts.courseProblemLong(spoken)
-        CourseProblem.NotKept -> SchoolTexts.courseProblemKept(spoken)
-        is CourseProblem.NotSaved -> SchoolTexts.handInNotSaved(spoken, problem.reason).trim()
+        is CourseError.NotAnAssignment -> SchoolTexts.courseProblemOther(spoken, problem.name)
+        is CourseError.NotOpened -> wordsFor(problem.error)
+        is CourseError.TooMany -> SchoolTexts.courseProblemMany(spoken, problem.max)
+        CourseError.TooLong -> SchoolTexts.courseProblemLong(spoken)
+        CourseError.NotKept -> SchoolTexts.courseProblemKept(spoken)
+        is CourseError.NotSaved -> SchoolTexts.handInNotSaved(spoken, problem.reason).trim()
     }
     Explanation(words, Modifier.testTag("course-problem").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
 }

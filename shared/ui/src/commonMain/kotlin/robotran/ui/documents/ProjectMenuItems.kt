@@ -21,9 +21,9 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.SendEvent
-import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 
@@ -56,7 +56,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     ProjectMenuItem(DocumentTexts::share, "share-link") { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider(color = LocalRobotranColours.current.line)
     if (state.canSend) ProjectMenuItem(SendTexts::robot, "send-robot") { choose(SendEvent.Requested) }
-    ProjectMenuItem(ExportTexts::title, "show") { choose(ShowEvent.Requested) }
+    ProjectMenuItem(ExportTexts::title, "show") { choose(ExportEvent.Requested) }
     ProjectMenuItem(SchoolTexts::makeTitle, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
     ProjectMenuItem(DocumentTexts::replay, "replay") { choose(DocumentEvent.ReplayRequested) }
     ProjectMenuItem(DocumentTexts::programFile, "program-file") { choose(DocumentEvent.ProgramFileRequested) }

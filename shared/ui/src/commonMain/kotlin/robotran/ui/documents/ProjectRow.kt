@@ -134,10 +134,10 @@ private fun SheetPicture(work: ProjectListEntry) {
 private suspend fun loadsForPicture(project: Project): List<RobotProgramSet> {
     val isSlow = project.robots.any { robot -> robot.programs.any { it.language.support.hasSlowCompiler } }
     if (isSlow) return emptyList()
-    return (readRobotLoads(project, reader) as? RobotProgramSets.Success)?.loads.orEmpty()
+    return (readRobotLoads(project, compiler) as? RobotProgramSets.Success)?.loads.orEmpty()
 }
 
 private val pictures = SheetPictures()
-private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
+private val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 private val PICTURE_WIDTH = 96.dp
 private val PICTURE_HEIGHT = 72.dp

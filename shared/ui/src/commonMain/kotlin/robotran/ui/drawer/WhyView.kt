@@ -28,7 +28,7 @@ import robotran.workshop.state.RunPaneState
 internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val why = state.drawer.why
     if (why.deviationCauses.isEmpty() &&
-        why.remarks.isEmpty()
+        why.warnings.isEmpty()
     ) {
         return EmptyDrawer(emptyWords(state), EmptyPicture.WAY, modifier)
     }
@@ -38,15 +38,15 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
         for (influence in why.deviationCauses) {
             Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
         }
-        if (why.remarks.isNotEmpty()) SectionName(RunTexts.whyRemarks(spoken))
-        for (remark in why.remarks) {
-            val text = if (remark.sourceLine == 0) {
-                remark.message
+        if (why.warnings.isNotEmpty()) SectionName(RunTexts.whyRemarks(spoken))
+        for (warning in why.warnings) {
+            val text = if (warning.sourceLine == 0) {
+                warning.message
             } else {
-                RunTexts.whyLine(spoken, remark.sourceLine, remark.message)
+                RunTexts.whyLine(spoken, warning.sourceLine, warning.message)
             }
             Sentence(text, "why-remark")
-            state.session.robots[state.watched].missingSensors?.takeIf { it.remark == remark }?.let { missing ->
+            state.session.robots[state.watched].missingSensors?.takeIf { it.warning == warning }?.let { missing ->
                 val robot = state.world.robots[state.watched].name
                 PlugInButton(missing, { onEvent(WorldEditEvent.SensorsPluggedIn(robot, it)) })
             }

@@ -103,14 +103,14 @@ private fun CardWords(row: HandInRow, task: HandInTask) {
         if (graded.runs.size > 1) RunMarks(graded, task.plan)
         Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
     }
-    val figures = listOfNotNull(
+    val parameters = listOfNotNull(
         row.lines.takeIf { it > 0 }?.let { SchoolTexts.handInsLines(spoken, it) },
         triesOf(row)?.let { SchoolTexts.handInsTries(spoken, it) },
         row.results?.seconds?.let { SchoolTexts.handInsSeconds(spoken, secondsText(it)) },
     )
-    if (figures.isNotEmpty()) {
+    if (parameters.isNotEmpty()) {
         Text(
-            figures.joinToString(" · "),
+            parameters.joinToString(" · "),
             color = colours.quiet,
             fontSize = TextSizes.SMALL,
             lineHeight = LineHeights.TIGHT,

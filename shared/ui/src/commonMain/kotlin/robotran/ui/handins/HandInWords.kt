@@ -71,7 +71,7 @@ internal fun remarksOf(row: HandInRow): List<String> {
     val messages = CollectingMessages.of(LocalLanguage.current)
     val submission = row.submission
     val reasons = when (val graded = row.graded) {
-        is GradedHandIn.HasMistakes -> graded.reasons.take(1)
+        is GradedHandIn.HasErrors -> graded.reasons.take(1)
         is GradedHandIn.Failed -> graded.reasons
         else -> listOfNotNull((submission as? Submission.Unusable)?.reason)
     }

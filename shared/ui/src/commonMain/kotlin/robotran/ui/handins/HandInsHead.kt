@@ -44,8 +44,8 @@ internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (Han
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
         when (state.kind) {
             HandInsKind.WITH_CHECKS -> Unit
-            HandInsKind.WITHOUT_CHECKS -> Remark(SchoolTexts.handInsNoChecks(spoken))
-            HandInsKind.WORLD -> Remark(SchoolTexts.handInsWorld(spoken))
+            HandInsKind.WITHOUT_CHECKS -> HelpText(SchoolTexts.handInsNoChecks(spoken))
+            HandInsKind.WORLD -> HelpText(SchoolTexts.handInsWorld(spoken))
         }
         if (hasActions) HandInsActions(state, onEvent)
         Text(
@@ -86,7 +86,7 @@ internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit
     }
 
 @Composable
-private fun Remark(label: String) = Text(
+private fun HelpText(label: String) = Text(
     label,
     Modifier
         .fillMaxWidth()
@@ -100,7 +100,7 @@ private fun Remark(label: String) = Text(
 
 /** What came of the last action, until it is dismissed. Screen readers announce it. */
 @Composable
-internal fun Told(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
+internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Row(
         Modifier

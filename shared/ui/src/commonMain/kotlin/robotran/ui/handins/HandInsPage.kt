@@ -31,7 +31,7 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val ofOne = rememberScrollState()
     val words = if (row == null) ScreenTexts::pageClose else SchoolTexts::handInGoBack
     Page(title, "hand-ins", close, if (row == null) list else ofOne, MAX_WIDTH, words) {
-        state.message?.let { Told(it, onEvent) }
+        state.message?.let { HandInsMessageText(it, onEvent) }
         BoxWithConstraints(Modifier.weight(1f)) {
             val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)
             if (row == null) {

@@ -23,7 +23,7 @@ import robotran.world.file.BuiltInWorlds
  */
 internal object ExamplePictures : CardPictures<String> {
     private val pictures = SheetPictures()
-    private val reader = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
+    private val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
 
     override fun ready(subject: String, colours: SheetColours, room: PictureBounds): ImageBitmap? =
         pictures.ready(twinOf(subject) ?: subject, colours, room)
@@ -41,7 +41,7 @@ internal object ExamplePictures : CardPictures<String> {
     private suspend fun programOf(set: ExampleSet, name: String, brick: BrickKind): BrickProgram? {
         val text = set.programs[name] ?: return null
         val source = Program(name, set.language, text)
-        val compiled = reader.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
+        val compiled = compiler.forTarget(brick.penbotTarget).compile(source) as? TimedCompilation.Compiled
         return (compiled?.result as? ProgramResult.Success)?.program
     }
 

@@ -36,7 +36,7 @@ internal fun LearningPages(
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
         LearningPage.MAP -> LessonMapPage(state, saved, onEvent)
         LearningPage.WORLDS -> WorldGalleryPage(state, saved, onEvent)
-        LearningPage.EXAMPLES -> ExamplesPage(state.help.code, state.help.brick, onEvent)
+        LearningPage.EXAMPLES -> ExamplesPage(state.help.programLanguage, state.help.brick, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(bottom = foot).padding(12.dp)) {
             // Covers only the program, so that Run stays visible: beside the paper, below it, or the whole of a phone.

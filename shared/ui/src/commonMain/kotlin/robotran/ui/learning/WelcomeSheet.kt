@@ -116,7 +116,7 @@ private fun stateOf(moment: WelcomeMoment, milliseconds: Long): SessionState {
     val brick = BRICK.copy(motors = motors, run = if (moment.command == null) RunState.Idle else RunState.Running(0))
     return SessionState(
         milliseconds,
-        listOf(RobotSnapshot(brick, moment.robot, bumps = 0, remarks = emptyList(), romCalls = 0)),
+        listOf(RobotSnapshot(brick, moment.robot, bumps = 0, warnings = emptyList(), romCalls = 0)),
         blocks = emptyList(),
         lamps = emptyList(),
         ink = Ink(listOf(InkStroke(moment.line)), 0.0),

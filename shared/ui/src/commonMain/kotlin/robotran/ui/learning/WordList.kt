@@ -41,7 +41,7 @@ import robotran.workshop.state.LearningState
 /** All words of one of the languages with their explanations, to choose from. */
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
-    val code = state.help.code
+    val code = state.help.programLanguage
     val words = remember(code, state.language, state.help.brick) {
         WordHelp.words(code, state.help.brick).mapNotNull { WordHelp.of(state.language, code, it, state.help.brick) }
     }

@@ -56,8 +56,8 @@ internal class Icon(private val drawn: DrawScope.(Color) -> Unit) {
         private fun pathOf(line: String) = Path().apply {
             var x = 0f
             var y = 0f
-            for ((letter, figures) in STEP.findAll(line).map { it.groupValues[1] to it.groupValues[2] }) {
-                val numbers = figures.trim().split(' ').map { it.toFloat() }
+            for ((letter, parameters) in STEP.findAll(line).map { it.groupValues[1] to it.groupValues[2] }) {
+                val numbers = parameters.trim().split(' ').map { it.toFloat() }
                 when (letter) {
                     "H" -> x = numbers[0]
                     "V" -> y = numbers[0]

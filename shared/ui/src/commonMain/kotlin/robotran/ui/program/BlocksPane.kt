@@ -51,12 +51,12 @@ import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.program.blocks.RowMarks
 import robotran.ui.program.blocks.SaidAloud
+import robotran.ui.program.blocks.dialogs.BlockDialogView
+import robotran.ui.program.blocks.dialogs.BlocksRoom
+import robotran.ui.program.blocks.dialogs.ChoosingBar
+import robotran.ui.program.blocks.dialogs.GroupRail
+import robotran.ui.program.blocks.dialogs.SheetPlace
 import robotran.ui.program.blocks.rememberBlockLooks
-import robotran.ui.program.blocks.sheets.BlockSheetView
-import robotran.ui.program.blocks.sheets.BlocksRoom
-import robotran.ui.program.blocks.sheets.ChoosingBar
-import robotran.ui.program.blocks.sheets.GroupRail
-import robotran.ui.program.blocks.sheets.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Corners
@@ -127,13 +127,13 @@ internal fun BlocksPane(
     val label = BlockTexts.labelKeys(spoken)
     val failedLine = notes.firstOrNull { it.kind == NoteKind.FAILURE }?.line ?: 0
     dragging.takeFocus = (focus ?: own)::requestFocus
-    var hadSheet by remember { mutableStateOf(false) }
+    var hadDialog by remember { mutableStateOf(false) }
     LaunchedEffect(blocks.sheet == null, blocks.cursor) {
         // A sheet that closes would leave the keyboard nowhere, and a screen reader has no other way to the list.
-        val wasOpen = hadSheet
-        hadSheet = blocks.sheet != null
+        val wasOpen = hadDialog
+        hadDialog = blocks.sheet != null
         // Beside the text, the cursor follows the caret while the pupil types.
-        if (hadSheet || (!wasOpen && (blocks.cursor == null || focus == null))) return@LaunchedEffect
+        if (hadDialog || (!wasOpen && (blocks.cursor == null || focus == null))) return@LaunchedEffect
         // The list is composed only during layout.
         withFrameNanos { }
         dragging.takeFocus()
@@ -144,14 +144,14 @@ internal fun BlocksPane(
         val covered = room.coveredBy(blocks.sheet)
         val above = maxHeight - room.heightOf(blocks.sheet) - PICTURE_MARGIN * 2
         val hasPicture =
-            room.sheets == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
+            room.dialogs == SheetPlace.BELOW && above >= MIN_PICTURE && LocalSheetPicture.current != null
         val picture = if (hasPicture) minOf(above, MAX_PICTURE) + PICTURE_MARGIN else 0.dp
         val hidden = with(LocalDensity.current) { (covered + picture).toPx() }
         KeepInSight(blocks, if (runningLine > 0) runningLine else failedLine, found.now, dragging.rows, hidden)
         Row(Modifier.fillMaxSize()) {
             val rail = Modifier.width(room.railWidth).fillMaxHeight()
             if (room.hasGroups) GroupRail(scope, rail)
-            if (room.sheets == SheetPlace.OVER) AddRail(scope, rail)
+            if (room.dialogs == SheetPlace.OVER) AddRail(scope, rail)
             // Also without a sheet, so that a sheet that opens moves no block.
             Box(Modifier.weight(1f).fillMaxHeight().padding(end = room.keptFree).zoomsBlocks(onZoom)) {
                 BlockListView(
@@ -190,7 +190,7 @@ internal fun BlocksPane(
                 }
             }
         }
-        BlockSheetView(scope, dragging, room)
+        BlockDialogView(scope, dragging, room)
         val sheetHeight = room.heightOf(blocks.sheet)
         if (hasPicture) {
             val place = Modifier.align(Alignment.BottomEnd).padding(PICTURE_MARGIN).padding(bottom = sheetHeight)

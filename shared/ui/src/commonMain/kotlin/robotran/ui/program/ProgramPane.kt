@@ -27,8 +27,8 @@ import robotran.projects.ProgramView
 import robotran.textediting.text.TextDocument
 import robotran.ui.language.spoken
 import robotran.ui.program.blocks.FoundLines
+import robotran.ui.program.blocks.dialogs.PaneHeight
 import robotran.ui.program.blocks.helpKey
-import robotran.ui.program.blocks.sheets.PaneHeight
 import robotran.ui.program.blocks.sizeKeys
 import robotran.ui.program.editor.CodeEditor
 import robotran.ui.program.editor.EditorCommand
@@ -95,7 +95,7 @@ internal fun ProgramPane(
                     Modifier.fillMaxSize(),
                     onRename = { renaming = true },
                 ) {
-                    RemarkList(run.remarks, maxDiagnostics, run.missingSensors, {
+                    WarningList(run.warnings, maxDiagnostics, run.missingSensors, {
                         onEvent(WorldEditEvent.SensorsPluggedIn(run.robot, it))
                     })
                     programs.closed?.takeIf {
@@ -287,7 +287,7 @@ private fun ShownFile(
                         val origin = highlighted?.originOf(shown)
                         if (origin?.file == state.file.name) actions.goToLine(origin.line)
                     },
-                    onRemark = { actions.goToLine(it.line) },
+                    onNote = { actions.goToLine(it.line) },
                     onZoom = actions::zoom,
                     onKeep = highlighted?.takeIf { state.hasRoom }?.let { kept ->
                         { onEvent(ProgramEvent.ProgramAdded(Program.of(kept.fileName, kept.text))) }
@@ -319,11 +319,13 @@ private fun notesOf(state: ProgramsState, failure: ProgramFailure?): List<Inline
 }
 
 private fun marksOf(state: ProgramsState, runningLine: Int, partners: Set<Int>): EditorMarks {
-    val (doubts, diagnostics) = state.notes.filter { it.diagnostic.file == state.file.name }.partition { it.isWarning }
+    val (warnings, diagnostics) = state.notes.filter {
+        it.diagnostic.file == state.file.name
+    }.partition { it.isWarning }
     return EditorMarks(
         runningLine = runningLine,
         diagnostics = diagnostics.mapNotNull { it.diagnostic.range },
-        doubts = doubts.mapNotNull { it.diagnostic.range },
+        warnings = warnings.mapNotNull { it.diagnostic.range },
         breakpoints = state.breakpoints,
         partners = partners,
     )

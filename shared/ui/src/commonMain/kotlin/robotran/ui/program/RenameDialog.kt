@@ -30,9 +30,9 @@ import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.workshop.programs.NameProblem
+import robotran.workshop.programs.NameError
 import robotran.workshop.programs.endingOf
-import robotran.workshop.programs.nameProblem
+import robotran.workshop.programs.nameError
 import robotran.workshop.state.ProgramsState
 
 /** Asks for a new name of the current file. One of several classes can also be removed by [onRemove]. */
@@ -41,7 +41,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
     val ending = endingOf(state.file.name, state.program.language)
     val old = state.file.name.removeSuffix(ending)
     var typed by remember { mutableStateOf(TextFieldValue(old, TextRange(0, old.length))) }
-    val problem = nameProblem(state.programs, state.shownProgram, state.shownFile, typed.text)
+    val problem = nameError(state.programs, state.shownProgram, state.shownFile, typed.text)
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
     DialogFrame(
@@ -82,9 +82,9 @@ private fun DialogButton(label: String, tag: String, enabled: Boolean, onClick: 
     }
 }
 
-private fun wordsFor(problem: NameProblem): Label = when (problem) {
-    NameProblem.EMPTY -> EditorTexts::nameEmpty
-    NameProblem.TAKEN -> EditorTexts::nameTaken
-    NameProblem.NO_CLASS_NAME -> EditorTexts::nameNoClass
-    NameProblem.STRANGE_CHARACTER -> EditorTexts::nameStrange
+private fun wordsFor(problem: NameError): Label = when (problem) {
+    NameError.EMPTY -> EditorTexts::nameEmpty
+    NameError.TAKEN -> EditorTexts::nameTaken
+    NameError.NO_CLASS_NAME -> EditorTexts::nameNoClass
+    NameError.STRANGE_CHARACTER -> EditorTexts::nameStrange
 }

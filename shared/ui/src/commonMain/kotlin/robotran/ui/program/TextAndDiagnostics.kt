@@ -34,8 +34,8 @@ internal fun TextAndDiagnostics(
         }
         state.otherBrick?.let { brick -> OtherBrickBar(brick, state.shownRobot) { onPenbot(brick) } }
         // The bar about the other brick says the same as a mistake without a place.
-        val isTold = state.otherBrick != null && state.diagnostics.all { it.range == null }
-        if (hasErrors && state.diagnostics.isNotEmpty() && !isTold) {
+        val isShown = state.otherBrick != null && state.diagnostics.all { it.range == null }
+        if (hasErrors && state.diagnostics.isNotEmpty() && !isShown) {
             val pointedOut = state.errorPointedOut
             DiagnosticStrip(
                 state.program,

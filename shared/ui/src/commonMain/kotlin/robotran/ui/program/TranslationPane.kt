@@ -33,7 +33,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.CodeTokens
 import robotran.programs.ProgramTranslation
-import robotran.programs.TranslationRemark
+import robotran.programs.TranslationNote
 import robotran.programs.support
 import robotran.textediting.text.TextDocument
 import robotran.ui.language.spoken
@@ -62,7 +62,7 @@ import robotran.ui.theme.focusRing
  * @param lit its lines, from 1, that correspond to the line of the caret.
  * @param running its lines, from 1, that correspond to the running line.
  * @param onLine receives the tapped line, from 1.
- * @param onRemark receives the tapped remark.
+ * @param onNote receives the tapped note.
  * @param onKeep adds it as a new program; null if there is no room.
  */
 @Composable
@@ -74,7 +74,7 @@ internal fun TranslationPane(
     running: Set<Int>,
     codeSize: Float,
     onLine: (Int) -> Unit,
-    onRemark: (TranslationRemark) -> Unit,
+    onNote: (TranslationNote) -> Unit,
     onZoom: (Float) -> Unit,
     onKeep: (() -> Unit)?,
     modifier: Modifier = Modifier,
@@ -116,7 +116,7 @@ internal fun TranslationPane(
                 }
             }
         }
-        if (translation != null && isNow) TranslationRemarks(translation.remarks, onRemark)
+        if (translation != null && isNow) TranslationNotes(translation.notes, onNote)
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
             if (translation != null) {

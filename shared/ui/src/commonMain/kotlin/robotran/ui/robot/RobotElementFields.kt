@@ -19,9 +19,9 @@ import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.EditIcons
+import robotran.ui.worldedit.HelpText
 import robotran.ui.worldedit.IconWord
 import robotran.ui.worldedit.NumberRow
-import robotran.ui.worldedit.Remark
 import robotran.world.BumperPart
 import robotran.world.Chassis
 import robotran.world.Drive
@@ -30,7 +30,7 @@ import robotran.world.PenMount
 import robotran.world.RobotLimits
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import robotran.world.robot.things
 import robotran.worldediting.written
 import kotlin.math.round
@@ -73,7 +73,7 @@ internal fun RobotElementFields(scope: RobotScope, element: RobotElement) {
         RobotElement.Wheels -> WheelFields(scope)
 
         RobotElement.Pen -> {
-            Remark(RobotTexts.penHelp(spoken))
+            HelpText(RobotTexts.penHelp(spoken))
             MotorChips(RobotTexts::motor, robot.pen?.motor, "robot-pen-motor") {
                 scope.changeAtOnce(robot.copy(pen = PenMount(it)))
             }
@@ -123,12 +123,12 @@ private fun WheelFields(scope: RobotScope) {
     val drive = scope.robot.drive
     val change = { what: String, changed: Drive -> scope.change(scope.robot.copy(drive = changed), what) }
     val atOnce = { changed: Drive -> scope.changeAtOnce(scope.robot.copy(drive = changed)) }
-    val figures = RobotFigures.of(scope.robot)
-    Remark(
+    val parameters = RobotParameters.of(scope.robot)
+    HelpText(
         RobotTexts.speed(
             spoken,
-            written(round(figures.topSpeed)),
-            written(round(figures.wheelCircumference * TENTHS) / TENTHS),
+            written(round(parameters.topSpeed)),
+            written(round(parameters.wheelCircumference * TENTHS) / TENTHS),
         ),
     )
     val diameters = RobotLimits.WHEEL_DIAMETERS
@@ -169,7 +169,7 @@ private fun WheelFields(scope: RobotScope) {
 @Composable
 private fun MassFields(scope: RobotScope) {
     val chassis = scope.robot.chassis
-    Remark(RobotTexts.massSide(spoken))
+    HelpText(RobotTexts.massSide(spoken))
     NumberRow(
         RobotTexts.massKg(spoken),
         chassis.mass,

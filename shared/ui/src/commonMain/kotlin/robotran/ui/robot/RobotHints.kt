@@ -66,8 +66,8 @@ internal fun RobotHints(
         RobotTexts.saveRefused(spoken).takeIf { state.isSavingRefused },
     ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
         world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }
-    val remarks = listOfNotNull(unpluggedHint(editing))
-    if ((sentences.isEmpty() && remarks.isEmpty()) || !state.hintsShown || editing.gesture != null) return
+    val warnings = listOfNotNull(unpluggedHint(editing))
+    if ((sentences.isEmpty() && warnings.isEmpty()) || !state.hintsShown || editing.gesture != null) return
     val pane = if (sentences.isEmpty()) colours.pane else colours.errorPane
     val scroll = rememberScrollState()
     Row(
@@ -88,7 +88,7 @@ internal fun RobotHints(
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences + remarks) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            for (sentence in sentences + warnings) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
             val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
             if (element != null && element != editing.chosen) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "robot-show-trouble", {

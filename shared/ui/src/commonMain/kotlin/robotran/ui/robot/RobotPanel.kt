@@ -53,7 +53,7 @@ import robotran.ui.theme.focusRing
 import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.EditIcons
 import robotran.ui.worldedit.FieldPanel
-import robotran.ui.worldedit.Remark
+import robotran.ui.worldedit.HelpText
 import robotran.ui.worldedit.RowHeading
 import robotran.ui.worldedit.TextRow
 import robotran.ui.worldedit.WordButton
@@ -121,7 +121,7 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
         FieldPanel("robot-panel", errors.map { it.sentence(language) }, "robot-chosen-trouble", modifier) {
             when (tab) {
                 RobotTab.CHOSEN -> if (chosen == null) {
-                    Remark(RobotTexts.chooseFirst(spoken))
+                    HelpText(RobotTexts.chooseFirst(spoken))
                 } else {
                     ChosenElement(scope, chosen)
                 }
@@ -151,7 +151,7 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
 @Composable
 private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
     val colours = LocalRobotranColours.current
-    Remark(RobotTexts.partsHelp(spoken))
+    HelpText(RobotTexts.partsHelp(spoken))
     scope.robot.elements().forEachIndexed { row, element ->
         val isChosen = element == scope.editing.chosen
         Row(
@@ -206,7 +206,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
         }
     }
     RowHeading(RobotTexts.ready(spoken))
-    Remark(RobotTexts.readyHelp(spoken))
+    HelpText(RobotTexts.readyHelp(spoken))
     for ((name, ready) in ReadyRobots.all) {
         WordButton(
             readyRobotWithBrick(name),

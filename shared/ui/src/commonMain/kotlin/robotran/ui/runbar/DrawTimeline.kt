@@ -117,7 +117,7 @@ private fun DrawScope.drawMark(mark: TimelineMark, position: Offset, colours: Ro
         MarkKind.FAILURE -> drawCross(position, unit, colours.error)
         MarkKind.GOAL -> drawPath(star(position, unit * 1.5f), colours.onPane)
         MarkKind.GOAL_LOST -> drawCross(position, unit * 0.8f, colours.quiet)
-        MarkKind.REMARK -> drawPath(shape(position, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
+        MarkKind.WARNING -> drawPath(shape(position, unit, 0f, -1f, 1f, 0f, 0f, 1f, -1f, 0f), colours.focus)
         MarkKind.BUMP -> drawPath(shape(position, unit, -1f, 1f, 0f, -1f, 1f, 1f), colours.error)
         MarkKind.BEEP -> drawCircle(colours.quiet, unit * 0.6f, position)
         MarkKind.MESSAGE -> drawRect(colours.focus, position - Offset(unit * 0.3f, unit), Size(unit * 0.6f, unit * 2))

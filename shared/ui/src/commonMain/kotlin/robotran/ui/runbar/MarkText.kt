@@ -11,7 +11,7 @@ import robotran.ui.texts.RunTexts
 internal fun markText(mark: TimelineMark): String = when (mark.kind) {
     MarkKind.START -> RunTexts.markStart(spoken)
     MarkKind.END -> RunTexts.markEnd(spoken)
-    MarkKind.FAILURE, MarkKind.REMARK -> mark.text
+    MarkKind.FAILURE, MarkKind.WARNING -> mark.text
     MarkKind.GOAL -> RunTexts.markGoal(spoken, mark.text)
     MarkKind.GOAL_LOST -> RunTexts.markGoalLost(spoken, mark.text)
     MarkKind.BUMP -> RunTexts.markBump(spoken)

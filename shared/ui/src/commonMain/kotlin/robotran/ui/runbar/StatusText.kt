@@ -24,7 +24,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     WorkshopStatus.Compiling -> ScreenTexts.statusCompiling(spoken)
     WorkshopStatus.NoCompiler -> ScreenTexts.statusNoCompiler(spoken)
     WorkshopStatus.CompilerFailed -> ScreenTexts.statusCompilerFailed(spoken)
-    is WorkshopStatus.HasErrors -> mistakenText(status.line, status.file)
+    is WorkshopStatus.HasErrors -> errorText(status.line, status.file)
     is WorkshopStatus.RobotImpossible -> status.draft.error.sentence(LocalLanguage.current)
 
     is WorkshopStatus.OffPaper -> {
@@ -65,7 +65,7 @@ private fun endedText(goals: GoalCount): String = when {
 }
 
 @Composable
-private fun mistakenText(line: Int, file: String?): String = when {
+private fun errorText(line: Int, file: String?): String = when {
     line == 0 -> ScreenTexts.statusMistakeAnywhere(spoken)
     file == null -> ScreenTexts.statusMistake(spoken, line)
     else -> ScreenTexts.statusMistakeInFile(spoken, line, file)

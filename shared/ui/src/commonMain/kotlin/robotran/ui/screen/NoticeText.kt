@@ -22,7 +22,7 @@ import robotran.world.messages.sentence
 @Composable
 internal fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ExternalError -> notice.sentence
-    is Notice.WithRemarks -> withRemarks(notice)
+    is Notice.WithWarnings -> withWarnings(notice)
     Notice.Unexpected -> DocumentTexts.unexpected(spoken)
 
     is Notice.ProgramTooLong -> ScreenTexts.programTooLong(
@@ -132,13 +132,15 @@ private fun othersOpen(notice: Notice.OtherProjectsOpen): Label =
 
 /** What people have to know first, then what can be mended later. */
 @Composable
-private fun withRemarks(notice: Notice.WithRemarks): String {
+private fun withWarnings(notice: Notice.WithWarnings): String {
     val first = notice.notice?.let { noticeText(it) }
-    val more = notice.remarks.size - SHOWN_REMARKS
+    val more = notice.warnings.size - SHOWN_WARNINGS
     val rest = if (more > 0) DocumentTexts.moreRemarks(spoken, more) else null
-    return (listOfNotNull(first) + notice.remarks.take(SHOWN_REMARKS) + listOfNotNull(rest)).filter { it.isNotEmpty() }
+    return (listOfNotNull(first) + notice.warnings.take(SHOWN_WARNINGS) + listOfNotNull(rest)).filter {
+        it.isNotEmpty()
+    }
         .joinToString("\n")
 }
 
 /** As many as fit on a phone. */
-private const val SHOWN_REMARKS = 3
+private const val SHOWN_WARNINGS = 3

@@ -27,6 +27,7 @@ import robotran.ui.assignment.making.MakingPlace
 import robotran.ui.course.CoursePages
 import robotran.ui.documents.DocumentDialogs
 import robotran.ui.documents.documentShortcut
+import robotran.ui.export.ExportDialog
 import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.BackGesture
@@ -42,7 +43,6 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
-import robotran.ui.show.ShowDialog
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
 import robotran.workshop.blocks.allowedBlocks
@@ -86,7 +86,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            WithAllowed(state, onEvent) {
+            ProvideAssignmentRestrictions(state, onEvent) {
                 val edit = state.worldEdit
                 val bench = state.robotEdit
                 CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
@@ -131,14 +131,18 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
         if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
         DocumentDialogs(state.document, { noticeText(it) }, onEvent)
         state.send?.let { SendDialog(it, onEvent) }
-        state.show?.let { ShowDialog(it, state.world, state.session, onEvent) }
+        state.show?.let { ExportDialog(it, state.world, state.session, onEvent) }
         state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
     }
 }
 
 /** [content], which offers the blocks and languages that the open assignment allows; programs say what it does not. */
 @Composable
-private fun WithAllowed(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, content: @Composable () -> Unit) {
+private fun ProvideAssignmentRestrictions(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    content: @Composable () -> Unit,
+) {
     val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
     val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
     val found = state.assignment?.notAllowed.orEmpty()

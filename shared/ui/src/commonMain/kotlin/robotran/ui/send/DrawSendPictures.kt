@@ -10,7 +10,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.ui.brick.rcx.BrickColours
 import robotran.ui.theme.RobotranColours
 
-internal fun DrawScope.drawMistake(colours: RobotranColours) = drawSheet(Offset(88f, 10f), colours, mistake = 2)
+internal fun DrawScope.drawError(colours: RobotranColours) = drawSheet(Offset(88f, 10f), colours, mistake = 2)
 
 internal fun DrawScope.drawProgramToBrick(colours: RobotranColours) {
     drawSheet(Offset(32f, 10f), colours)

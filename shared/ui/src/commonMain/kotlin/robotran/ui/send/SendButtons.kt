@@ -97,7 +97,7 @@ private enum class SendAction(val words: Label, val tag: String, val event: Send
     AGAIN(SendTexts::again, "send-again", SendEvent.Retried),
     SEND_AGAIN(SendTexts::againAfter, "send-again", SendEvent.Retried),
     OTHER_TOWER(SendTexts::otherTower, "send-other-tower", SendEvent.OtherTowerRequested),
-    SHOW_MISTAKE(SendTexts::mistakeShow, "send-show-mistake", SendEvent.MistakeShown),
+    SHOW_MISTAKE(SendTexts::mistakeShow, "send-show-mistake", SendEvent.DiagnosticShown),
     CHOOSE_FILE(SendTexts::firmwareChoose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     OTHER_FILE(SendTexts::firmwareOther, "send-choose-firmware", SendEvent.FirmwareFileRequested),
     SEND_FIRMWARE(SendTexts::firmwareSend, "send-firmware", SendEvent.FirmwareConfirmed),

@@ -13,7 +13,7 @@ internal fun voltsOf(millivolts: Int): String = oneDecimal(millivolts / 1_000.0)
 
 /** The message of [diagnostic] with its file and line. */
 @Composable
-internal fun mistakeText(diagnostic: Diagnostic): String {
+internal fun errorText(diagnostic: Diagnostic): String {
     val line = diagnostic.range?.line
     return when {
         diagnostic.file.isEmpty() -> diagnostic.message

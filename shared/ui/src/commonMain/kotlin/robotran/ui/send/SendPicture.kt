@@ -18,7 +18,7 @@ import robotran.workshop.state.SendStep
 /** A small picture of what happens, or of what to do. */
 internal enum class SendPicture(val draw: DrawScope.(RobotranColours) -> Unit) {
     /** A program, and a line of it in red. */
-    MISTAKE({ drawMistake(it) }),
+    MISTAKE({ drawError(it) }),
     PROGRAM({ drawProgramToBrick(it) }),
 
     /** A computer with a tower, from which nothing goes. */

@@ -50,7 +50,7 @@ internal fun sentenceOf(step: SendStep): String = when (step) {
 /** What else helps in [step]; null for nothing. */
 @Composable
 internal fun adviceOf(step: SendStep): String? = when (step) {
-    is SendStep.HasErrors -> mistakeText(step.first)
+    is SendStep.HasErrors -> errorText(step.first)
 
     is SendStep.ChoosingTower -> when {
         TowerKind.USB !in step.kinds -> SendTexts.usbElsewhere(spoken)

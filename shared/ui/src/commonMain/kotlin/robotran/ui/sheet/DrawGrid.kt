@@ -47,7 +47,7 @@ internal fun DrawScope.drawGridFigures(
     )
     for (x in step..paper.width.toInt() step step) {
         val place = view.toPixels(x.toDouble(), 0.0).x
-        if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.figures)
+        if (place in 0f..size.width) drawLabel(labels, "$x", Offset(place, low), height, colours.parameters)
     }
     // Beside the wall around the paper or, if there is no room, on the paper.
     val beside = view.paper.left - view.pixelsPerCentimetre - height
@@ -58,7 +58,7 @@ internal fun DrawScope.drawGridFigures(
     }
     for (y in step..paper.height.toInt() step step) {
         val place = view.toPixels(0.0, y.toDouble()).y
-        if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.figures)
+        if (place in 0f..size.height) drawLabel(labels, "$y", Offset(left, place), height, colours.parameters)
     }
 }
 

@@ -14,7 +14,7 @@ data class SheetColours(
     val desk: Color,
     val paper: Color,
     val paperEdge: Color,
-    val figures: Color,
+    val parameters: Color,
     val shadow: Color = Color.Transparent,
 ) {
     companion object {

@@ -15,8 +15,8 @@ import robotran.ui.sheet3d.leastZoom
 import robotran.ui.texts.ExportTexts
 import robotran.ui.texts.SheetTexts
 import robotran.ui.theme.Dimensions
+import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.SheetEvent
-import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.measuring.measuringFrom
 import robotran.workshop.state.CameraKind
@@ -65,7 +65,7 @@ internal fun SheetControls(
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }
         if (canShow) {
-            SheetButton(SheetIcons.SHOW, ExportTexts.title(spoken), "show") { onEvent(ShowEvent.Requested) }
+            SheetButton(SheetIcons.SHOW, ExportTexts.title(spoken), "show") { onEvent(ExportEvent.Requested) }
         }
     }
     val gap = Arrangement.spacedBy(GAP)

@@ -34,7 +34,7 @@ import robotran.worldediting.piece
 internal fun ChosenPanel(editor: EditorScope) {
     val editing = editor.editing
     if (editing.selection.isEmpty()) {
-        Remark(WorldEditorTexts.chooseFirst(spoken))
+        HelpText(WorldEditorTexts.chooseFirst(spoken))
         return
     }
     val only = editing.only

@@ -17,7 +17,7 @@ import robotran.ui.sheet.addLine
 import robotran.ui.theme.RobotranColours
 import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
-import robotran.worldediting.Frame
+import robotran.worldediting.SelectionFrame
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.bounds
 import robotran.worldediting.form
@@ -52,7 +52,7 @@ internal fun DrawScope.drawEditing(
     }
 }
 
-private fun DrawScope.drawFrame(frame: Frame, transform: SheetTransform, width: Float) {
+private fun DrawScope.drawFrame(frame: SelectionFrame, transform: SheetTransform, width: Float) {
     val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) ->
         transform.toPixels(frame.at(across, up))
     }

@@ -4,9 +4,9 @@ import androidx.compose.runtime.Composable
 import robotran.ui.language.spoken
 import robotran.ui.settings.SwitchRow
 import robotran.ui.texts.WorldEditorTexts
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.WorldLimits
 import robotran.worldediting.Element
 import robotran.worldediting.ElementRef
@@ -64,7 +64,7 @@ internal fun NameField(editor: EditorScope, ref: ElementRef, element: Element) {
 }
 
 @Composable
-private fun BlockFields(editor: EditorScope, block: Block, onChange: (Block) -> Unit) {
+private fun BlockFields(editor: EditorScope, block: MovableBlock, onChange: (MovableBlock) -> Unit) {
     NumberRow(
         WorldEditorTexts.mass(spoken),
         block.mass,
@@ -86,7 +86,7 @@ private fun BlockFields(editor: EditorScope, block: Block, onChange: (Block) -> 
         step = 0.05,
         slider = 0f..1.5f,
     )
-    Remark(WorldEditorTexts.frictionHelp(spoken))
+    HelpText(WorldEditorTexts.frictionHelp(spoken))
 }
 
 @Composable
@@ -94,7 +94,7 @@ private fun MarkFields(editor: EditorScope, ref: ElementRef, piece: Element.OfMa
     val mark = piece.mark
     NameField(editor, ref, piece)
     when (val figure = mark.figure) {
-        is MarkFigure.GreyMap -> Remark(WorldEditorTexts.greyMapHelp(spoken))
+        is MarkFigure.GreyMap -> HelpText(WorldEditorTexts.greyMapHelp(spoken))
 
         is MarkFigure.Area -> {
             ShadeFields(editor, mark.shade) { editor.change(ref, Element.OfMark(mark.copy(shade = it))) }
@@ -163,7 +163,7 @@ private fun LampFields(editor: EditorScope, ref: ElementRef, piece: Element.OfLa
             change(lamp.copy(direction = it))
         }
     } else {
-        Remark(WorldEditorTexts.coneHelp(spoken))
+        HelpText(WorldEditorTexts.coneHelp(spoken))
     }
     FormFields(editor, ref, piece)
 }

@@ -35,7 +35,7 @@ import robotran.worldediting.listed
 /** A list of all elements on the sheet, for selection without seeing or pointing. */
 @Composable
 internal fun ElementsPanel(editor: EditorScope, onChosen: () -> Unit) {
-    Remark(WorldEditorTexts.thingsHelp(spoken))
+    HelpText(WorldEditorTexts.thingsHelp(spoken))
     for (thing in editor.world.listed().filter {
         it.kind != ElementKind.GOAL
     }) {

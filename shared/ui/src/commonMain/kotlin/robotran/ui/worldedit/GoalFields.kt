@@ -37,7 +37,7 @@ internal fun GoalFields(editor: EditorScope, ref: ElementRef, piece: Element.OfG
             for (field in fields) GoalFieldRow(sender, field)
         }
     }
-    if (goal.isGroup) Remark(WorldEditorTexts.groupHelp(spoken))
+    if (goal.isGroup) HelpText(WorldEditorTexts.groupHelp(spoken))
     if (condition is HasActor) WhoField(sender, condition)
     if (condition is HasRegion) FormFields(editor, ref, piece)
 }

@@ -30,7 +30,7 @@ import robotran.worldediting.uniqueName
 @Composable
 internal fun GoalsPanel(editor: EditorScope, onChosen: () -> Unit) {
     val goals = allGoals(editor.world.goals)
-    if (goals.isEmpty()) Remark(WorldEditorTexts.noGoals(spoken))
+    if (goals.isEmpty()) HelpText(WorldEditorTexts.noGoals(spoken))
     goals.forEachIndexed { number, entry ->
         ElementRow(editor, ElementRef(ElementKind.GOAL, number), 20.dp * entry.depth, onChosen = {})
     }

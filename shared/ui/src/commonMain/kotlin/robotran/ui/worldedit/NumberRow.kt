@@ -91,7 +91,7 @@ internal fun NumberRow(
         }
         if (wrong != null) Wrong(wrong)
         if (slider != null) {
-            FigureSlider(label, value, slider, step, "$tag-slider", {
+            NumberSlider(label, value, slider, step, "$tag-slider", {
                 draft = null
                 onChange(it)
             }, onSettle)
@@ -104,7 +104,7 @@ internal fun NumberRow(
 private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.5f)
 
 @Composable
-private fun FigureSlider(
+private fun NumberSlider(
     label: String,
     value: Double,
     range: ClosedFloatingPointRange<Float>,

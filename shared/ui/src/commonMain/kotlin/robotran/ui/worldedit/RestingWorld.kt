@@ -13,7 +13,7 @@ internal fun initialStateOf(world: World, like: SessionState): SessionState = li
     robots = world.robots.map { place ->
         val still =
             RobotState(place.start, 0.0, 0.0, penDown = false, leftBumperPressed = false, rightBumperPressed = false)
-        like.robots.first().copy(robot = still, bumps = 0, bumpedAt = null, remarks = emptyList(), romCalls = 0)
+        like.robots.first().copy(robot = still, bumps = 0, bumpedAt = null, warnings = emptyList(), romCalls = 0)
     },
     blocks = world.blocks.map { Pose(0.0, 0.0, 0.0) },
     lamps = world.lamps.map { LampState(it.place, it.on) },

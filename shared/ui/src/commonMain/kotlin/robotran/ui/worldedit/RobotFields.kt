@@ -37,7 +37,7 @@ import robotran.worldediting.WorldEditError
 internal fun RobotFields(editor: EditorScope, ref: ElementRef, piece: Element.OfRobot) {
     val robot = piece.robot
     val atOnce = { changed: RobotPlacement -> editor.changeAtOnce(ref, Element.OfRobot(changed)) }
-    if (ref.number == 0) Remark(WorldEditorTexts.ownRobot(spoken))
+    if (ref.number == 0) HelpText(WorldEditorTexts.ownRobot(spoken))
     WordButton(
         RobotTexts.build(spoken),
         "build-robot",
@@ -98,7 +98,7 @@ private fun Parts(description: RobotDescription) {
     RowHeading(WorldEditorTexts.ports(spoken))
     for (port in 1..description.brick.inputPorts) {
         val word = description.parts.firstOrNull { it.port == port }?.kind?.words ?: WorldEditorTexts::nothing
-        Remark(ScreenTexts.sensor(spoken, port, word(spoken)))
+        HelpText(ScreenTexts.sensor(spoken, port, word(spoken)))
     }
 }
 

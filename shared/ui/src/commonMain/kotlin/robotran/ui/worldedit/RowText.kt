@@ -23,7 +23,7 @@ internal fun RowHeading(text: String) = Text(
 
 /** A sentence of help or a placeholder for an empty list. */
 @Composable
-internal fun Remark(text: String, modifier: Modifier = Modifier) = Text(
+internal fun HelpText(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.padding(vertical = 6.dp),
     color = LocalRobotranColours.current.quiet,

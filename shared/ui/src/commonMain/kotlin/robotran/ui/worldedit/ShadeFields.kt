@@ -78,7 +78,7 @@ internal fun ShadeFields(editor: EditorScope, shade: Shade, onChange: (Shade) ->
                 }
             }
         }
-        Remark(WorldEditorTexts.seenBySensor(spoken, (shade.reflectance * 100).roundToInt()))
+        HelpText(WorldEditorTexts.seenBySensor(spoken, (shade.reflectance * 100).roundToInt()))
     }
 }
 

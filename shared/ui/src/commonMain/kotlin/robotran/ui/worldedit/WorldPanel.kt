@@ -6,27 +6,27 @@ import robotran.ui.texts.WorldEditorTexts
 import robotran.world.WorldLimits
 import robotran.worldediting.SheetProperties
 import robotran.worldediting.WorldEdit
-import robotran.worldediting.figures
+import robotran.worldediting.parameters
 
 /** All properties of the world as a whole. */
 @Composable
 internal fun WorldPanel(editor: EditorScope, newTitle: String) {
-    val figures = editor.world.figures
+    val parameters = editor.world.parameters
     val change = { changed: SheetProperties -> editor.make(WorldEdit.ChangeSheet(changed)) }
     TextRow(
         WorldEditorTexts.title(spoken),
-        figures.title,
+        parameters.title,
         WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         "field-title",
-        { change(figures.copy(title = it)) },
+        { change(parameters.copy(title = it)) },
         editor::settle,
     )
     TextRow(
         WorldEditorTexts.task(spoken),
-        figures.task,
+        parameters.task,
         WorldLimits.MAXIMUM_TASK_CHARACTERS,
         "field-task",
-        { change(figures.copy(task = it)) },
+        { change(parameters.copy(task = it)) },
         editor::settle,
         mayBeBlank = true,
         isProse = true,
@@ -36,20 +36,20 @@ internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     RowHeading(WorldEditorTexts.paper(spoken))
     NumberRow(
         WorldEditorTexts.width(spoken),
-        figures.width,
+        parameters.width,
         sides,
         "field-paper-width",
-        { change(figures.copy(width = it)) },
+        { change(parameters.copy(width = it)) },
         editor::settle,
         step = 10.0,
         unit = "cm",
     )
     NumberRow(
         WorldEditorTexts.height(spoken),
-        figures.height,
+        parameters.height,
         sides,
         "field-paper-height",
-        { change(figures.copy(height = it)) },
+        { change(parameters.copy(height = it)) },
         editor::settle,
         step = 10.0,
         unit = "cm",
@@ -57,20 +57,20 @@ internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     RowHeading(WorldEditorTexts.room(spoken))
     NumberRow(
         WorldEditorTexts.light(spoken),
-        figures.ambientLight,
+        parameters.ambientLight,
         0.0..WorldLimits.MAXIMUM_BRIGHTNESS,
         "field-light",
-        { change(figures.copy(ambientLight = it)) },
+        { change(parameters.copy(ambientLight = it)) },
         editor::settle,
         step = 0.1,
         slider = 0f..2f,
     )
     NumberRow(
         WorldEditorTexts.temperature(spoken),
-        figures.temperature,
+        parameters.temperature,
         WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE,
         "field-temperature",
-        { change(figures.copy(temperature = it)) },
+        { change(parameters.copy(temperature = it)) },
         editor::settle,
         unit = "°C",
         slider = -20f..50f,
@@ -78,11 +78,11 @@ internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     RowHeading(WorldEditorTexts.run(spoken))
     NumberRow(
         WorldEditorTexts.timeLimit(spoken),
-        figures.timeLimit.toDouble(),
+        parameters.timeLimit.toDouble(),
         1.0..WorldLimits.MAXIMUM_SECONDS.toDouble(),
         "field-time-limit",
         {
-            change(figures.copy(timeLimit = it.toInt()))
+            change(parameters.copy(timeLimit = it.toInt()))
         },
         editor::settle,
         step = 10.0,
@@ -92,31 +92,31 @@ internal fun WorldPanel(editor: EditorScope, newTitle: String) {
     )
     NumberRow(
         WorldEditorTexts.realism(spoken),
-        figures.realism * PERCENT,
+        parameters.realism * PERCENT,
         0.0..PERCENT,
         "field-realism",
-        { change(figures.copy(realism = it / PERCENT)) },
+        { change(parameters.copy(realism = it / PERCENT)) },
         editor::settle,
         step = 10.0,
         unit = "%",
         slider = 0f..100f,
     )
-    Remark(WorldEditorTexts.realismHelp(spoken))
+    HelpText(WorldEditorTexts.realismHelp(spoken))
     NumberRow(
         WorldEditorTexts.seed(spoken),
-        figures.seed.toDouble(),
+        parameters.seed.toDouble(),
         0.0..Int.MAX_VALUE.toDouble(),
         "field-seed",
-        { change(figures.copy(seed = it.toInt())) },
+        { change(parameters.copy(seed = it.toInt())) },
         editor::settle,
         isWhole = true,
     )
-    Remark(WorldEditorTexts.seedHelp(spoken))
+    HelpText(WorldEditorTexts.seedHelp(spoken))
     RowHeading(WorldEditorTexts.startOver(spoken))
     WordButton(WorldEditorTexts.newWorld(spoken), "new-world", {
         editor.makeAtOnce(WorldEdit.NewWorld(newTitle))
     })
-    Remark(WorldEditorTexts.newWorldHelp(spoken))
+    HelpText(WorldEditorTexts.newWorldHelp(spoken))
 }
 
 private const val PERCENT = 100.0

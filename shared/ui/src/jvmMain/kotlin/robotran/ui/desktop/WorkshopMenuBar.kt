@@ -30,6 +30,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -37,7 +38,6 @@ import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.ShowEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.appLanguage
@@ -143,7 +143,7 @@ private fun MenuScope.FileItems(
     Choice(DocumentTexts::rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(RobotTexts::buildMenu) { onEvent(RobotEditEvent.BenchOpened()) }
-    Choice(ExportTexts::title) { onEvent(ShowEvent.Requested) }
+    Choice(ExportTexts::title) { onEvent(ExportEvent.Requested) }
     Choice(SchoolTexts::makeTitle) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(DocumentTexts::share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(SendTexts::robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }

@@ -141,7 +141,7 @@ class AssignmentScreenTest {
         val limited = AnyAssignment.assignment.copy(words = listOf("forward", "backward"))
         on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = limited))) { workshop ->
             workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-            workshop.handle(BlockEvent.SheetShown(BlockDialog.Palette))
+            workshop.handle(BlockEvent.DialogShown(BlockDialog.Palette))
             pass(SETTLED)
             assertTrue(has("take-move"))
             assertTrue(!has("take-turn"))
@@ -219,8 +219,8 @@ class AssignmentScreenTest {
                 pass(SETTLED)
                 touch("missing-hint")
                 assertTrue(has("hint"), "$size")
-                val told = listOf("outcome-tries", "assignment-tries").count { has(it) }
-                assertEquals(1, told, "$size")
+                val described = listOf("outcome-tries", "assignment-tries").count { has(it) }
+                assertEquals(1, described, "$size")
             }
         }
     }

@@ -81,24 +81,24 @@ class TutorialFootTest {
     fun `over another world a folded tutorial is a way back to its step, and can be put away`() {
         for ((width, height) in SIZES) {
             onStep(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
                 workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.WorldChosen("maze"))
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
-                assertFalse(isThere("step-dots"), "$told: the steps of another world are told")
+                assertFalse(isThere("step-dots"), "$described: the steps of another world are told")
                 press("tutorial-return")
-                assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, told)
-                assertEquals("forward 11\n", workshop.state.programText, told)
+                assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, described)
+                assertEquals("forward 11\n", workshop.state.programText, described)
                 workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
                 press("leave-tutorial")
-                assertNull(workshop.state.learning.tutorial, told)
-                assertFalse(isThere("tutorial-return"), told)
+                assertNull(workshop.state.learning.tutorial, described)
+                assertFalse(isThere("tutorial-return"), described)
             }
         }
     }

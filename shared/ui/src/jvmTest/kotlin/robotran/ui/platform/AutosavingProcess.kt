@@ -15,23 +15,23 @@ internal class AutosavingProcess private constructor(private val process: Proces
     private val lines = process.inputStream.bufferedReader()
 
     /** The number of copies reported so far. */
-    var told = 0
+    var described = 0
         private set
 
     /** Waits until this number of copies is reported; returns the number. */
     fun awaitCopies(count: Int): Int {
-        while (told < count) {
+        while (described < count) {
             check(lines.readLine() != null) { "the process has ended" }
-            told++
+            described++
         }
-        return told
+        return described
     }
 
     /** Like `kill -9`. Process.destroy would close the stream with the last reports. */
     fun kill() {
         process.toHandle().destroyForcibly()
         check(process.waitFor(WAIT_SECONDS, TimeUnit.SECONDS)) { "it lives on" }
-        told += lines.readLines().count { it == TOLD }
+        described += lines.readLines().count { it == TOLD }
     }
 
     companion object {

@@ -77,9 +77,9 @@ class FolderKeyValueStoreTest {
         var last = 0
         repeat(KILLS) { time ->
             val other = AutosavingProcess.start(place)
-            val told = other.awaitCopies(3 + 7 * time)
+            val described = other.awaitCopies(3 + 7 * time)
             other.kill()
-            val toldInAll = other.told.coerceAtLeast(told)
+            val toldInAll = other.described.coerceAtLeast(described)
             val found = assertIs<SavedProjectResult.Found>(
                 ProjectRepository(FolderKeyValueStore(place)).read("one"),
             ).work

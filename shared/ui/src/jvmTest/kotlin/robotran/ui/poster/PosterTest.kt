@@ -51,7 +51,7 @@ class PosterTest {
                     "  show \"a long sentence with many words that goes on and on and on\" + 12345678",
                 )) {
                     val page = layPoster(posterOf(List(count) { line }.joinToString("\n"), paper))
-                    assertEquals(emptyList(), page.mistakes(), "$count lines on $paper")
+                    assertEquals(emptyList(), page.errors(), "$count lines on $paper")
                 }
             }
         }
@@ -95,7 +95,7 @@ class PosterTest {
         assertEquals(1, document.elements("svg").count { it.getAttribute("viewBox") == "0 0 120 90" })
     }
 
-    private fun PosterPage.mistakes(): List<String> {
+    private fun PosterPage.errors(): List<String> {
         val areas = lines.map { line ->
             val width = if (line.isCode) {
                 line.text.length * line.size * CODE_ADVANCE

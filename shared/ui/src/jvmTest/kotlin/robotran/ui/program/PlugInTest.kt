@@ -100,9 +100,9 @@ class PlugInTest {
             runWith(workshop, listOf(emptyList(), emptyList(), emptyList()))
             workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
             pass(100)
-            val remark = onNodeWithTag("remarks").fetchSemanticsNode().size.height
+            val warning = onNodeWithTag("remarks").fetchSemanticsNode().size.height
             val program = onNodeWithTag("program").fetchSemanticsNode().size.height
-            assertTrue(remark * 2 <= program, "The remark is $remark high, the program $program.")
+            assertTrue(warning * 2 <= program, "The remark is $warning high, the program $program.")
         }
 
     @Test

@@ -145,9 +145,11 @@ class RobotBenchTest {
         assertTrue(isThere("robot-hints"))
         tap("robot-show-trouble")
         assertTrue(isThere("robot-chosen-trouble"))
-        val told = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
-        assertContains(told, "port 4")
-        assertContains(told, "Two things")
+        val described = screen.onNodeWithTag(
+            "robot-plan",
+        ).fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+        assertContains(described, "port 4")
+        assertContains(described, "Two things")
     }
 
     @Test
@@ -164,8 +166,10 @@ class RobotBenchTest {
     @Test
     fun `screen readers hear where a sensor looks`() = onBench {
         make(RobotEdit.Choose(RobotElement.Part(2)), RobotEdit.TurnBy(-30.0))
-        val told = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
-        assertContains(told, "Looks 30° to the right.")
+        val described = screen.onNodeWithTag(
+            "robot-plan",
+        ).fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+        assertContains(described, "Looks 30° to the right.")
     }
 
     @Test

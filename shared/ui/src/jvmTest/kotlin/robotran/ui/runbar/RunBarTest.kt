@@ -195,8 +195,8 @@ class RunBarTest {
 
     @Test
     fun `what forgiving Java does on an NXT is told where it is chosen`() = onTablet { workshop ->
-        val told = mapOf(BrickKind.RCX to "quirks of a real brick", BrickKind.NXT to "run only here")
-        for ((brick, words) in told) {
+        val described = mapOf(BrickKind.RCX to "quirks of a real brick", BrickKind.NXT to "run only here")
+        for ((brick, words) in described) {
             workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, brick))
             pass(300)
             onNodeWithTag("run-more").performClick()

@@ -72,14 +72,14 @@ class BrokenWordsTest {
         }
     }
 
-    private fun ComposeUiTest.assertNoBrokenWords(told: String) {
+    private fun ComposeUiTest.assertNoBrokenWords(described: String) {
         val hasText = SemanticsMatcher.keyIsDefined(SemanticsActions.GetTextLayoutResult)
         val broken = onAllNodes(hasText, useUnmergedTree = true).fetchSemanticsNodes().flatMap { node ->
             val layouts = mutableListOf<TextLayoutResult>()
             node.config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(layouts)
             layouts.flatMap { it.brokenWords() }
         }
-        assertEquals(emptyList(), broken, told)
+        assertEquals(emptyList(), broken, described)
     }
 
     private fun TextLayoutResult.brokenWords(): List<String> {

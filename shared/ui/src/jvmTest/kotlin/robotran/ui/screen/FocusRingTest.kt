@@ -103,9 +103,10 @@ class FocusRingTest {
         assertTrue(whole > STEPS / 2, "Only $whole of $STEPS had a ring")
     }
 
-    private fun ComposeUiTest.assertNoRing(told: String) = assertEquals(emptyList(), shown().lines(), "A ring $told")
+    private fun ComposeUiTest.assertNoRing(described: String) =
+        assertEquals(emptyList(), shown().lines(), "A ring $described")
 
-    private fun ComposeUiTest.assertRing(told: String) = assertTrue(shown().lines().size > 2, "No ring $told")
+    private fun ComposeUiTest.assertRing(described: String) = assertTrue(shown().lines().size > 2, "No ring $described")
 
     private fun ComposeUiTest.shown(): PixelMap = drawn {
         pass(1)

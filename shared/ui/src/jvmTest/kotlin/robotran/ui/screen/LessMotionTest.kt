@@ -38,9 +38,12 @@ class LessMotionTest {
     @Test
     fun `what the system is told counts until the pupil chooses`() {
         val welcome: Workshop.() -> Unit = { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
-        val told = MemoryPlatform(prefersLessMotion = true)
-        assertFalse(moves(Settings(), welcome, told), "It moves although the system is told not to.")
-        assertTrue(moves(Settings(lessMotion = false), welcome, told), "It does not move although the pupil wants it.")
+        val described = MemoryPlatform(prefersLessMotion = true)
+        assertFalse(moves(Settings(), welcome, described), "It moves although the system is told not to.")
+        assertTrue(
+            moves(Settings(lessMotion = false), welcome, described),
+            "It does not move although the pupil wants it.",
+        )
     }
 
     private fun Workshop.solve() {

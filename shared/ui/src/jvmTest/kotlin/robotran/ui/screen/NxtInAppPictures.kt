@@ -64,7 +64,7 @@ class NxtInAppPictures {
         val workshop = runBlocking { openWorkshop() }
         workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-        workshop.handle(BlockEvent.SheetShown(BlockDialog.Palette))
+        workshop.handle(BlockEvent.DialogShown(BlockDialog.Palette))
         photograph(workshop, 1440, 900).keepAs("nxt-app/palette")
         workshop.close()
         val debugged = open(LONGS, Settings())

@@ -109,13 +109,13 @@ class OutcomeCardTest {
 
     @Test
     fun `why the motors have stopped is told, but not of a solved task`() = onTablet { workshop ->
-        for ((seconds, isTold) in listOf("0.5" to true, "1.5" to false)) {
+        for ((seconds, isShown) in listOf("0.5" to true, "1.5" to false)) {
             val program = "start forward\nwait $seconds seconds\n"
             workshop.runToFlag(program, stays = true)
             pass(300)
-            assertEquals(!isTold, workshop.state.run.isSolved, program)
+            assertEquals(!isShown, workshop.state.run.isSolved, program)
             assertTrue(workshop.state.session.brick.explanation != null, program)
-            assertEquals(isTold, isThere("brick-hint"), program)
+            assertEquals(isShown, isThere("brick-hint"), program)
         }
     }
 

@@ -38,7 +38,7 @@ class PaneSizesOnScreenTest {
     fun `a finger gives the program more room, and a double tap takes it back`() {
         for ((width, height, isUpright) in WINDOWS) {
             onScreen(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 val before = bounds("program")
                 onNodeWithTag("divider").performTouchInput {
                     swipe(center, center + if (isUpright) Offset(0f, -90f) else Offset(90f, 0f), 300)
@@ -46,13 +46,13 @@ class PaneSizesOnScreenTest {
                 pass(300)
                 val after = bounds("program")
                 val grown = if (isUpright) after.height - before.height else after.width - before.width
-                assertEquals(90f, grown, 25f, told)
+                assertEquals(90f, grown, 25f, described)
                 val form = if (isUpright) WindowForm.UPRIGHT else WindowForm.ACROSS
-                assertNotNull(workshop.state.settings.panes[form].programShare, "$told: it is not remembered")
+                assertNotNull(workshop.state.settings.panes[form].programShare, "$described: it is not remembered")
                 onNodeWithTag("divider").performTouchInput { doubleClick(center) }
                 pass(600)
-                assertEquals(before, bounds("program"), told)
-                assertNull(workshop.state.settings.panes[form].programShare, told)
+                assertEquals(before, bounds("program"), described)
+                assertNull(workshop.state.settings.panes[form].programShare, described)
             }
         }
     }
@@ -61,7 +61,7 @@ class PaneSizesOnScreenTest {
     fun `keys and screen readers move the divider, and Enter takes it back`() {
         for ((width, height, isUpright) in WINDOWS) {
             onScreen(width, height) {
-                val told = "$width x $height"
+                val described = "$width x $height"
                 val before = bounds("program")
                 val divider = onNodeWithTag("divider")
                 divider.requestFocus()
@@ -72,20 +72,20 @@ class PaneSizesOnScreenTest {
                 val after = bounds("program")
                 assertTrue(
                     after.height > before.height + 20 || after.width > before.width + 20,
-                    "$told: $before, $after",
+                    "$described: $before, $after",
                 )
                 divider.performKeyInput { pressKey(Key.Enter) }
                 pass(300)
-                assertEquals(before, bounds("program"), told)
+                assertEquals(before, bounds("program"), described)
                 val range = divider.fetchSemanticsNode().config[SemanticsProperties.ProgressBarRangeInfo]
                 divider.performSemanticsAction(SemanticsActions.SetProgress) { it(range.range.endInclusive) }
                 pass(300)
                 val most = bounds("program")
-                assertTrue(most.width > before.width || most.height > before.height, told)
+                assertTrue(most.width > before.width || most.height > before.height, described)
                 val reset = divider.fetchSemanticsNode().config[SemanticsActions.CustomActions].single()
                 assertTrue(reset.action())
                 pass(300)
-                assertEquals(before, bounds("program"), told)
+                assertEquals(before, bounds("program"), described)
             }
         }
     }
@@ -95,16 +95,16 @@ class PaneSizesOnScreenTest {
         for ((width, height) in WINDOWS) {
             for (share in listOf(0.05f, 0.95f)) {
                 onScreen(width, height) { workshop ->
-                    val told = "$width x $height with $share"
+                    val described = "$width x $height with $share"
                     for (form in WindowForm.entries) workshop.handle(SettingsEvent.ProgramShareChosen(form, share))
                     pass(300)
                     assertTrue(
                         bounds("program").run { this.width >= 300 && this.height >= 120 },
-                        "$told: ${bounds("program")}",
+                        "$described: ${bounds("program")}",
                     )
                     assertTrue(
                         bounds("world").run { this.width >= 300 && this.height >= 150 },
-                        "$told: ${bounds("world")}",
+                        "$described: ${bounds("world")}",
                     )
                     for (tag in listOf(
                         "undo",
@@ -114,7 +114,7 @@ class PaneSizesOnScreenTest {
                         "run",
                         "stop",
                     )) {
-                        assertWhole(tag, told)
+                        assertWhole(tag, described)
                     }
                 }
             }
@@ -125,15 +125,15 @@ class PaneSizesOnScreenTest {
     fun `one touch shows the whole brick and one the small one, and nothing but the paper changes`() {
         for ((width, height) in WINDOWS.map { it.first to it.second } + listOf(1024 to 600, 1920 to 1080)) {
             onScreen(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 val form = WindowForm.entries.associateWith { workshop.state.settings.panes[it].isBrickWhole }
                 val wasWhole = isThere("brick")
                 val before = placesByTag()
                 press("brick-size")
-                assertTrue(isThere("brick") != wasWhole, told)
+                assertTrue(isThere("brick") != wasWhole, described)
                 val tags =
                     listOf("brick-size", "drawer-variables", "drawer-goals", "run", "timeline", "program", "divider")
-                assertUnmoved(before, tags, told)
+                assertUnmoved(before, tags, described)
                 if (!wasWhole) {
                     for (tag in listOf(
                         "brick-view",
@@ -141,17 +141,17 @@ class PaneSizesOnScreenTest {
                         "brick-prgm",
                         "brick-run",
                     )) {
-                        assertWhole(tag, told)
+                        assertWhole(tag, described)
                     }
                 }
                 press("brick-size")
-                assertEquals(wasWhole, isThere("brick"), told)
-                assertUnmoved(before, before.keys - setOf("status"), told)
+                assertEquals(wasWhole, isThere("brick"), described)
+                assertUnmoved(before, before.keys - setOf("status"), described)
                 assertTrue(
                     form != WindowForm.entries.associateWith {
                         workshop.state.settings.panes[it].isBrickWhole
                     },
-                    told,
+                    described,
                 )
             }
         }
@@ -190,25 +190,25 @@ class PaneSizesOnScreenTest {
     fun `program and world get all the room by one touch each, and neither Run nor the touched button moves`() {
         for ((width, height) in WINDOWS) {
             onScreen(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 val before = placesByTag()
                 val still = listOf("menu", "full-program", "full-world", "run", "pause", "stop", "timeline", "run-more")
                 press("full-world")
                 onNodeWithTag("full-world").assertIsOn()
-                assertTrue(!isThere("program") && !isThere("divider"), told)
-                assertTrue(bounds("world").width > width * 0.9f && bounds("world").height > height * 0.6f, told)
-                assertUnmoved(before, still, told)
+                assertTrue(!isThere("program") && !isThere("divider"), described)
+                assertTrue(bounds("world").width > width * 0.9f && bounds("world").height > height * 0.6f, described)
+                assertUnmoved(before, still, described)
                 press("full-world")
-                assertUnmoved(before, before.keys, told)
+                assertUnmoved(before, before.keys, described)
                 press("full-program")
-                assertTrue(!isThere("world") && bounds("program").height > height * 0.6f, told)
-                assertUnmoved(before, still, told)
+                assertTrue(!isThere("world") && bounds("program").height > height * 0.6f, described)
+                assertUnmoved(before, still, described)
                 press("run")
-                assertTrue(isThere("world"), "$told: the robot that drives is not seen")
-                assertUnmoved(before, still, told)
+                assertTrue(isThere("world"), "$described: the robot that drives is not seen")
+                assertUnmoved(before, still, described)
                 workshop.handle(RunEvent.StopPressed)
                 pass(300)
-                assertEquals(before.getValue("program"), bounds("program"), told)
+                assertEquals(before.getValue("program"), bounds("program"), described)
             }
         }
     }

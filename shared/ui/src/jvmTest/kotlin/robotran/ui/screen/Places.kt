@@ -22,14 +22,14 @@ internal fun ComposeUiTest.placesByTag(): Map<String, Rect> =
 
 /** Fails if any of [tags] has moved since [before]. */
 @OptIn(ExperimentalTestApi::class)
-internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collection<String>, told: String) {
+internal fun ComposeUiTest.assertUnmoved(before: Map<String, Rect>, tags: Collection<String>, described: String) {
     val now = placesByTag()
     assertEquals(
         tags.associateWith {
-            checkNotNull(before[it]) { "$told: there was no $it" }
+            checkNotNull(before[it]) { "$described: there was no $it" }
         },
         tags.associateWith { now[it] },
-        told,
+        described,
     )
 }
 
@@ -38,14 +38,19 @@ internal fun ComposeUiTest.isThere(tag: String): Boolean = onAllNodesWithTag(tag
 
 /** Fails unless [tag] is fully visible; returns its position. */
 @OptIn(ExperimentalTestApi::class)
-internal fun ComposeUiTest.assertWhole(tag: String, told: String): Rect {
+internal fun ComposeUiTest.assertWhole(tag: String, described: String): Rect {
     val node = onNodeWithTag(tag).fetchSemanticsNode()
-    assertEquals(node.size.width.toFloat(), node.boundsInRoot.width, 0.5f, "$told: $tag is cut at ${node.boundsInRoot}")
+    assertEquals(
+        node.size.width.toFloat(),
+        node.boundsInRoot.width,
+        0.5f,
+        "$described: $tag is cut at ${node.boundsInRoot}",
+    )
     assertEquals(
         node.size.height.toFloat(),
         node.boundsInRoot.height,
         0.5f,
-        "$told: $tag is cut at ${node.boundsInRoot}",
+        "$described: $tag is cut at ${node.boundsInRoot}",
     )
     return node.boundsInRoot
 }

@@ -210,12 +210,12 @@ class ScreenLayoutTest {
         onNodeWithTag("status").assertTextEquals("Program ended. Goal not met.")
         onNodeWithTag("goal-chip").performClick()
         pass(500)
-        val told = onAllNodesWithTag("goal").fetchSemanticsNodes().map { goal ->
+        val described = onAllNodesWithTag("goal").fetchSemanticsNodes().map { goal ->
             val words = goal.config.getOrElse(SemanticsProperties.Text) { emptyList() }.joinToString { it.text }
             goal.config[SemanticsProperties.StateDescription] to words
         }
-        assertTrue(told.any { it.first == "not met" }, told.toString())
-        assertTrue(told.none { "not met" in it.second }, "Screen readers hear it twice: $told")
+        assertTrue(described.any { it.first == "not met" }, described.toString())
+        assertTrue(described.none { "not met" in it.second }, "Screen readers hear it twice: $described")
     }
 
     private fun Workshop.write(program: String) = handle(ProgramEvent.ProgramEdited(program))

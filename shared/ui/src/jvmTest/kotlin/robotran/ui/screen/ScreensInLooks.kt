@@ -29,19 +29,19 @@ abstract class ScreensInLooks {
 
     @Test
     fun `nothing that can be pressed moves while a program runs, ends, fails, or the app says something`() =
-        everywhere(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411) { workshop, told ->
+        everywhere(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411) { workshop, described ->
             workshop.handle(LearningEvent.WorldChosen("maze"))
             workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
             pass(300)
             val places = pressablePlaces()
             assertTrue(
                 places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")),
-                "$told: ${places.keys}",
+                "$described: ${places.keys}",
             )
 
             fun check(moment: String) {
                 pass(300)
-                assertEquals(places, pressablePlaces().filterKeys { it in places }, "$told, $moment")
+                assertEquals(places, pressablePlaces().filterKeys { it in places }, "$described, $moment")
             }
             workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
             workshop.handle(RunEvent.RunPressed)
@@ -64,34 +64,37 @@ abstract class ScreensInLooks {
 
     @Test
     fun `with hint and solution open, everything that can be done with a step stays in sight`() =
-        everywhere(412 to 915, 820 to 1180, 1024 to 768, 1280 to 800, 1366 to 768) { workshop, told ->
+        everywhere(412 to 915, 820 to 1180, 1024 to 768, 1280 to 800, 1366 to 768) { workshop, described ->
             workshop.handle(LearningEvent.TutorialStarted)
             workshop.handle(LearningEvent.HintRequested(true))
             workshop.handle(LearningEvent.SolutionRequested(true))
             pass(600)
             val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
-            for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, told)
+            for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, described)
             if (workshop.settings.textScale == 1f) {
-                assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$told: no room for the text")
+                assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$described: no room for the text")
             }
         }
 
     @Test
     fun `the tab of what the drawer shows is in sight, and where not all fit it is seen that there are more`() =
-        everywhere(412 to 915, 360 to 740, 820 to 1180) { workshop, told ->
+        everywhere(412 to 915, 360 to 740, 820 to 1180) { workshop, described ->
             workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
             for (tab in DrawerTab.entries.reversed()) {
                 workshop.handle(RunEvent.DrawerChosen(tab))
                 pass(600)
-                assertWhole("drawer-${tab.name.lowercase()}", told)
+                assertWhole("drawer-${tab.name.lowercase()}", described)
             }
             val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
             val isCut = last.boundsInRoot.width < last.size.width - 0.5f
             if (isCut) {
-                assertTrue(saysThereIsMore("drawer-names", isRight = true), "$told: nothing says that there are more")
+                assertTrue(
+                    saysThereIsMore("drawer-names", isRight = true),
+                    "$described: nothing says that there are more",
+                )
             }
             scroll("drawer-names", toEnd = true)
-            assertFalse(saysThereIsMore("drawer-names", isRight = true), told)
+            assertFalse(saysThereIsMore("drawer-names", isRight = true), described)
         }
 
     @Test
@@ -104,29 +107,32 @@ abstract class ScreensInLooks {
         1280 to 800,
         1440 to 900,
         1920 to 1080,
-    ) { workshop, told ->
+    ) { workshop, described ->
         workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
         workshop.handle(LearningEvent.WorldChosen("maze"))
         workshop.handle(WorkshopEvent.TaskShown(false))
         pass(500)
-        for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, told)
+        for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, described)
         val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
-        for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, told)
-        if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, told)
+        for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, described)
+        if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, described)
         val places = placesByTag()
         val sheet = places.getValue("world")
         for (tag in onSheet) {
             val button = places.getValue(tag)
-            assertTrue(button.top >= sheet.top && button.bottom <= sheet.bottom, "$told: $tag is at $button of $sheet")
+            assertTrue(
+                button.top >= sheet.top && button.bottom <= sheet.bottom,
+                "$described: $tag is at $button of $sheet",
+            )
         }
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         val program = placesByTag().getValue("program")
-        assertTrue(program.height >= MIN_PROGRAM, "$told: $program")
-        for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, told)
+        assertTrue(program.height >= MIN_PROGRAM, "$described: $program")
+        for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, described)
     }
 
-    private fun everywhere(vararg windows: Pair<Int, Int>, check: ComposeUiTest.(Workshop, told: String) -> Unit) {
+    private fun everywhere(vararg windows: Pair<Int, Int>, check: ComposeUiTest.(Workshop, described: String) -> Unit) {
         for ((number, window) in windows.withIndex()) {
             val (width, height) = window
             for ((language, scale) in looksOn(number)) {

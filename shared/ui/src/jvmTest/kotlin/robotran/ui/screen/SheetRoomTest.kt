@@ -24,8 +24,8 @@ class SheetRoomTest {
         for ((size, now) in SHARES) {
             for ((number, scale) in SCALES.withIndex()) {
                 onWindow(size, Settings(textScale = scale, lessMotion = true)) { _ ->
-                    val told = "${size.first} x ${size.second}, text $scale"
-                    assertEquals(now[number], shareOf("world", size), "$told, in percent")
+                    val described = "${size.first} x ${size.second}, text $scale"
+                    assertEquals(now[number], shareOf("world", size), "$described, in percent")
                 }
             }
         }

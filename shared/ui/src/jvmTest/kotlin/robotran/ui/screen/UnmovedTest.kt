@@ -32,7 +32,7 @@ class UnmovedTest {
         for ((width, height) in SIZES) {
             for (pane in Pane.entries) {
                 onFillingMachine(width, height) { workshop, machine ->
-                    val told = "$width x $height, $pane"
+                    val described = "$width x $height, $pane"
                     workshop.handle(WorkshopEvent.PaneChosen(pane))
                     pass(300)
                     val before = placesByTag()
@@ -41,11 +41,17 @@ class UnmovedTest {
                     workshop.keep()
                     pass(500)
                     onNodeWithTag("keeping-trouble").assertIsDisplayed()
-                    for (tag in listOf("trouble-save-as", "trouble-my-work", "trouble-close")) assertWhole(tag, told)
-                    assertUnmoved(before, before.keys - setOf("work-menu", "status"), told)
+                    for (tag in listOf(
+                        "trouble-save-as",
+                        "trouble-my-work",
+                        "trouble-close",
+                    )) {
+                        assertWhole(tag, described)
+                    }
+                    assertUnmoved(before, before.keys - setOf("work-menu", "status"), described)
                     onNodeWithTag("trouble-close").performClick()
                     pass(300)
-                    assertFalse(isThere("keeping-trouble"), told)
+                    assertFalse(isThere("keeping-trouble"), described)
                     if (!isThere("work-menu")) press("menu")
                     press("work-menu")
                     press("work-trouble")
@@ -76,7 +82,7 @@ class UnmovedTest {
     fun `what has to be mended in a world is told over the sheet until it is put away`() {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 workshop.handle(WorldEditEvent.EditorOpened)
                 workshop.handle(WorldEditEvent.Edited(WorldEdit.Snap(Snapping(toOthers = false))))
                 pass(300)
@@ -85,12 +91,12 @@ class UnmovedTest {
                 workshop.putWallOverRobot()
                 pass(300)
                 onNodeWithTag("edit-hints").assertIsDisplayed()
-                assertUnmoved(before, tags, told)
+                assertUnmoved(before, tags, described)
                 press("edit-hints-close")
-                assertFalse(isThere("edit-hints"), told)
+                assertFalse(isThere("edit-hints"), described)
                 press("edit-done")
-                assertTrue(isThere("edit-hints"), "$told: Done says nothing of why it waits")
-                assertUnmoved(before, tags, told)
+                assertTrue(isThere("edit-hints"), "$described: Done says nothing of why it waits")
+                assertUnmoved(before, tags, described)
             }
         }
     }
@@ -116,7 +122,7 @@ class UnmovedTest {
     fun `a notice over the text says that a program was closed, and brings it back`() {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
-                val told = "$width x $height"
+                val described = "$width x $height"
                 workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
                 workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
                 workshop.handle(ProgramEvent.ProgramChosen(0))
@@ -128,13 +134,13 @@ class UnmovedTest {
                 pass(300)
                 onNodeWithTag("closed-program").assertIsDisplayed()
                 val tags = listOf("program", "next-mistake", "undo", "run")
-                assertUnmoved(before, tags, told)
+                assertUnmoved(before, tags, described)
                 press("closed-program-close")
-                assertFalse(isThere("closed-program"), told)
-                assertUnmoved(before, tags, told)
+                assertFalse(isThere("closed-program"), described)
+                assertUnmoved(before, tags, described)
                 press("add-program")
                 press("reopen-closed")
-                assertTrue(workshop.state.programs.programs.any { it.name == closed }, told)
+                assertTrue(workshop.state.programs.programs.any { it.name == closed }, described)
             }
         }
     }

@@ -83,7 +83,7 @@ class SendDialogTest {
         val expected = setOf(
             SendEvent.Retried,
             SendEvent.OtherTowerRequested,
-            SendEvent.MistakeShown,
+            SendEvent.DiagnosticShown,
             SendEvent.FirmwareFileRequested,
             SendEvent.FirmwareConfirmed,
             SendEvent.WatchingRequested,

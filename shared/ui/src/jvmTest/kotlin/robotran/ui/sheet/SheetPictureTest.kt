@@ -112,7 +112,7 @@ class SheetPictureTest {
                 brick = RcxBrick(emptyList(), messages = BrickMessages.of(Language.ENGLISH)).state,
                 robot = RobotState(Pose(40.0, 30.0, heading), 0.0, 0.0, penDown, leftBumper, false),
                 bumps = 0,
-                remarks = emptyList(),
+                warnings = emptyList(),
                 romCalls = 0,
             ),
         ),

@@ -15,7 +15,6 @@ import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.InOrder
@@ -25,6 +24,7 @@ import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
@@ -56,9 +56,9 @@ internal object SheetScenes {
             Barrier(Shape.Polygon(listOf(Point(40.0, 80.0), Point(52.0, 80.0), Point(46.0, 76.0), Point(42.0, 72.0)))),
         ),
         blocks = listOf(
-            Block(Shape.Rectangle(Point(36.0, 30.0), 6.0, 9.0)),
-            Block(Shape.Circle(Point(36.0, 12.0), 3.0)),
-            Block(Shape.Polygon(listOf(Point(45.0, 8.0), Point(54.0, 8.0), Point(45.0, 16.0)))),
+            MovableBlock(Shape.Rectangle(Point(36.0, 30.0), 6.0, 9.0)),
+            MovableBlock(Shape.Circle(Point(36.0, 12.0), 3.0)),
+            MovableBlock(Shape.Polygon(listOf(Point(45.0, 8.0), Point(54.0, 8.0), Point(45.0, 16.0)))),
         ),
         marks = listOf(
             Mark(

@@ -10,7 +10,6 @@ import robotran.simulation.state.TrailPiece
 import robotran.ui.sheet.SheetScenes.with
 import robotran.workshop.state.SheetLayer
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.InOrder
@@ -21,6 +20,7 @@ import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.ReadyRobots
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
@@ -106,7 +106,7 @@ class SheetThingsTest {
 
     @Test
     fun `a block is drawn where it is now and turned`() {
-        val world = with { copy(blocks = listOf(Block(Shape.Rectangle(Point(50.0, 20.0), 10.0, 2.0)))) }
+        val world = with { copy(blocks = listOf(MovableBlock(Shape.Rectangle(Point(50.0, 20.0), 10.0, 2.0)))) }
         val moved = closeUp(world, SheetScenes.state(world, blocks = listOf(Pose(20.0, 5.0, 90.0))))
         assertNotEquals(paper, closeUp(world).at(54.0, 20.6))
         assertEquals(paper, moved.at(54.0, 20.6))
@@ -132,7 +132,7 @@ class SheetThingsTest {
 
     @Test
     fun `the shadow of a block goes where the block is pushed`() {
-        val block = Block(Shape.Rectangle(Point(50.0, 10.0), 6.0, 6.0))
+        val block = MovableBlock(Shape.Rectangle(Point(50.0, 10.0), 6.0, 6.0))
         val world = with { copy(lamps = listOf(Lamp(Point(40.0, 30.0))), blocks = listOf(block)) }
         val pushed = SheetScenes.state(world, blocks = listOf(Pose(0.0, 20.0, 0.0)))
         assertNotEquals(paper, closeUp(world).at(60.0, 30.0))

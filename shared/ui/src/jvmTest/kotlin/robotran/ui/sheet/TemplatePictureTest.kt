@@ -21,9 +21,9 @@ class TemplatePictureTest {
                 val picture = renderSheet(world, SheetScenes.state(world), width, colours = colours).toPixelMap()
                 val contrasts = (0..<picture.height).map { y -> picture.bestContrast(y, colours.paper.luminance()) }
                     .subList((picture.height * 0.7).toInt(), (picture.height * 0.88).toInt())
-                val told = "$width pixels wide on ${colours.paper}: ${contrasts.filter { it > 1.1f }}"
-                assertTrue(contrasts.max() >= MIN_CONTRAST, told)
-                assertTrue(contrasts.count { it >= MIN_CONTRAST / 2 } >= 2, told)
+                val described = "$width pixels wide on ${colours.paper}: ${contrasts.filter { it > 1.1f }}"
+                assertTrue(contrasts.max() >= MIN_CONTRAST, described)
+                assertTrue(contrasts.count { it >= MIN_CONTRAST / 2 } >= 2, described)
             }
         }
     }

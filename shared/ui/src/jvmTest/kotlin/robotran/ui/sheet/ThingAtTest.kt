@@ -36,7 +36,7 @@ class ThingAtTest {
     @Test
     fun `a block is found where it has been pushed and turned, not where it was`() {
         val shape = Shape.Rectangle(Point(40.0, 20.0), 10.0, 2.0)
-        val one = SheetScenes.with { copy(blocks = listOf(robotran.world.Block(shape))) }
+        val one = SheetScenes.with { copy(blocks = listOf(robotran.world.MovableBlock(shape))) }
         val moved = SheetScenes.state(one, blocks = listOf(Pose(20.0, 5.0, 90.0)))
         assertEquals(SheetElement(SheetElementKind.BLOCK, 0), elementAt(one, moved, Point(60.0, 29.5), 0.0))
         assertNull(elementAt(one, moved, Point(44.0, 20.0), 0.0))

@@ -48,9 +48,9 @@ class ContrastTest {
         check("high contrast, dark", RobotranColours.HIGH_CONTRAST_DARK)
     }
 
-    private fun check(one: Color, other: Color, least: Double, told: String) {
+    private fun check(one: Color, other: Color, least: Double, described: String) {
         val contrast = contrastOf(one, other)
-        assertTrue(contrast >= least, "$told: the contrast is only $contrast")
+        assertTrue(contrast >= least, "$described: the contrast is only $contrast")
     }
 
     private companion object {

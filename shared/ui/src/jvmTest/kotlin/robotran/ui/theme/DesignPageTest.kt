@@ -29,10 +29,10 @@ class DesignPageTest {
         val source = source("RobotranColours.kt")
         val roles = Regex("""^    val (\w+): Color\b""", RegexOption.MULTILINE).findAll(source) +
             Regex("""^        val (\w+) = Color\(""", RegexOption.MULTILINE).findAll(source)
-        val told = page.dropWhile { it != "| role | use |" }.takeWhile { it.startsWith("|") }
+        val described = page.dropWhile { it != "| role | use |" }.takeWhile { it.startsWith("|") }
             .flatMap { row -> Regex("`(\\w+)`").findAll(row.split("|")[1]).map { it.groupValues[1] } }
-        assertTrue(told.size > 20)
-        assertEquals(roles.map { it.groupValues[1] }.toSet(), told.toSet())
+        assertTrue(described.size > 20)
+        assertEquals(roles.map { it.groupValues[1] }.toSet(), described.toSet())
     }
 
     /** Compares the table with the heading [tokens] with the object of this name in [file]. */
@@ -40,13 +40,13 @@ class DesignPageTest {
         val body = source(file).substringAfter("object $tokens {").substringBefore("\n}")
         val defined = Regex("""val (\w+) = ([\d_]+)""").findAll(body)
             .associate { it.groupValues[1] to it.groupValues[2].replace("_", "").toInt() }
-        val told = page.dropWhile { !it.startsWith("| `$tokens` |") }.drop(2).takeWhile { it.startsWith("|") }
+        val described = page.dropWhile { !it.startsWith("| `$tokens` |") }.drop(2).takeWhile { it.startsWith("|") }
             .associate { row ->
                 val cells = row.split("|").map { it.trim() }
                 cells[1].trim('`') to cells[2].substringBefore(' ').toInt()
             }
-        assertTrue(told.size > 3, "There is no table of $tokens.")
-        assertEquals(defined, told)
+        assertTrue(described.size > 3, "There is no table of $tokens.")
+        assertEquals(defined, described)
     }
 
     private fun source(name: String) = File("src/commonMain/kotlin/robotran/ui/theme/$name").readText()

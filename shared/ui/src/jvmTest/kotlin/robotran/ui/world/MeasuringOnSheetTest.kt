@@ -131,8 +131,8 @@ class MeasuringOnSheetTest {
     @Test
     fun `a screen reader hears what is measured, and moves the ends`() = onSheet {
         measure()
-        val told = onNodeWithTag("measured").fetchSemanticsNode().config
-        assertEquals(LiveRegionMode.Polite, told[SemanticsProperties.LiveRegion])
+        val described = onNodeWithTag("measured").fetchSemanticsNode().config
+        assertEquals(LiveRegionMode.Polite, described[SemanticsProperties.LiveRegion])
         onNodeWithTag("measure-from").assertContentDescriptionContains("Measured from: a robot", substring = true)
         onNodeWithTag(
             "measure-base",

@@ -16,10 +16,10 @@ import robotran.ui.sheet.transform
 import robotran.workshop.Workshop
 import robotran.workshop.state.SheetCamera
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.Reach
 import robotran.world.Lamp
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots
@@ -44,7 +44,7 @@ internal val handyWorld = World(
         RobotPlacement(Pose(80.0, 60.0, 90.0), "red", RobotColour.RED),
     ),
     barriers = listOf(Barrier(Shape.Rectangle(Point(60.0, 10.0), 10.0, 4.0))),
-    blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
+    blocks = listOf(MovableBlock(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
     lamps = listOf(Lamp(Point(20.0, 70.0))),
     goals = listOf(Goal(Reach(Shape.Circle(Point(90.0, 20.0), 6.0)))),
 )

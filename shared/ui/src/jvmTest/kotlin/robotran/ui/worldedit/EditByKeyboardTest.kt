@@ -89,10 +89,10 @@ class EditByKeyboardTest {
     @Test
     fun `a screen reader is told what is chosen`() = onEditor {
         key(Key.Tab)
-        val told = screen.onNodeWithTag(
+        val described = screen.onNodeWithTag(
             "edit-sheet",
         ).fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
-        assertEquals("Chosen: Robot yellow", told)
+        assertEquals("Chosen: Robot yellow", described)
     }
 
     private fun EditorTest.sheetFocused(): Boolean =

@@ -318,7 +318,7 @@ internal class AssignmentEditor(
     }
 
     private fun resultOf(checked: CheckedSolution): SolutionCheck = when (checked) {
-        is CheckedSolution.HasMistakes -> SolutionCheck.HasMistakes(checked.reasons)
+        is CheckedSolution.HasErrors -> SolutionCheck.HasErrors(checked.reasons)
 
         is CheckedSolution.Checked -> if (checked.failed == 0) {
             SolutionCheck.Passed(checked.runs, checked.startPassed)
@@ -331,7 +331,7 @@ internal class AssignmentEditor(
     private fun share(what: suspend (AssignmentEditorState) -> AssignmentEditorState) {
         scope.launch {
             val now = state ?: return@launch
-            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false, embedProblem = null))
+            val then = what(now.copy(savedAs = null, saveError = null, embedCodeCopied = false, embedError = null))
             // The author may have gone on meanwhile.
             state = state?.copy(
                 link = then.link,
@@ -339,7 +339,7 @@ internal class AssignmentEditor(
                 saveError = then.saveError,
                 embedCode = then.embedCode,
                 embedCodeCopied = then.embedCodeCopied,
-                embedProblem = then.embedProblem,
+                embedError = then.embedError,
                 isPacking = false,
                 isAboutPackage = now.isPacking,
             )

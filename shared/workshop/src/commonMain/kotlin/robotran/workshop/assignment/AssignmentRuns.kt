@@ -38,14 +38,14 @@ internal class AssignmentRuns(
         val plain = project.copy(assignment = project.assignment?.copy(checks = null))
         val programs = project.firstPrograms
         val ready = when (val made = prepare(plain, programs, firstProgram)) {
-            is Preparation.HasMistakes -> return RunOfWork.HasMistakes(made.reasons)
-            is Preparation.Failed -> return RunOfWork.HasMistakes(made.reasons)
+            is Preparation.HasErrors -> return RunOfWork.HasErrors(made.reasons)
+            is Preparation.Failed -> return RunOfWork.HasErrors(made.reasons)
             is Preparation.Ready -> made
         }
         val limit = plain.world.timeLimit * MILLISECONDS_PER_SECOND
         val run = ready.runs().first()
         val result = when (val ended = finish(run) { onPart((it.toFloat() / limit).coerceAtMost(1f)) }) {
-            is RunResult.Failed -> return RunOfWork.HasMistakes(listOf(ended.reason))
+            is RunResult.Failed -> return RunOfWork.HasErrors(listOf(ended.reason))
             is RunResult.Finished -> ended
         }
         val goals = result.grade.goals
@@ -75,8 +75,8 @@ internal class AssignmentRuns(
         onRun: (done: Int, all: Int) -> Unit,
     ): CheckedSolution {
         val ready = when (val made = prepare(project, solution, firstProgram = 0)) {
-            is Preparation.HasMistakes -> return CheckedSolution.HasMistakes(made.reasons)
-            is Preparation.Failed -> return CheckedSolution.HasMistakes(made.reasons)
+            is Preparation.HasErrors -> return CheckedSolution.HasErrors(made.reasons)
+            is Preparation.Failed -> return CheckedSolution.HasErrors(made.reasons)
             is Preparation.Ready -> made
         }
         val runs = ready.runs()
@@ -86,7 +86,7 @@ internal class AssignmentRuns(
         runs.forEachIndexed { done, run ->
             onRun(done, all)
             when (val result = finish(run) {}) {
-                is RunResult.Failed -> return CheckedSolution.HasMistakes(listOf(result.reason))
+                is RunResult.Failed -> return CheckedSolution.HasErrors(listOf(result.reason))
                 is RunResult.Finished -> if (!result.grade.passed) failed += run
             }
         }
@@ -155,7 +155,7 @@ internal class AssignmentRuns(
 internal sealed interface RunOfWork {
     data class Ended(val work: HandedInWork) : RunOfWork
 
-    data class HasMistakes(val reasons: List<String>) : RunOfWork
+    data class HasErrors(val reasons: List<String>) : RunOfWork
 }
 
 /** How running the solution with all seeds and variations went. */
@@ -167,5 +167,5 @@ internal sealed interface CheckedSolution {
     data class Checked(val runs: Int, val failed: Int, val world: String?, val seed: Int?, val startPassed: Int) :
         CheckedSolution
 
-    data class HasMistakes(val reasons: List<String>) : CheckedSolution
+    data class HasErrors(val reasons: List<String>) : CheckedSolution
 }

@@ -18,7 +18,7 @@ import robotran.workshop.platform.Saving
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.AssignmentEditorState
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 import robotran.workshop.state.PupilLink
 
 /** Files and links of an assignment, for its author and for pupils. Each function returns the state of the page then. */
@@ -37,11 +37,11 @@ internal class AssignmentSharing(
 
     suspend fun makeLink(page: AssignmentEditorState): AssignmentEditorState {
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
-        if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkProblem.NoSite))
+        if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkError.NoSite))
         val copy = pupilCopy(current.project)
         return when (val link = withContext(platform.background) { linkOf(copy, preferences.language) }) {
             is LinkCreation.Made -> page.copy(link = PupilLink(address + link.fragment))
-            is LinkCreation.TooLong -> page.copy(link = PupilLink(problem = LinkProblem.TooLong(link.message)))
+            is LinkCreation.TooLong -> page.copy(link = PupilLink(problem = LinkError.TooLong(link.message)))
         }
     }
 
@@ -58,7 +58,7 @@ internal class AssignmentSharing(
     /** Shows and copies the HTML that shows the assignment in a frame, or says why there is none. */
     suspend fun copyEmbedCode(page: AssignmentEditorState): AssignmentEditorState {
         val made = makeLink(page)
-        val link = made.link?.link ?: return page.copy(embedCode = null, embedProblem = made.link?.problem)
+        val link = made.link?.link ?: return page.copy(embedCode = null, embedError = made.link?.problem)
         val code = "<iframe src=\"${link.replaceFirst("#", "?embed=assignment#")}\" title=\"${escaped(title)}\" " +
             "width=\"100%\" height=\"600\" allow=\"clipboard-write\"></iframe>"
         return page.copy(embedCode = code, embedCodeCopied = platform.sharing.copy(code))

@@ -27,7 +27,7 @@ import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 
 /** The sheet with which a pupil hands in. One piece of work runs at a time. */
 internal class HandInMaker(
@@ -55,7 +55,7 @@ internal class HandInMaker(
             AssignmentEvent.HandInBackRequested -> goBack(state)
             is AssignmentEvent.NameEntered -> if (now is HandInStep.Asking) step = now.copy(name = event.name)
             is AssignmentEvent.WorkChosen -> if (now is HandInStep.Asking) step = now.choosing(event.isEditor, state)
-            is AssignmentEvent.HandInMade -> make(event.withMistakes)
+            is AssignmentEvent.HandInMade -> make(event.withErrors)
             AssignmentEvent.HandInFileSaved -> begin { save() }
             AssignmentEvent.HandInLinkCopied -> begin { copy() }
             AssignmentEvent.HandInLinkShared -> begin { share() }
@@ -109,14 +109,14 @@ internal class HandInMaker(
             }
     }
 
-    private fun make(withMistakes: Boolean) {
+    private fun make(withErrors: Boolean) {
         val now = step
         if (now is HandInStep.Asking) asked = now.takeIf { it.canGoOn } ?: return
         val question = asked ?: return
-        if (now !is HandInStep.Asking && now !is HandInStep.HasMistakes) return
+        if (now !is HandInStep.Asking && now !is HandInStep.HasErrors) return
         val best = current.project.tries?.best
         when {
-            withMistakes -> begin { ready(question.name, HandedInWork(current.project.firstPrograms, shownProgram())) }
+            withErrors -> begin { ready(question.name, HandedInWork(current.project.firstPrograms, shownProgram())) }
             question.isEditor || best == null -> begin { runEditor(question.name) }
             else -> begin { ready(question.name, HandedInWork(best)) }
         }
@@ -126,7 +126,7 @@ internal class HandInMaker(
         step = HandInStep.Running(0f)
         when (val run = runs.runOf(current.project, shownProgram()) { step = HandInStep.Running(it) }) {
             is RunOfWork.Ended -> ready(name, run.work)
-            is RunOfWork.HasMistakes -> step = HandInStep.HasMistakes(run.reasons)
+            is RunOfWork.HasErrors -> step = HandInStep.HasErrors(run.reasons)
         }
     }
 
@@ -136,12 +136,12 @@ internal class HandInMaker(
         val plain = HandInStep.Ready(handInName(name), work.result)
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
         if (address.isEmpty()) {
-            step = plain.copy(linkProblem = LinkProblem.NoSite)
+            step = plain.copy(linkError = LinkError.NoSite)
             return
         }
         step = when (val link = withContext(platform.background) { handInLinkOf(made, preferences.language) }) {
             is LinkCreation.Made -> plain.copy(link = address + link.fragment)
-            is LinkCreation.TooLong -> plain.copy(linkProblem = LinkProblem.TooLong(link.message))
+            is LinkCreation.TooLong -> plain.copy(linkError = LinkError.TooLong(link.message))
         }
     }
 

@@ -13,7 +13,7 @@ fun blocksIntroducedBy(step: Int): Set<String> = INTRODUCTIONS.filterValues { it
 private val INTRODUCTIONS: Map<String, Int> by lazy {
     introductions(
         Lessons.all.map { step ->
-            if (step.code.support.hasBlocks) listOf(step.program.text, step.solution.text) else emptyList()
+            if (step.programLanguage.support.hasBlocks) listOf(step.program.text, step.solution.text) else emptyList()
         },
     )
 }

@@ -23,8 +23,8 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.StoredAssignments
+import robotran.workshop.state.CourseError
 import robotran.workshop.state.CoursePage
-import robotran.workshop.state.CourseProblem
 import robotran.world.WorldLimits
 
 /**
@@ -159,7 +159,7 @@ internal class CourseEditor(
         if (files.isEmpty()) return
         val opening = withContext(platform.background) { openFiles(unpackedCourses(files), preferences.language) }
         when (opening) {
-            is OpenFilesResult.Failure -> update { it.copy(problem = CourseProblem.NotOpened(opening.error)) }
+            is OpenFilesResult.Failure -> update { it.copy(problem = CourseError.NotOpened(opening.error)) }
 
             is OpenFilesResult.Success -> {
                 val other =
@@ -167,7 +167,7 @@ internal class CourseEditor(
                         ?: opening.world?.title ?: opening.programs.firstOrNull()?.name ?: opening.robot?.title
                 val found = opening.projects.map { it.project } + opening.courses.flatMap { it.assignments }
                 add(found.filter { it.assignment != null && it.handIn == null }, other)
-                notices.add(opening.remarks)
+                notices.add(opening.notes)
             }
         }
     }
@@ -192,10 +192,10 @@ internal class CourseEditor(
             if (place >= 0) all[place] = project else all += project
         }
         if (all.size > Course.MAXIMUM_ASSIGNMENTS) {
-            return update { it.copy(problem = CourseProblem.TooMany(Course.MAXIMUM_ASSIGNMENTS)) }
+            return update { it.copy(problem = CourseError.TooMany(Course.MAXIMUM_ASSIGNMENTS)) }
         }
         change(course.copy(assignments = all))
-        if (other != null) update { it.copy(problem = CourseProblem.NotAnAssignment(other)) }
+        if (other != null) update { it.copy(problem = CourseError.NotAnAssignment(other)) }
     }
 
     /** Opens the teacher's copy as a project of its own; it can be added again when it has been changed. */
@@ -227,8 +227,8 @@ internal class CourseEditor(
                 update { it.copy(isKept = true) }
             }
 
-            KeptCourse.TooLong -> update { it.copy(isKept = false, problem = CourseProblem.TooLong) }
-            else -> update { it.copy(isKept = false, problem = CourseProblem.NotKept) }
+            KeptCourse.TooLong -> update { it.copy(isKept = false, problem = CourseError.TooLong) }
+            else -> update { it.copy(isKept = false, problem = CourseError.NotKept) }
         }
     }
 

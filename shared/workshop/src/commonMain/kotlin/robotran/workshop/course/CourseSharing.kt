@@ -13,9 +13,9 @@ import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
 import robotran.workshop.service.Preferences
+import robotran.workshop.state.CourseError
 import robotran.workshop.state.CoursePage
-import robotran.workshop.state.CourseProblem
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 import robotran.workshop.state.PupilLink
 
 /** Files and links of a course. Each function returns the state of the author's page then. */
@@ -28,11 +28,11 @@ internal class CourseSharing(private val platform: Platform, private val prefere
 
     suspend fun makeLink(page: CoursePage.Making): CoursePage.Making {
         val address = platform.pageAddress.ifEmpty { preferences.settings.site }
-        if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkProblem.NoSite))
+        if (address.isEmpty()) return page.copy(link = PupilLink(problem = LinkError.NoSite))
         val copy = pupilCopy(page.course)
         return when (val link = withContext(platform.background) { linkOf(copy, preferences.language) }) {
             is LinkCreation.Made -> page.copy(link = PupilLink(address + link.fragment))
-            is LinkCreation.TooLong -> page.copy(link = PupilLink(problem = LinkProblem.TooLong(link.message)))
+            is LinkCreation.TooLong -> page.copy(link = PupilLink(problem = LinkError.TooLong(link.message)))
         }
     }
 
@@ -48,10 +48,10 @@ internal class CourseSharing(private val platform: Platform, private val prefere
 
     private suspend fun save(page: CoursePage.Making, course: Course, name: String): CoursePage.Making {
         val bytes = withContext(platform.background) { courseFile(course) }
-            ?: return page.copy(problem = CourseProblem.TooLong)
+            ?: return page.copy(problem = CourseError.TooLong)
         return when (val saving = platform.files.save(fileNameFor(name, FileKind.COURSE), FileKind.COURSE, bytes)) {
             is Saving.Saved -> page.copy(savedAs = saving.name)
-            is Saving.Failed -> page.copy(problem = CourseProblem.NotSaved(saving.reason))
+            is Saving.Failed -> page.copy(problem = CourseError.NotSaved(saving.reason))
             Saving.Cancelled -> page
         }
     }

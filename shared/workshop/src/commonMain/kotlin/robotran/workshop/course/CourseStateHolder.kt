@@ -214,7 +214,7 @@ class CourseStateHolder(
         } else {
             val name = validProjectName(assignment.world.title) ?: defaultProjectName(preferences.language)
             val result = switcher.beginProject(name, pupilCopy(assignment), into = null)
-            if (result is SwitchResult.Switched) result.opened?.let { remember(key, id, it) }
+            if (result is SwitchResult.Switched) result.currentId?.let { remember(key, id, it) }
         }
         refresh()
     }

@@ -124,7 +124,7 @@ internal class FileOpener(
         navigator.leavePages()
         takeWork(opened, isWanted)
         if (opened.courses.isNotEmpty()) openCourses(opened.courses)
-        notices.add(opened.remarks)
+        notices.add(opened.notes)
     }
 
     /**

@@ -36,8 +36,8 @@ sealed interface AssignmentEvent : WorkshopEvent {
     /** Hands in the program that is in the editor now, or else the best try. */
     data class WorkChosen(val isEditor: Boolean) : OfHandIn
 
-    /** Makes the hand-in, also if the programs have mistakes when [withMistakes]. */
-    data class HandInMade(val withMistakes: Boolean = false) : OfHandIn
+    /** Makes the hand-in, also if the programs have mistakes when [withErrors]. */
+    data class HandInMade(val withErrors: Boolean = false) : OfHandIn
 
     data object HandInFileSaved : OfHandIn
 

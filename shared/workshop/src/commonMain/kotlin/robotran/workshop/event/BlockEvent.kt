@@ -52,7 +52,7 @@ sealed interface BlockEvent : ProgramEvent {
     data class Pasted(val text: String) : BlockEvent
 
     /** Opens [sheet]; null closes it. */
-    data class SheetShown(val sheet: BlockDialog?) : BlockEvent
+    data class DialogShown(val sheet: BlockDialog?) : BlockEvent
 
     /** Runs [load] at once, from where the robot stands; the program stays as it is. */
     data class SnippetRequested(val load: DragPayload) : BlockEvent

@@ -56,7 +56,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data object FileAdded : ProgramEvent
 
     /**
-     * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameProblem].
+     * Renames the file with the index [index] of the current program to [name], which must be valid, see [nameError].
      */
     data class FileRenamed(val index: Int, val name: String) : ProgramEvent
 

@@ -38,7 +38,7 @@ sealed interface SendEvent : WorkshopEvent {
     data object FirmwareConfirmed : SendEvent
 
     /** Shows the mistake in the program. */
-    data object MistakeShown : SendEvent
+    data object DiagnosticShown : SendEvent
 
     /** Shows what the robot sends. */
     data object WatchingRequested : SendEvent

@@ -32,8 +32,8 @@ internal class HandInPreviews(
         val project = replayProject(task.project, task.plan, submission, run) ?: return false
         val name = validProjectName(row.name) ?: open.name
         val result = switcher.previewProject(name, project) as? SwitchResult.Switched ?: return false
-        left = result.left
-        visited = result.opened
+        left = result.previousId
+        visited = result.currentId
         notices.show(Notice.HandInOpened(row.name, run))
         if (run == null) this.run.playInputs() else this.run.run()
         return true

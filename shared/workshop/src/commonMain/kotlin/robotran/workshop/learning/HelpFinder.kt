@@ -35,8 +35,14 @@ internal class HelpFinder(
     }
 
     /** The help on [word]; the list of all words for null. */
-    fun on(code: ProgramLanguage, word: String?, brick: BrickKind = shownBrick): HelpState =
-        HelpState(code, word, word?.let { WordHelp.of(preferences.language, code, it, brick) }, brick)
+    fun on(programLanguage: ProgramLanguage, word: String?, brick: BrickKind = shownBrick): HelpState = HelpState(
+        programLanguage,
+        word,
+        word?.let {
+            WordHelp.of(preferences.language, programLanguage, it, brick)
+        },
+        brick,
+    )
 
     /**
      * Adds the example of [help] as a tab without running it. Returns false if there is no example. If there is no
@@ -44,9 +50,12 @@ internal class HelpFinder(
      */
     fun tryExample(help: HelpState): Boolean {
         val example = help.found?.example ?: return false
-        val files = help.code.support.files
+        val files = help.programLanguage.support.files
         val name = files.nameFor("try")
-        return newTabs.add(Program(name, help.code, files.wrapped(example, name, help.brick)), replacing = true)
+        return newTabs.add(
+            Program(name, help.programLanguage, files.wrapped(example, name, help.brick)),
+            replacing = true,
+        )
     }
 
     /**

@@ -107,7 +107,7 @@ class LearningStateHolder(
             is LearningEvent.WorldSolutionRequested -> showWorldSolution(event.shown)
             is LearningEvent.ExampleChosen -> if (help.addExample(event.language, event.name, event.brick)) leavePage()
             is LearningEvent.HelpRequested -> showHelp(help.at(event.text, event.offset))
-            is LearningEvent.WordChosen -> showHelp(help.on(state.help.code, event.word, state.help.brick))
+            is LearningEvent.WordChosen -> showHelp(help.on(state.help.programLanguage, event.word, state.help.brick))
             is LearningEvent.WordsRequested -> showHelp(help.on(event.language, null))
             LearningEvent.ExampleTried -> if (help.tryExample(state.help)) leavePage()
         }

@@ -55,7 +55,7 @@ internal class NqcVersions {
         val written = Program.of(file.name, file.text)
         if (language !in written.language.support.translations(task.brick)) return null
         val compiled = compiler.compileNow(written) as? ProgramResult.Success ?: return null
-        return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.remarks.isEmpty() }
+        return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.notes.isEmpty() }
             ?.let { Program.of(name, it.text) }
     }
 

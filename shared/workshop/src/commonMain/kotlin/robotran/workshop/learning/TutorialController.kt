@@ -113,7 +113,7 @@ internal class TutorialController(
             )
             if (result is SwitchResult.Switched) {
                 isSolutionLoaded = file === step.solution
-                store.update { it.copy(previousProject = result.left, tutorialProject = result.opened) }
+                store.update { it.copy(previousProject = result.previousId, tutorialProject = result.currentId) }
             }
         }
     }

@@ -80,7 +80,7 @@ internal class WorldTaskController(
     fun afterTry(state: WorldTaskState, program: Program, session: SessionState): WorldTaskState {
         if (state.help.solutionShown) return state
         // Programs in two languages have no lines in common.
-        val isComparable = program.language == state.task.code && program.files.size == 1
+        val isComparable = program.language == state.task.programLanguage && program.files.size == 1
         val attempt = if (isComparable) state.task.attempt(program.files.first().text, session) else null
         return state.copy(help = hints.after(attempt, state.task, state.help, preferences.language))
     }

@@ -81,6 +81,9 @@ interface Platform {
 
     /** The context for long work, off the UI thread if possible. */
     val background: CoroutineContext get() = EmptyCoroutineContext
+
+    /** Whether a slow compiler may work beside the caller; if not, all results come on the caller's thread. */
+    val compilesBeside: Boolean get() = true
 }
 
 /** A platform that keeps everything in memory and shows no dialogs, for tests and as a fallback. */
@@ -105,4 +108,6 @@ class MemoryPlatform(
     override val showsRecentFiles: Boolean = false,
     override val prefersLessMotion: Boolean = false,
     override val photoReader: PhotoReader = NoPhotoReader,
-) : Platform
+) : Platform {
+    override val compilesBeside: Boolean get() = false
+}

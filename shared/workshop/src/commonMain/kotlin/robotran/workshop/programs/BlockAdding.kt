@@ -21,13 +21,13 @@ import robotran.workshop.blocks.blocksIn
 import robotran.workshop.blocks.placeForNew
 
 /** Adds a block of the palette at the cursor; a value needs a part of a line with the cursor. */
-internal fun ProgramFileMemory.taken(now: BlocksState, block: PaletteBlock): ProgramFileMemory {
+internal fun FileEditorState.taken(now: BlocksState, block: PaletteBlock): FileEditorState {
     if (!block.isValue) return inserted(now, block.textFor(now.program), now.placeForNew)
     val part = now.part ?: return copy(blocks = now.copy(error = BlockEditError.NoPlaceForValue))
     return valuePut(now, block, part)
 }
 
-internal fun ProgramFileMemory.pasted(now: BlocksState, text: String): ProgramFileMemory {
+internal fun FileEditorState.pasted(now: BlocksState, text: String): FileEditorState {
     val value = now.part?.let { BlockEdit.Replace(it, text.trim()) }
     return if (value != null && '\n' !in text.trim() && apply(now.program, value) is BlockEditResult.Success) {
         edited(now, value)
@@ -37,7 +37,7 @@ internal fun ProgramFileMemory.pasted(now: BlocksState, text: String): ProgramFi
 }
 
 /** Lets go of what is carried. If it goes nowhere, all stays as it was. */
-internal fun ProgramFileMemory.dropped(now: BlocksState): ProgramFileMemory {
+internal fun FileEditorState.dropped(now: BlocksState): FileEditorState {
     val drag = now.drag ?: return this
     return when (val target = drag.target) {
         is BlockTarget.Between -> droppedBetween(now, drag.load, target.place)
@@ -47,19 +47,19 @@ internal fun ProgramFileMemory.dropped(now: BlocksState): ProgramFileMemory {
     } ?: copy(blocks = now.copy(drag = null))
 }
 
-private fun ProgramFileMemory.droppedBetween(now: BlocksState, load: DragPayload, place: BlockPlace) = when (load) {
+private fun FileEditorState.droppedBetween(now: BlocksState, load: DragPayload, place: BlockPlace) = when (load) {
     is DragPayload.Blocks -> edited(now, BlockEdit.Move(load.run, place))
     is DragPayload.New -> if (load.block.isValue) null else inserted(now, load.block.textFor(now.program), place)
     is DragPayload.Value -> null
 }
 
-private fun ProgramFileMemory.droppedInto(now: BlocksState, load: DragPayload, span: SourceSpan) = when (load) {
+private fun FileEditorState.droppedInto(now: BlocksState, load: DragPayload, span: SourceSpan) = when (load) {
     is DragPayload.Blocks -> null
     is DragPayload.New -> if (load.block.isValue) valuePut(now, load.block, span) else null
     is DragPayload.Value -> valueEdited(now, BlockEdit.MoveValue(load.span, span))
 }
 
-private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: DragPayload) = when (load) {
+private fun FileEditorState.droppedIntoBin(now: BlocksState, load: DragPayload) = when (load) {
     is DragPayload.Blocks -> edited(
         now,
         BlockEdit.Delete(
@@ -72,13 +72,13 @@ private fun ProgramFileMemory.droppedIntoBin(now: BlocksState, load: DragPayload
     is DragPayload.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
 }
 
-private fun ProgramFileMemory.valuePut(now: BlocksState, block: PaletteBlock, span: SourceSpan): ProgramFileMemory {
+private fun FileEditorState.valuePut(now: BlocksState, block: PaletteBlock, span: SourceSpan): FileEditorState {
     val part = now.program.partAt(span) as? PhrasePart.Value
     return valueEdited(now, BlockEdit.Replace(span, part?.let { block.textAt(it, now.program) } ?: block.template))
 }
 
 /** Applies [edit] and puts the cursor at the value that it has put somewhere. */
-private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): ProgramFileMemory {
+private fun FileEditorState.valueEdited(now: BlocksState, edit: BlockEdit): FileEditorState {
     val done = edited(now, edit)
     val blocks = done.blocks ?: return done
     if (blocks.error != null) return done
@@ -89,7 +89,7 @@ private fun ProgramFileMemory.valueEdited(now: BlocksState, edit: BlockEdit): Pr
 }
 
 /** Inserts lines at [place], or outside of all blocks if they may only stand there. */
-private fun ProgramFileMemory.inserted(now: BlocksState, text: String, place: BlockPlace): ProgramFileMemory {
+private fun FileEditorState.inserted(now: BlocksState, text: String, place: BlockPlace): FileEditorState {
     val isOutermost = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).blocks.any {
         it.head.form?.isOutermost ==
             true

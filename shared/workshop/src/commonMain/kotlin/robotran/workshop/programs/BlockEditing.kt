@@ -29,7 +29,7 @@ import robotran.workshop.blocks.stepped
 import robotran.workshop.event.BlockEvent
 
 /** This memory with the blocks of its text in [language], if it is shown in blocks. The same if they are current. */
-internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMemory {
+internal fun FileEditorState.withBlocksRead(language: Language): FileEditorState {
     if (!view.hasBlocks) return this
     val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, previous = null)), language))
     if (known.program.text == draft.text && known.language == language) return this
@@ -56,7 +56,7 @@ internal fun ProgramFileMemory.withBlocksRead(language: Language): ProgramFileMe
  * This memory with the cursor of its blocks at the line of the caret, if they are shown. Until the blocks of a changed
  * text are read, it stays where it is.
  */
-internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
+internal fun FileEditorState.withCursorAtCaret(): FileEditorState {
     val known = blocks ?: return this
     if (!view.hasBlocks || known.program.text != draft.text) return this
     val row = known.list.rowOfLine(draft.lines.lineOf(draft.selection.caret))?.let { known.list.rows[it] }
@@ -68,7 +68,7 @@ internal fun ProgramFileMemory.withCursorAtCaret(): ProgramFileMemory {
  * This memory, which came of [before] by undo or redo, with what that has changed in words for a screen reader. The same
  * if it is not shown in blocks.
  */
-internal fun ProgramFileMemory.tellingUndo(before: ProgramFileMemory, isRedo: Boolean): ProgramFileMemory {
+internal fun FileEditorState.tellingUndo(before: FileEditorState, isRedo: Boolean): FileEditorState {
     val now = blocks?.takeIf { view.hasBlocks } ?: return this
     val then = before.blocks ?: return this
     val messages = BlockMessages.of(now.language)
@@ -83,11 +83,11 @@ private fun saidAfter(last: String?, words: String): String = if (words == last)
 /** A no-break space. */
 private const val UNHEARD = '\u00A0'
 
-private fun ProgramFileMemory.read(language: Language, previous: BlockProgram?): BlockProgram =
+private fun FileEditorState.read(language: Language, previous: BlockProgram?): BlockProgram =
     blocksOf(draft.text, RobolangMessages.of(language), previous)
 
 /** This memory after [event]. Its blocks must be current. */
-internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
+internal fun FileEditorState.after(event: BlockEvent): FileEditorState {
     if (event is BlockEvent.ViewChosen) return copy(view = event.view)
     val now = blocks?.takeIf { view.hasBlocks } ?: return this
     return when (event) {
@@ -104,7 +104,7 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
         is BlockEvent.Folded -> copy(blocks = now.folded(event.block))
         is BlockEvent.Taken -> taken(now, event.block)
         is BlockEvent.Pasted -> pasted(now, event.text)
-        is BlockEvent.SheetShown -> showing(now, event.sheet)
+        is BlockEvent.DialogShown -> showing(now, event.sheet)
         is BlockEvent.SnippetRequested -> copy(blocks = now.copy(error = null))
         is BlockEvent.PaletteGroupSelected -> copy(blocks = now.copy(palette = event.palette))
         is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
@@ -115,7 +115,7 @@ internal fun ProgramFileMemory.after(event: BlockEvent): ProgramFileMemory {
 }
 
 /** This memory with [blocks] and the caret of the text at the line of their cursor, so that both views show it. */
-private fun ProgramFileMemory.shownAt(blocks: BlocksState): ProgramFileMemory {
+private fun FileEditorState.shownAt(blocks: BlocksState): FileEditorState {
     val line = blocks.cursor?.let(blocks.program::lineOf)
     if (line == null || blocks.cursor == this.blocks?.cursor) return copy(blocks = blocks)
     val place = blocks.part?.start ?: line.parts.firstOrNull()?.span?.start ?: line.span.start
@@ -127,7 +127,7 @@ private fun BlocksState.folded(block: BlockId): BlocksState {
     return copy(list = BlockList(program, collapsed)).at(BlockCursor.At(block))
 }
 
-private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockDialog?): ProgramFileMemory {
+private fun FileEditorState.showing(now: BlocksState, sheet: BlockDialog?): FileEditorState {
     val base = if (sheet is BlockDialog.Part) UndoBase(draft, history) else null
     val here = (sheet as? BlockDialog.Part)?.let { now.cursorAt(it.span) } ?: now.cursor
     val at = if (here == null || here == now.cursor) now else now.at(here)
@@ -142,17 +142,17 @@ private fun ProgramFileMemory.showing(now: BlocksState, sheet: BlockDialog?): Pr
 internal fun BlocksState.cursorAt(part: SourceSpan): BlockCursor? =
     list.rowOfLine(program.lineAt(part.start).index)?.let { list.rows[it].cursor }
 
-private fun ProgramFileMemory.put(now: BlocksState, text: String): ProgramFileMemory {
+private fun FileEditorState.put(now: BlocksState, text: String): FileEditorState {
     val sheet = now.sheet as? BlockDialog.Part ?: return this
     return edited(now, BlockEdit.Replace(sheet.span, text))
 }
 
-private fun ProgramFileMemory.moved(now: BlocksState, place: BlockPlace?): ProgramFileMemory {
+private fun FileEditorState.moved(now: BlocksState, place: BlockPlace?): FileEditorState {
     val run = now.run ?: return this
     return if (place == null) this else edited(now, BlockEdit.Move(run, place))
 }
 
-internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): ProgramFileMemory =
+internal fun FileEditorState.edited(now: BlocksState, edit: BlockEdit): FileEditorState =
     when (val result = apply(now.program, edit)) {
         is BlockEditResult.Failure -> copy(blocks = now.copy(drag = null, error = result.reason))
 
@@ -166,11 +166,11 @@ internal fun ProgramFileMemory.edited(now: BlocksState, edit: BlockEdit): Progra
         }
     }
 
-private fun ProgramFileMemory.madeOf(
+private fun FileEditorState.madeOf(
     now: BlocksState,
     done: BlockEditResult.Success,
     staysInLine: Boolean,
-): ProgramFileMemory {
+): FileEditorState {
     val program = done.program
     val part = done.selection.takeIf { staysInLine && program.partAt(it) != null }
     val sheet = when (now.sheet) {

@@ -12,9 +12,10 @@ internal sealed interface ClosedFile {
     }
 
     /** A class of the Java program in [slot] that was its file at the index [index]. */
-    class OfProgram(val slot: Int, val index: Int, val file: SourceFile, val memory: ProgramFileMemory) : ClosedFile {
+    class OfProgram(val slot: Int, val index: Int, val file: SourceFile, val editorState: FileEditorState) :
+        ClosedFile {
         override val name: String get() = file.name
 
-        fun inSlot(slot: Int) = OfProgram(slot, index, file, memory)
+        fun inSlot(slot: Int) = OfProgram(slot, index, file, editorState)
     }
 }

@@ -31,7 +31,7 @@ internal fun ProgramCompiler.compileSnippet(load: DragPayload, blocks: BlocksSta
         is ProgramResult.Success -> SnippetResult.Success(result.program)
 
         is ProgramResult.Failure -> with(result.diagnostics.first()) {
-            SnippetResult.Failure(BlockEditError.Mistaken(range?.line ?: 0, message))
+            SnippetResult.Failure(BlockEditError.CompileError(range?.line ?: 0, message))
         }
     }
 }

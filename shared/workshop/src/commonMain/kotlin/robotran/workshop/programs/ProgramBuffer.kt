@@ -18,14 +18,14 @@ import robotran.workshop.state.notesOf
 /**
  * A program of a robot with its editor state.
  *
- * @property memories the editor states of its files, in order.
+ * @property editorStates the editor states of its files, in order.
  * @property result the compile result; null if it was changed since the last compilation.
  * @property notes the diagnostics of its lines; until it is compiled again, the old ones.
  * @param translations those made so far.
  */
 internal class ProgramBuffer private constructor(
     val program: Program,
-    val memories: List<ProgramFileMemory>,
+    val editorStates: List<FileEditorState>,
     val result: ProgramResult?,
     val notes: List<InlineDiagnostic>,
     private val translations: KnownTranslations = KnownTranslations(),
@@ -33,13 +33,13 @@ internal class ProgramBuffer private constructor(
     /** A program that was just opened and is shown as [view]. */
     constructor(program: Program, view: ProgramView) : this(
         program,
-        program.files.map { ProgramFileMemory(TextDocument(it.text), view = view) },
+        program.files.map { FileEditorState(TextDocument(it.text), view = view) },
         null,
         emptyList(),
     )
 
     /** How the program is shown. */
-    val view: ProgramView get() = memories.first().view
+    val view: ProgramView get() = editorStates.first().view
 
     val diagnostics: List<Diagnostic> get() = (result as? ProgramResult.Failure)?.diagnostics.orEmpty()
 
@@ -59,20 +59,26 @@ internal class ProgramBuffer private constructor(
 
     /** The same program with the compile result [result]. */
     fun read(result: ProgramResult): ProgramBuffer =
-        ProgramBuffer(program, memories, result, notesOf(result), translations.older())
+        ProgramBuffer(program, editorStates, result, notesOf(result), translations.older())
 
     /** The same program without a compile result. */
-    fun unread(): ProgramBuffer = ProgramBuffer(program, memories, null, notes, translations.older())
+    fun unread(): ProgramBuffer = ProgramBuffer(program, editorStates, null, notes, translations.older())
 
-    /** This program with [memory] for the file with the index [index]. */
-    fun with(index: Int, memory: ProgramFileMemory): ProgramBuffer {
-        val before = memories[index]
-        val remembered = memories.mapIndexed { other, old -> if (other == index) memory else old }
-        val edit = editBetween(before.draft, memory.draft)
+    /** This program with [editorState] for the file with the index [index]. */
+    fun with(index: Int, editorState: FileEditorState): ProgramBuffer {
+        val before = editorStates[index]
+        val remembered = editorStates.mapIndexed { other, old -> if (other == index) editorState else old }
+        val edit = editBetween(before.draft, editorState.draft)
             ?: return ProgramBuffer(program, remembered, result, notes, translations)
         val file = program.files[index].name
-        val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, memory.draft.lines) }
-        return ProgramBuffer(program.withText(index, memory.draft.text), remembered, null, moved, translations.older())
+        val moved = notes.mapNotNull { it.movedWith(edit, file, before.draft.lines, editorState.draft.lines) }
+        return ProgramBuffer(
+            program.withText(index, editorState.draft.text),
+            remembered,
+            null,
+            moved,
+            translations.older(),
+        )
     }
 
     /** This program with the files of [other]; those of the same name keep their editor states, to be undone. */
@@ -81,9 +87,9 @@ internal class ProgramBuffer private constructor(
     } else {
         withFiles(
             other.files.map { file ->
-                val known = memories.getOrNull(program.files.indexOfFirst { it.name == file.name })
+                val known = editorStates.getOrNull(program.files.indexOfFirst { it.name == file.name })
                 file to when {
-                    known == null -> ProgramFileMemory(TextDocument(file.text), view = view)
+                    known == null -> FileEditorState(TextDocument(file.text), view = view)
                     known.draft.text == file.text -> known
                     else -> known.written(known.draft.changedTo(file.text), EditKind.OTHER)
                 }
@@ -93,9 +99,9 @@ internal class ProgramBuffer private constructor(
 
     /** This program without [note], which was fixed. */
     fun without(note: InlineDiagnostic): ProgramBuffer =
-        ProgramBuffer(program, memories, result, notes - note, translations)
+        ProgramBuffer(program, editorStates, result, notes - note, translations)
 
     /** This program with other [files] and their editor states. */
-    fun withFiles(files: List<Pair<SourceFile, ProgramFileMemory>>): ProgramBuffer =
+    fun withFiles(files: List<Pair<SourceFile, FileEditorState>>): ProgramBuffer =
         ProgramBuffer(Program.of(files.map { it.first }), files.map { it.second }, null, notes, translations.older())
 }

@@ -41,16 +41,20 @@ internal class ProgramEditing(
     /** Handles [event] in the programs of [robot], the shown one. */
     fun handle(event: ProgramEvent, robot: RobotPrograms) {
         when (event) {
-            is ProgramEvent.ProgramEdited -> write(robot, robot.memory.draft.changedTo(event.text), EditKind.OTHER)
+            is ProgramEvent.ProgramEdited -> write(robot, robot.editorState.draft.changedTo(event.text), EditKind.OTHER)
             is ProgramEvent.DraftChanged -> write(robot, event.draft, event.kind)
-            ProgramEvent.Undone -> robot.memory.undone()?.let { rememberUndo(robot, it, isRedo = false) }
-            ProgramEvent.Redone -> robot.memory.redone()?.let { rememberUndo(robot, it, isRedo = true) }
+            ProgramEvent.Undone -> robot.editorState.undone()?.let { rememberUndo(robot, it, isRedo = false) }
+            ProgramEvent.Redone -> robot.editorState.redone()?.let { rememberUndo(robot, it, isRedo = true) }
             ProgramEvent.Formatted -> format(robot)
-            is ProgramEvent.BreakpointToggled -> remember(robot, robot.memory.withBreakpointToggled(event.line))
+            is ProgramEvent.BreakpointToggled -> remember(robot, robot.editorState.withBreakpointToggled(event.line))
             is BlockEvent -> editBlocks(robot, event)
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
-            is ProgramEvent.FileChosen -> if (event.index in robot.entry.memories.indices) robot.shownFile = event.index
+            is ProgramEvent.FileChosen -> if (event.index in
+                robot.entry.editorStates.indices
+            ) {
+                robot.shownFile = event.index
+            }
             is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
 
             is ProgramEvent.NewProgramRequested -> add(
@@ -80,7 +84,7 @@ internal class ProgramEditing(
         val index = robot.entry.program.files.indexOfFirst { it.name == diagnostic?.file }
         if (index >= 0) robot.shownFile = index
         diagnostic?.range?.let { range ->
-            val draft = robot.memory.draft
+            val draft = robot.editorState.draft
             if (range.line > draft.lines.count) return@let
             write(robot, draft.withCaret(draft.lines.offset(range.line - 1, range.column - 1)), EditKind.OTHER)
         }
@@ -90,34 +94,34 @@ internal class ProgramEditing(
 
     private fun write(robot: RobotPrograms, draft: TextDocument, kind: EditKind) {
         if (!robot.entry.program.hasRoomFor(robot.shownFile, draft)) return notices.show(TOO_LONG)
-        if (!hasRoom(robot.memory.draft.text, draft.text)) return notices.show(Notice.ProjectTooLong)
+        if (!hasRoom(robot.editorState.draft.text, draft.text)) return notices.show(Notice.ProjectTooLong)
         val plain = draft.text.withPlainLineEnds()
         val written = if (plain == draft.text) draft else TextDocument(plain, draft.selection)
         val within = written.copy(selection = written.selection.within(written.text.length))
-        if (within.text != robot.memory.draft.text) resetEditState()
-        remember(robot, robot.memory.written(within, kind))
+        if (within.text != robot.editorState.draft.text) resetEditState()
+        remember(robot, robot.editorState.written(within, kind))
     }
 
     private fun editBlocks(robot: RobotPrograms, event: BlockEvent) {
         if (!robot.entry.program.language.support.hasBlocks) return
-        val after = robot.memory.after(event)
+        val after = robot.editorState.after(event)
         if (!robot.entry.program.hasRoomFor(robot.shownFile, after.draft)) return notices.show(TOO_LONG)
-        if (!hasRoom(robot.memory.draft.text, after.draft.text)) return notices.show(Notice.ProjectTooLong)
-        if (after.draft.text != robot.memory.draft.text) resetEditState()
+        if (!hasRoom(robot.editorState.draft.text, after.draft.text)) return notices.show(Notice.ProjectTooLong)
+        if (after.draft.text != robot.editorState.draft.text) resetEditState()
         remember(robot, after)
     }
 
-    private fun remember(robot: RobotPrograms, memory: ProgramFileMemory) {
-        robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+    private fun remember(robot: RobotPrograms, editorState: FileEditorState) {
+        robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, editorState))
     }
 
-    private fun rememberUndo(robot: RobotPrograms, memory: ProgramFileMemory, isRedo: Boolean) {
-        val read = memory.withBlocksRead(preferences.language)
-        remember(robot, read.tellingUndo(before = robot.memory, isRedo))
+    private fun rememberUndo(robot: RobotPrograms, editorState: FileEditorState, isRedo: Boolean) {
+        val read = editorState.withBlocksRead(preferences.language)
+        remember(robot, read.tellingUndo(before = robot.editorState, isRedo))
     }
 
     private fun format(robot: RobotPrograms) {
-        val draft = robot.memory.draft
+        val draft = robot.editorState.draft
         val text = robot.entry.program.language.support.code.format(draft.text) ?: return
         val line = draft.lines.lineOf(draft.selection.caret)
         val laidOut = TextDocument(text)
@@ -133,7 +137,7 @@ internal class ProgramEditing(
     fun programsCompiled(robot: RobotPrograms) = write(robot, fixes.programsCompiled(robot))
 
     private fun write(robot: RobotPrograms, fixed: QuickFixResult) = when (fixed) {
-        is QuickFixResult.NewText -> write(robot, robot.memory.draft.changedTo(fixed.text), EditKind.OTHER)
+        is QuickFixResult.NewText -> write(robot, robot.editorState.draft.changedTo(fixed.text), EditKind.OTHER)
         QuickFixResult.Outdated -> notices.show(Notice.FixOutdated)
         QuickFixResult.Nothing -> Unit
     }
@@ -180,22 +184,22 @@ internal class ProgramEditing(
         new.lineOfFirst?.let { insertFirst(robot, it) }
         val file = new.file
         val entry = robot.entry
-        val files = entry.program.files.zip(entry.memories) + (file to ProgramFileMemory(TextDocument(file.text)))
+        val files = entry.program.files.zip(entry.editorStates) + (file to FileEditorState(TextDocument(file.text)))
         robot.list.change(robot.shownProgram, entry.withFiles(files))
-        robot.shownFile = robot.entry.memories.lastIndex
+        robot.shownFile = robot.entry.editorStates.lastIndex
     }
 
     /** Makes [line] the first one of the program. */
     private fun insertFirst(robot: RobotPrograms, line: String) {
-        val main = robot.entry.memories.first()
+        val main = robot.entry.editorStates.first()
         val draft = main.draft.changedTo("$line\n${main.draft.text}")
         robot.list.change(robot.shownProgram, robot.entry.with(0, main.written(draft, EditKind.OTHER)))
     }
 
     private fun rename(robot: RobotPrograms, event: ProgramEvent.FileRenamed) {
         val entry = robot.entry
-        if (event.index !in entry.memories.indices) return
-        if (nameProblem(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
+        if (event.index !in entry.editorStates.indices) return
+        if (nameError(robot.list.programs, robot.shownProgram, event.index, event.name) != null) return
         robot.list.change(
             robot.shownProgram,
             entry.withFileRenamed(
@@ -206,7 +210,7 @@ internal class ProgramEditing(
     }
 
     private fun closeFile(robot: RobotPrograms, index: Int) {
-        val files = robot.entry.program.files.zip(robot.entry.memories)
+        val files = robot.entry.program.files.zip(robot.entry.editorStates)
         if (index !in files.indices || files.size == 1) return
         robot.closed = ClosedFile.OfProgram(robot.shownProgram, index, files[index].first, files[index].second)
         robot.list.change(
@@ -235,8 +239,8 @@ internal class ProgramEditing(
 
             is ClosedFile.OfProgram -> {
                 val entry = robot.list.entries[closed.slot]
-                val files = entry.program.files.zip(entry.memories).toMutableList()
-                files.add(minOf(closed.index, files.size), closed.file to closed.memory)
+                val files = entry.program.files.zip(entry.editorStates).toMutableList()
+                files.add(minOf(closed.index, files.size), closed.file to closed.editorState)
                 robot.list.change(closed.slot, entry.withFiles(files))
                 robot.shownProgram = closed.slot
                 robot.shownFile = minOf(closed.index, files.lastIndex)

@@ -1,6 +1,5 @@
 package robotran.workshop.programs
 
-import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.brick.program.BrickProgram
 import robotran.language.source.Diagnostic
@@ -11,6 +10,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
 import robotran.programs.support
 import robotran.projects.ProgramView
+import kotlin.coroutines.CoroutineContext
 
 /**
  * The programs of one robot, in the order of its brick's slots, with their compile results. They are compiled on every
@@ -69,12 +69,12 @@ internal class ProgramList(
         entries = entries.filterIndexed { index, _ -> index != slot }
     }
 
-    /** Compiles all changed programs whose compilers can be loaded. */
-    suspend fun compilePending(): CompilerLoading {
+    /** Compiles all changed programs whose compilers can be loaded, in the context [background]. */
+    suspend fun compilePending(background: CoroutineContext): CompilerLoading {
         while (true) {
             val program = entries.firstOrNull { it.result == null }?.program ?: return CompilerLoading.Success
             val source = program
-            val result = when (val compiled = withContext(Dispatchers.Default) { compiler.compile(source) }) {
+            val result = when (val compiled = withContext(background) { compiler.compile(source) }) {
                 is TimedCompilation.Compiled -> compiled.result
                 is TimedCompilation.NotLoaded -> return CompilerLoading.Failure(compiled.cause)
             }

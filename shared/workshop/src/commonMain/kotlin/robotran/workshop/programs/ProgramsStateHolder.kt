@@ -31,6 +31,7 @@ import robotran.workshop.blocks.firstLength
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.platform.Platform
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
@@ -38,7 +39,7 @@ import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.Snippet
-import robotran.workshop.state.immediate
+import robotran.workshop.state.snippetOf
 import robotran.world.RobotPlacement
 import robotran.world.World
 
@@ -50,12 +51,18 @@ import robotran.world.World
  */
 class ProgramsStateHolder(
     project: Project,
+    private val platform: Platform,
     private val preferences: Preferences,
     private val navigator: ScreenNavigator,
     private val notices: Notices,
     private val roomInFile: () -> Int = { Int.MAX_VALUE },
 ) {
-    private var compiler = ProgramCompiler(PENBOT_TARGET, project.settings.java, preferences.language)
+    private var compiler = ProgramCompiler(
+        PENBOT_TARGET,
+        project.settings.java,
+        preferences.language,
+        compilesBeside = platform.compilesBeside,
+    )
     private var robots = robotsOf(project)
     private var shownRobot = robots.first().placement.name
     private var translationShown = false
@@ -176,16 +183,16 @@ class ProgramsStateHolder(
     /** The program that does [load] alone; null if there can be none, and then the blocks say why. */
     internal fun snippet(load: DragPayload): Snippet? {
         val robot = shown
-        val blocks = robot.memory.blocks?.takeIf { state.view.hasBlocks } ?: return null
+        val blocks = robot.editorState.blocks?.takeIf { state.view.hasBlocks } ?: return null
         val itsCompiler = compiler.forTarget(robot.placement.description.target)
         return when (val result = itsCompiler.compileSnippet(load, blocks, robot.entry.program.name)) {
             is SnippetResult.Success -> {
-                immediate(result.program, robot.placement.name, robot.shownProgram, robot.memory.draft.text)
+                snippetOf(result.program, robot.placement.name, robot.shownProgram, robot.editorState.draft.text)
             }
 
             is SnippetResult.Failure -> {
-                val memory = robot.memory.copy(blocks = blocks.copy(error = result.reason))
-                robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, memory))
+                val editorState = robot.editorState.copy(blocks = blocks.copy(error = result.reason))
+                robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, editorState))
                 refresh()
                 null
             }
@@ -193,7 +200,7 @@ class ProgramsStateHolder(
     }
 
     /** Moves the caret of the shown program to [diagnostic]. */
-    fun showMistake(diagnostic: Diagnostic) {
+    fun showDiagnostic(diagnostic: Diagnostic) {
         editing.pointOut(shown, diagnostic)
         refresh()
     }
@@ -202,14 +209,14 @@ class ProgramsStateHolder(
     internal fun showLine(index: Int, line: Int) {
         handle(ProgramEvent.RobotChosen(robots.first().placement.name))
         handle(ProgramEvent.ProgramChosen(index))
-        showMistake(Diagnostic(Severity.ERROR, "", SourceRange(line, 1, 0), ""))
+        showDiagnostic(Diagnostic(Severity.ERROR, "", SourceRange(line, 1, 0), ""))
     }
 
     /** Opens the first length of the shown program if it is shown in blocks, so that a finger changes it at once. */
     fun editFirstLength() {
         val length = state.blocks?.takeIf { state.view.hasBlocks }?.program?.firstLength() ?: return
         handle(BlockEvent.CursorPut(length.cursor, length.span))
-        handle(BlockEvent.SheetShown(BlockDialog.Part(length.span)))
+        handle(BlockEvent.DialogShown(BlockDialog.Part(length.span)))
     }
 
     /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
@@ -314,7 +321,7 @@ class ProgramsStateHolder(
 
     private suspend fun compileChanged(): CompilerLoading {
         for (robot in robots) {
-            val loading = robot.list.compilePending()
+            val loading = robot.list.compilePending(platform.background)
             if (loading is CompilerLoading.Failure) return loading
         }
         return CompilerLoading.Success
@@ -384,12 +391,12 @@ class ProgramsStateHolder(
             programs = robot.list.programs,
             shownProgram = robot.shownProgram,
             shownFile = robot.shownFile,
-            draft = robot.memory.draft,
-            canUndo = robot.memory.history.canUndo,
-            canRedo = robot.memory.history.canRedo,
-            breakpoints = robot.memory.breakpoints,
-            view = if (support.hasBlocks) robot.memory.view else ProgramView.TEXT,
-            blocks = robot.memory.blocks,
+            draft = robot.editorState.draft,
+            canUndo = robot.editorState.history.canUndo,
+            canRedo = robot.editorState.history.canRedo,
+            breakpoints = robot.editorState.breakpoints,
+            view = if (support.hasBlocks) robot.editorState.view else ProgramView.TEXT,
+            blocks = robot.editorState.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,

@@ -46,7 +46,7 @@ internal class QuickFixes {
         if (file < 0) return QuickFixResult.Nothing
         robot.shownFile = file
         robot.list.change(robot.shownProgram, robot.entry.without(note))
-        return QuickFixResult.NewText(robot.memory.draft.text.withFix(fix))
+        return QuickFixResult.NewText(robot.editorState.draft.text.withFix(fix))
     }
 }
 

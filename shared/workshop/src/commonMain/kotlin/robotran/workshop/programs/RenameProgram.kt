@@ -7,7 +7,7 @@ import robotran.programs.support
 import robotran.textediting.EditKind
 
 /** Why a file name is invalid. */
-enum class NameProblem { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
+enum class NameError { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
 
 /** The ending of the file [name] of a program in [language]. */
 fun endingOf(name: String, language: ProgramLanguage): String = language.support.files.endingOf(name)
@@ -22,7 +22,7 @@ internal fun fileNameFor(typed: String, old: String, language: ProgramLanguage):
  * @param programs all programs of the robot.
  * @param slot the slot of the program.
  */
-fun nameProblem(programs: List<Program>, slot: Int, index: Int, typed: String): NameProblem? {
+fun nameError(programs: List<Program>, slot: Int, index: Int, typed: String): NameError? {
     val program = programs[slot]
     val old = program.files[index].name
     val name = fileNameFor(typed, old, program.language)
@@ -30,10 +30,10 @@ fun nameProblem(programs: List<Program>, slot: Int, index: Int, typed: String): 
     val others = programs.filterIndexed { index, _ -> index != slot }.map { it.name } +
         program.files.filterIndexed { other, _ -> other != index }.map { it.name }
     return when {
-        bare.isBlank() -> NameProblem.EMPTY
-        name in others -> NameProblem.TAKEN
-        !program.language.support.files.isValidName(bare) -> NameProblem.NO_CLASS_NAME
-        bare.length > MAX_CHARACTERS || bare.any { it in FORBIDDEN || it < ' ' } -> NameProblem.STRANGE_CHARACTER
+        bare.isBlank() -> NameError.EMPTY
+        name in others -> NameError.TAKEN
+        !program.language.support.files.isValidName(bare) -> NameError.NO_CLASS_NAME
+        bare.length > MAX_CHARACTERS || bare.any { it in FORBIDDEN || it < ' ' } -> NameError.STRANGE_CHARACTER
         else -> null
     }
 }
@@ -47,9 +47,9 @@ internal fun ProgramBuffer.withFileRenamed(index: Int, name: String): ProgramBuf
     return withFiles(
         program.files.mapIndexed { other, file ->
             val text = files.renamed(file.text, before, name)
-            val memory = memories[other]
-            val draft = memory.draft.copy(text = text, selection = memory.draft.selection.within(text.length))
-            SourceFile(if (other == index) name else file.name, text) to memory.written(draft, EditKind.OTHER)
+            val editorState = editorStates[other]
+            val draft = editorState.draft.copy(text = text, selection = editorState.draft.selection.within(text.length))
+            SourceFile(if (other == index) name else file.name, text) to editorState.written(draft, EditKind.OTHER)
         },
     )
 }

@@ -52,7 +52,7 @@ internal class RobotPrograms(
     val brick: BrickKind get() = placement.description.brick
 
     val entry: ProgramBuffer get() = list.entries[shownProgram]
-    val memory: ProgramFileMemory get() = entry.memories[shownFile]
+    val editorState: FileEditorState get() = entry.editorStates[shownFile]
 
     /** Whether there is room to restore the last removed file. */
     val canReopen: Boolean
@@ -65,8 +65,8 @@ internal class RobotPrograms(
     /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
     fun readBlocks(language: Language) {
         if (!entry.program.language.support.hasBlocks) return
-        val read = memory.withBlocksRead(language)
-        if (read !== memory) list.change(shownProgram, entry.with(shownFile, read))
+        val read = editorState.withBlocksRead(language)
+        if (read !== editorState) list.change(shownProgram, entry.with(shownFile, read))
     }
 
     /** Whether the pupil has changed nothing, so that it has the world's program. */
@@ -114,8 +114,8 @@ internal class RobotPrograms(
         // Programs of other languages have files in their lines only if there are several.
         val hasFiles = program.language.support.namesFileOfLines || program.files.size > 1
         val file = { index: Int -> program.files[index].name.takeIf { hasFiles } }
-        return entry.memories.flatMapIndexedTo(mutableSetOf()) { index, memory ->
-            memory.breakpoints.map { Breakpoint(it, file(index)) }
+        return entry.editorStates.flatMapIndexedTo(mutableSetOf()) { index, editorState ->
+            editorState.breakpoints.map { Breakpoint(it, file(index)) }
         }
     }
 

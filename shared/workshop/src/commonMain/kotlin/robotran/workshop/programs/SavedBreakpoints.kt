@@ -4,14 +4,14 @@ import robotran.documents.SavedBreakpoint
 
 /** The breakpoints of this program of the robot [robot], in order. */
 internal fun ProgramBuffer.savedBreakpoints(robot: String): List<SavedBreakpoint> =
-    program.files.zip(memories).flatMap { (file, memory) ->
-        memory.breakpoints.sorted().map { SavedBreakpoint(robot, program.name, file.name, it) }
+    program.files.zip(editorStates).flatMap { (file, editorState) ->
+        editorState.breakpoints.sorted().map { SavedBreakpoint(robot, program.name, file.name, it) }
     }
 
 /** This program with those of [breakpoints] whose lines it has. */
 internal fun ProgramBuffer.withBreakpoints(breakpoints: List<SavedBreakpoint>): ProgramBuffer =
     program.files.foldIndexed(this) { index, buffer, file ->
-        val memory = buffer.memories[index]
-        val lines = breakpoints.filter { it.file == file.name && it.line <= memory.draft.lines.count }
-        buffer.with(index, memory.copy(breakpoints = lines.mapTo(mutableSetOf()) { it.line }))
+        val editorState = buffer.editorStates[index]
+        val lines = breakpoints.filter { it.file == file.name && it.line <= editorState.draft.lines.count }
+        buffer.with(index, editorState.copy(breakpoints = lines.mapTo(mutableSetOf()) { it.line }))
     }

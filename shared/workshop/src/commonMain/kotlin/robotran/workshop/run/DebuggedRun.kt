@@ -130,9 +130,9 @@ internal class DebuggedRun(
 
     /** Of the program that [robot] runs; null for as before. */
     private fun breakpoints(robot: Int): Set<Breakpoint>? {
-        val immediate = snippet(robot)
+        val snippetOf = snippet(robot)
         return when {
-            immediate != null -> programs.breakpointsOf(immediate)
+            snippetOf != null -> programs.breakpointsOf(snippetOf)
 
             // The lines of a changed program differ from those of the running one.
             isChanged -> null

@@ -90,7 +90,7 @@ internal class DrawerUpdater {
 
         DrawerTab.WHY -> {
             drawer.copy(
-                why = WhyState(player.session.explain(), player.state.robots[player.watched].remarks),
+                why = WhyState(player.session.explain(), player.state.robots[player.watched].warnings),
             )
         }
 

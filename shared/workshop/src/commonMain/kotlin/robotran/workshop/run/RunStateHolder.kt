@@ -406,7 +406,7 @@ class RunStateHolder(
             outcome = player.outcome,
             drawer = drawer.state,
             frame = frame,
-            immediate = run.world.robots.indices.map(run::snippet),
+            snippetOf = run.world.robots.indices.map(run::snippet),
             awake = isAwake(),
         )
     }

@@ -72,7 +72,7 @@ class SendStateHolder(
             SendEvent.DatalogSaved -> run { saveDatalog() }
             SendEvent.FirmwareFileRequested -> run { chooseFirmware() }
             SendEvent.FirmwareConfirmed -> run { sendFirmware() }
-            SendEvent.MistakeShown -> showMistake()
+            SendEvent.DiagnosticShown -> showDiagnostic()
             SendEvent.WatchingRequested -> run { watch() }
             SendEvent.Cancelled -> cancel()
         }
@@ -235,10 +235,10 @@ class SendStateHolder(
         else -> check()
     }
 
-    private fun showMistake() {
+    private fun showDiagnostic() {
         val step = state?.step as? SendStep.HasErrors ?: return
         close()
-        tabs.showMistake(step.first)
+        tabs.showDiagnostic(step.first)
     }
 
     private fun cancel() {

@@ -7,6 +7,6 @@ interface Notices {
     /** Shows [notice] until it is dismissed or replaced. */
     fun show(notice: Notice)
 
-    /** Adds [remarks], localised sentences about a file, to the notice that is shown, or shows them alone. */
-    fun add(remarks: List<String>)
+    /** Adds [warnings], localised sentences about a file, to the notice that is shown, or shows them alone. */
+    fun add(warnings: List<String>)
 }

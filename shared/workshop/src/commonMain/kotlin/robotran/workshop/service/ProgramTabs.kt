@@ -24,5 +24,5 @@ interface ProgramTabs {
     fun removePrograms(isMeant: (Program) -> Boolean)
 
     /** Moves the caret of the shown program to [diagnostic]. */
-    fun showMistake(diagnostic: Diagnostic)
+    fun showDiagnostic(diagnostic: Diagnostic)
 }

@@ -22,8 +22,8 @@ interface ProjectSwitcher {
     /**
      * Opens [project] as a new project [name] to look at. It is not kept if it is left unchanged.
      *
-     * @return [SwitchResult.Switched.left] is the ID of the previous project, even if that is not kept;
-     * [SwitchResult.Switched.opened] is null only if the project cannot be saved.
+     * @return [SwitchResult.Switched.previousId] is the ID of the previous project, even if that is not kept;
+     * [SwitchResult.Switched.currentId] is null only if the project cannot be saved.
      */
     suspend fun previewProject(name: String, project: Project): SwitchResult
 
@@ -39,10 +39,10 @@ sealed interface SwitchResult {
     /**
      * Another project is open.
      *
-     * @property left the ID of the previous project; null if it was unchanged.
-     * @property opened the ID of the open project; null if it is not saved yet.
+     * @property previousId the ID of the previous project; null if it was unchanged.
+     * @property currentId the ID of the open project; null if it is not saved yet.
      */
-    data class Switched(val left: String?, val opened: String?) : SwitchResult
+    data class Switched(val previousId: String?, val currentId: String?) : SwitchResult
 
     /** The pupil kept the open project, since it could not be saved. */
     data object Cancelled : SwitchResult

@@ -21,7 +21,7 @@ import robotran.projects.Assignment
  * @property isAboutPackage whether [savedAs] and [saveError] are about a package.
  * @property embedCode the code for a frame; null while it is not shown.
  * @property embedCodeCopied whether it was copied.
- * @property embedProblem why there is no code for a frame.
+ * @property embedError why there is no code for a frame.
  * @property asksBeforeGiving whether the page asks if pupils shall begin with what solves the task.
  */
 @Immutable
@@ -47,7 +47,7 @@ data class AssignmentEditorState(
     val isAboutPackage: Boolean = false,
     val embedCode: String? = null,
     val embedCodeCopied: Boolean = false,
-    val embedProblem: LinkProblem? = null,
+    val embedError: LinkError? = null,
     val asksBeforeGiving: Boolean = false,
     val notGiven: List<String> = emptyList(),
 ) {
@@ -105,7 +105,7 @@ sealed interface SolutionCheck {
         SolutionCheck
 
     /** The solution cannot run. Each of [reasons] is a line of text. */
-    data class HasMistakes(val reasons: List<String>) : SolutionCheck
+    data class HasErrors(val reasons: List<String>) : SolutionCheck
 }
 
 /**
@@ -114,4 +114,4 @@ sealed interface SolutionCheck {
  * @property link null while it is made, or if it cannot be, see [problem].
  */
 @Immutable
-data class PupilLink(val link: String? = null, val problem: LinkProblem? = null, val isCopied: Boolean = false)
+data class PupilLink(val link: String? = null, val problem: LinkError? = null, val isCopied: Boolean = false)

@@ -73,20 +73,20 @@ sealed interface HandInStep {
     data class Running(val part: Float) : HandInStep
 
     /** The program cannot run. Each of [reasons] is a line of text. */
-    data class HasMistakes(val reasons: List<String>) : HandInStep
+    data class HasErrors(val reasons: List<String>) : HandInStep
 
     /**
      * The hand-in is made.
      *
      * @property result null if the program cannot run.
-     * @property link null if there is none, see [linkProblem].
+     * @property link null if there is none, see [linkError].
      * @property savedAs the name of the file; null until it is saved.
      */
     data class Ready(
         val name: String,
         val result: TryResult?,
         val link: String? = null,
-        val linkProblem: LinkProblem? = null,
+        val linkError: LinkError? = null,
         val isCopied: Boolean = false,
         val savedAs: String? = null,
         val saveError: String? = null,
@@ -94,10 +94,10 @@ sealed interface HandInStep {
 }
 
 /** Why there is no link. */
-sealed interface LinkProblem {
+sealed interface LinkError {
     /** [message] is one sentence. */
-    data class TooLong(val message: String) : LinkProblem
+    data class TooLong(val message: String) : LinkError
 
     /** The app does not know an address for links. */
-    data object NoSite : LinkProblem
+    data object NoSite : LinkError
 }

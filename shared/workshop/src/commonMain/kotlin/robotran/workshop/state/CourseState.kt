@@ -71,7 +71,7 @@ sealed interface CoursePage {
         val isKept: Boolean = false,
         val works: List<WorkToAdd>? = null,
         val canUndo: Boolean = false,
-        val problem: CourseProblem? = null,
+        val problem: CourseError? = null,
         val link: PupilLink? = null,
         val savedAs: String? = null,
         val hasShareSheet: Boolean = false,
@@ -112,20 +112,20 @@ data class OpenCourseTask(val key: String, val course: String, val number: Int, 
 data class WorkToAdd(val id: String, val name: String, val title: String)
 
 /** Why a course could not be changed or saved. */
-sealed interface CourseProblem {
+sealed interface CourseError {
     /** The file or project [name] is no assignment. */
-    data class NotAnAssignment(val name: String) : CourseProblem
+    data class NotAnAssignment(val name: String) : CourseError
 
-    data class NotOpened(val error: OpenFilesError) : CourseProblem
+    data class NotOpened(val error: OpenFilesError) : CourseError
 
-    data class TooMany(val max: Int) : CourseProblem
+    data class TooMany(val max: Int) : CourseError
 
     /** It is longer than a file may be. */
-    data object TooLong : CourseProblem
+    data object TooLong : CourseError
 
     /** It cannot be kept on the device. */
-    data object NotKept : CourseProblem
+    data object NotKept : CourseError
 
     /** [reason] is the platform's message. */
-    data class NotSaved(val reason: String) : CourseProblem
+    data class NotSaved(val reason: String) : CourseError
 }

@@ -99,5 +99,5 @@ data class ChartState(val lines: List<ChartLine> = emptyList(), val hidden: Set<
 @Immutable
 data class WhyState(
     val deviationCauses: List<DeviationCause> = emptyList(),
-    val remarks: List<RuntimeWarning> = emptyList(),
+    val warnings: List<RuntimeWarning> = emptyList(),
 )

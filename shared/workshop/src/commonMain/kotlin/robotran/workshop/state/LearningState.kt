@@ -90,10 +90,15 @@ data class TutorialState(
 /**
  * The state of the help page.
  *
- * @property code the programming language of the words.
+ * @property programLanguage the programming language of the words.
  * @property word the requested word; null for the list of all words.
  * @property found the help on it; null if there is none.
  * @property brick the brick that the words are for.
  */
 @Immutable
-data class HelpState(val code: ProgramLanguage, val word: String?, val found: WordHelp?, val brick: BrickKind)
+data class HelpState(
+    val programLanguage: ProgramLanguage,
+    val word: String?,
+    val found: WordHelp?,
+    val brick: BrickKind,
+)

@@ -189,9 +189,9 @@ sealed interface Notice {
      * A file was read although it is unusual, or has fields that are probably misspelt.
      *
      * @property notice what else is to be said; null for nothing.
-     * @property remarks localised sentences.
+     * @property warnings localised sentences.
      */
-    data class WithRemarks(val notice: Notice?, val remarks: List<String>) : Notice {
+    data class WithWarnings(val notice: Notice?, val warnings: List<String>) : Notice {
         override val isError: Boolean get() = notice?.isError == true
         override val action: NoticeAction? get() = notice?.action
     }

@@ -34,7 +34,7 @@ import robotran.world.World
  * @property settings how programs run.
  * @property frame the selected frame of the [watched] robot's program, whose line is shown; null for the current line.
  * @property outcome the goals at the end of the known run, also while an earlier time is shown.
- * @property immediate for each robot, the program that it got to run at once, if it runs or was the last one to run.
+ * @property snippetOf for each robot, the program that it got to run at once, if it runs or was the last one to run.
  */
 @Immutable
 data class RunPaneState(
@@ -56,7 +56,7 @@ data class RunPaneState(
     val hasRecording: Boolean = false,
     val settings: ProjectSettings = ProjectSettings(),
     val frame: CallFrame? = null,
-    val immediate: List<Snippet?> = emptyList(),
+    val snippetOf: List<Snippet?> = emptyList(),
     val outcome: RunOutcome = RunOutcome(),
 ) {
     /** What was missing for the goals, as far as the run is known. */

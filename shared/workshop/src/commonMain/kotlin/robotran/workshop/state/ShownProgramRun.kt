@@ -13,15 +13,15 @@ import robotran.simulation.state.MissingSensors
  *
  * @property runningLine the running line of the shown file, from 1; 0 if none is.
  * @property failure the error that ended the run, if it is in the shown file.
- * @property remarks warnings from the run, most important first.
- * @property missingSensors the sensors that one of the [remarks] is about; null if none is.
+ * @property warnings warnings from the run, most important first.
+ * @property missingSensors the sensors that one of the [warnings] is about; null if none is.
  * @property robot the name of the robot of the shown program.
  */
 @Immutable
 data class ShownProgramRun(
     val runningLine: Int = 0,
     val failure: ProgramFailure? = null,
-    val remarks: List<RuntimeWarning> = emptyList(),
+    val warnings: List<RuntimeWarning> = emptyList(),
     val missingSensors: MissingSensors? = null,
     val robot: String = "",
 ) {
@@ -29,8 +29,8 @@ data class ShownProgramRun(
         fun of(programs: ProgramsState, run: RunPaneState): ShownProgramRun {
             val index = programs.robots.indexOfFirst { it.name == programs.shownRobot }
             val robot = run.session.robots.getOrNull(index) ?: return ShownProgramRun()
-            val immediate = run.immediate.getOrNull(index)
-            if (!isShown(immediate, robot.brick, programs, run)) return ShownProgramRun()
+            val snippetOf = run.snippetOf.getOrNull(index)
+            if (!isShown(snippetOf, robot.brick, programs, run)) return ShownProgramRun()
             val file = programs.file.name
             val now = robot.brick.run
             // A block of the palette that is tried is in no line of the program.
@@ -41,19 +41,19 @@ data class ShownProgramRun(
             return ShownProgramRun(
                 runningLine = line?.takeIf { it <= lines } ?: 0,
                 failure = (now as? RunState.Failed)?.failure?.takeIf { it.isIn(file) && it.sourceLine <= lines },
-                remarks = robot.remarks.filter { immediate == null || it.sourceLine <= lines },
+                warnings = robot.warnings.filter { snippetOf == null || it.sourceLine <= lines },
                 missingSensors = robot.missingSensors,
                 robot = programs.shownRobot,
             )
         }
 
         private fun isShown(
-            immediate: Snippet?,
+            snippetOf: Snippet?,
             brick: BrickState,
             programs: ProgramsState,
             run: RunPaneState,
         ): Boolean = if (brick.isSnippet) {
-            immediate?.slot == programs.shownProgram && immediate.source == programs.draft.text
+            snippetOf?.slot == programs.shownProgram && snippetOf.source == programs.draft.text
         } else {
             !run.changed && brick.selectedSlot == programs.shownProgram
         }

@@ -18,13 +18,13 @@ interface Snippet : BrickProgram {
 }
 
 /** [program] as an [Snippet]. */
-internal fun immediate(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
-    is RcxProgram -> ImmediateRcxProgram(program, robot, slot, source)
-    is NxtProgram -> ImmediateNxtProgram(program, robot, slot, source)
+internal fun snippetOf(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
+    is RcxProgram -> RcxSnippet(program, robot, slot, source)
+    is NxtProgram -> NxtSnippet(program, robot, slot, source)
     else -> error("There is no brick for ${program.name}.")
 }
 
-private class ImmediateRcxProgram(
+private class RcxSnippet(
     program: RcxProgram,
     override val robot: String,
     override val slot: Int,
@@ -32,7 +32,7 @@ private class ImmediateRcxProgram(
 ) : Snippet,
     RcxProgram by program
 
-private class ImmediateNxtProgram(
+private class NxtSnippet(
     program: NxtProgram,
     override val robot: String,
     override val slot: Int,

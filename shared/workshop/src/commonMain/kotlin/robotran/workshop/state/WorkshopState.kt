@@ -49,7 +49,7 @@ data class WorkshopState(
     val settingsShown: Boolean = false,
     val siteRequested: Boolean = false,
     val send: SendState? = null,
-    val show: ShowState? = null,
+    val show: ExportState? = null,
     val handIns: HandInsState? = null,
     val assignment: AssignmentState? = null,
     val handIn: HandInStep? = null,

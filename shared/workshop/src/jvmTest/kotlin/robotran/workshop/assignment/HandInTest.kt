@@ -21,7 +21,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.HandInStep
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -152,8 +152,8 @@ class HandInTest {
         workshop.handle(AssignmentEvent.HandInRequested)
         workshop.handle(AssignmentEvent.NameEntered("Ada"))
         workshop.handle(AssignmentEvent.HandInMade())
-        assertTrue(assertIs<HandInStep.HasMistakes>(workshop.state.handIn).reasons.isNotEmpty())
-        workshop.handle(AssignmentEvent.HandInMade(withMistakes = true))
+        assertTrue(assertIs<HandInStep.HasErrors>(workshop.state.handIn).reasons.isNotEmpty())
+        workshop.handle(AssignmentEvent.HandInMade(withErrors = true))
         assertNull(assertIs<HandInStep.Ready>(workshop.state.handIn).result)
     }
 
@@ -191,7 +191,7 @@ class HandInTest {
         machine.page = ""
         val workshop = window()
         workshop.attempt(AnyAssignment.SOLUTION)
-        assertEquals(LinkProblem.NoSite, workshop.handIn("Ada").linkProblem)
+        assertEquals(LinkError.NoSite, workshop.handIn("Ada").linkError)
     }
 
     @Test

@@ -384,7 +384,7 @@ class MakingAssignmentTest {
         assertEquals(SolutionCheck.Passed(runs = 6, startPassed = 6), workshop.making.check)
         workshop.handle(AssignmentEvent.Changed(wrong.copy(solution = listOf(AnyAssignment.program("forwrad\n")))))
         workshop.handle(AssignmentEvent.CheckRequested(on = true))
-        assertIs<SolutionCheck.HasMistakes>(workshop.making.check)
+        assertIs<SolutionCheck.HasErrors>(workshop.making.check)
     }
 
     @Test

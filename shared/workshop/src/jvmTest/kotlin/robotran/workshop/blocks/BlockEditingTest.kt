@@ -80,7 +80,7 @@ class BlockEditingTest {
         for (number in listOf("2", "25", "250")) send(BlockEvent.Put(number))
         assertEquals("forward 250\n", text)
         assertEquals("250", (state.sheet as BlockDialog.Part).span.textIn(text))
-        send(BlockEvent.SheetShown(null))
+        send(BlockEvent.DialogShown(null))
         send(ProgramEvent.Undone)
         assertEquals("forward 20\n", text)
     }

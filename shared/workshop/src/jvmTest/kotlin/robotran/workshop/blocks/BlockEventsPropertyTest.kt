@@ -50,7 +50,7 @@ class BlockEventsPropertyTest {
             0 -> BlockEvent.CursorPut(row?.cursor)
             1 -> BlockEvent.Taken(palette[random % palette.size])
             2 -> BlockEvent.Moved(isUp = random % 2 == 0)
-            3 -> BlockEvent.SheetShown(parts.getOrNull(random % (parts.size + 1))?.let { BlockDialog.Part(it.span) })
+            3 -> BlockEvent.DialogShown(parts.getOrNull(random % (parts.size + 1))?.let { BlockDialog.Part(it.span) })
             4 -> BlockEvent.Put(TEXTS[random % TEXTS.size])
             5 -> BlockEvent.Edited(BlockEdit.Delete(state.selected.toSet()))
             6 -> row?.let { BlockEvent.Folded(it.block.id) } ?: BlockEvent.ErrorDismissed

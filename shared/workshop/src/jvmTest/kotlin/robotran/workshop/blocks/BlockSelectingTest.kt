@@ -64,7 +64,7 @@ class BlockSelectingTest {
     @Test
     fun `a pasted value replaces the value with the cursor, other text becomes blocks`() = onBlocks("forward 20\n") {
         open("forward 20", "20")
-        send(BlockEvent.SheetShown(null))
+        send(BlockEvent.DialogShown(null))
         send(BlockEvent.Pasted("light + 1\n"))
         assertEquals("forward light + 1\n", text)
         send(BlockEvent.Pasted("beep\nbuzz"))

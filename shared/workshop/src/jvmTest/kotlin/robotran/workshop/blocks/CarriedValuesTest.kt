@@ -59,7 +59,7 @@ class CarriedValuesTest {
             assertEquals("forward 20\n", text)
             assertEquals(BlockEditError.NoPlaceForValue, state.error)
             open("forward 20", "20")
-            send(BlockEvent.SheetShown(BlockDialog.Palette))
+            send(BlockEvent.DialogShown(BlockDialog.Palette))
             take("value-light")
             assertEquals("forward light\n", text)
         }

@@ -72,6 +72,6 @@ internal class OnBlocks(val workshop: Workshop) {
     fun open(line: String, words: String) {
         goTo(line)
         val parts = checkNotNull(state.program.lineOf(checkNotNull(state.cursor))).editableParts
-        send(BlockEvent.SheetShown(BlockDialog.Part(parts.first { it.span.textIn(text) == words }.span)))
+        send(BlockEvent.DialogShown(BlockDialog.Part(parts.first { it.span.textIn(text) == words }.span)))
     }
 }

@@ -42,7 +42,7 @@ class SheetPreviewTest {
         way("forward 20", "20")
         send(BlockEvent.Put("35"))
         assertEquals(35.0, assertIs<SheetPreview.Way>(preview).centimetres)
-        send(BlockEvent.SheetShown(null))
+        send(BlockEvent.DialogShown(null))
         assertNull(preview)
     }
 

@@ -150,7 +150,7 @@ class SnippetRequestedTest {
         doNow("forward i")
         assertEquals(BlockEditError.ValueUnknown("i"), state.error)
         doNow("forwrd 20")
-        assertEquals(4, (state.error as BlockEditError.Mistaken).line)
+        assertEquals(4, (state.error as BlockEditError.CompileError).line)
         workshop.advance(1_000)
         assertEquals(start, pose)
         doNow("for i from 1 to 3")

@@ -148,9 +148,9 @@ private class Pupil(private val blocks: OnBlocks, private val introduced: Set<St
     fun changeLast(new: String) = put(line.editableParts.lastIndex, new)
 
     private fun put(part: Int, new: String) {
-        blocks.send(BlockEvent.SheetShown(BlockDialog.Part(line.editableParts[part].span)))
+        blocks.send(BlockEvent.DialogShown(BlockDialog.Part(line.editableParts[part].span)))
         blocks.send(BlockEvent.Put(new))
-        blocks.send(BlockEvent.SheetShown(null))
+        blocks.send(BlockEvent.DialogShown(null))
         assertNull(blocks.state.error)
     }
 

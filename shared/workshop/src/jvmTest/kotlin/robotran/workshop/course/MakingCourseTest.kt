@@ -18,9 +18,9 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.OpenedFile
+import robotran.workshop.state.CourseError
 import robotran.workshop.state.CoursePage
-import robotran.workshop.state.CourseProblem
-import robotran.workshop.state.LinkProblem
+import robotran.workshop.state.LinkError
 import robotran.workshop.state.SavedOwnCourse
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -111,7 +111,7 @@ class MakingCourseTest {
             handle(CourseEvent.MakingRequested(null))
             handle(CourseEvent.LinkRequested)
         }
-        assertEquals<LinkProblem?>(LinkProblem.NoSite, offline.making.link?.problem)
+        assertEquals<LinkError?>(LinkError.NoSite, offline.making.link?.problem)
     }
 
     @Test
@@ -157,11 +157,11 @@ class MakingCourseTest {
         make()
         machine.files.chosen = listOf(projectFile("beep\n"))
         workshop.handle(CourseEvent.FilesRequested)
-        assertEquals<CourseProblem?>(CourseProblem.NotAnAssignment("maze"), workshop.making.problem)
+        assertEquals<CourseError?>(CourseError.NotAnAssignment("maze"), workshop.making.problem)
         assertEquals(3, ids.size)
         machine.files.chosen = listOf(OpenedFile("x.robotran", "{".encodeToByteArray()))
         workshop.handle(CourseEvent.FilesRequested)
-        assertIs<CourseProblem.NotOpened>(workshop.making.problem)
+        assertIs<CourseError.NotOpened>(workshop.making.problem)
         choose(1)
         assertEquals(3, ids.size)
     }
@@ -175,7 +175,7 @@ class MakingCourseTest {
         assertEquals(Course.MAXIMUM_ASSIGNMENTS, ids.size)
         machine.files.chosen = listOf(AnyAssignment.file(AnyCourse.task(100, "One more")))
         workshop.handle(CourseEvent.FilesRequested)
-        assertEquals<CourseProblem?>(CourseProblem.TooMany(Course.MAXIMUM_ASSIGNMENTS), workshop.making.problem)
+        assertEquals<CourseError?>(CourseError.TooMany(Course.MAXIMUM_ASSIGNMENTS), workshop.making.problem)
     }
 
     @Test

@@ -76,15 +76,15 @@ class AnotherWorldTest {
             "another program" to { handle(ProgramEvent.ProgramAdded(Program.of("other.robo", "beep"))) },
             "building" to { putBlock() },
         )
-        for ((told, goOn) in goingOn) {
+        for ((described, goOn) in goingOn) {
             val workshop = Machine().window()
             workshop.write("forward 7")
             workshop.handle(LearningEvent.WorldChosen("maze"))
             workshop.handle(WorkshopEvent.TaskShown(false))
             workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
-            assertIs<Notice.EarlierProjectSaved>(workshop.state.notice, "before $told")
+            assertIs<Notice.EarlierProjectSaved>(workshop.state.notice, "before $described")
             workshop.goOn()
-            assertNull(workshop.state.notice, "after $told")
+            assertNull(workshop.state.notice, "after $described")
             workshop.close()
         }
     }
@@ -98,12 +98,12 @@ class AnotherWorldTest {
             },
             "a new one" to { handle(DocumentEvent.NewRequested) },
         )
-        for ((told, leave) in leaving) {
+        for ((described, leave) in leaving) {
             val workshop = Machine().window()
             workshop.write("forward 7")
             workshop.handle(LearningEvent.WorldChosen("maze"))
             workshop.leave()
-            assertNull(workshop.state.notice, told)
+            assertNull(workshop.state.notice, described)
             workshop.close()
         }
     }

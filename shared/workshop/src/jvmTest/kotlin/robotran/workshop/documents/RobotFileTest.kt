@@ -54,9 +54,9 @@ class RobotFileTest {
         val before = robot
         val text = """{"format": "robotran-robot", "version": 1, "title": "Wide", "wheels": {"trak": 12}}"""
         bring(OpenedFile("wide.robot.json", text.encodeToByteArray(), "/home/wide.robot.json"))
-        val notice = assertIs<Notice.WithRemarks>(workshop.state.notice)
+        val notice = assertIs<Notice.WithWarnings>(workshop.state.notice)
         assertIs<Notice.RobotReplaced>(notice.notice)
-        assertTrue("wide.robot.json: Line 1: wheels.trak is not known" in notice.remarks.single(), "$notice")
+        assertTrue("wide.robot.json: Line 1: wheels.trak is not known" in notice.warnings.single(), "$notice")
         workshop.handle(WorkshopEvent.NoticeTaken)
         assertEquals(before, robot)
     }
@@ -65,13 +65,13 @@ class RobotFileTest {
     fun `a program in an old encoding or with another name is opened with a remark`() {
         bring(OpenedFile("Karl.robo.txt", "beep // f\u00FCr\n".map { it.code.toByte() }.toByteArray(), null))
         assertEquals("beep // f\u00FCr\n", workshop.state.programText)
-        val notice = assertIs<Notice.WithRemarks>(workshop.state.notice)
+        val notice = assertIs<Notice.WithWarnings>(workshop.state.notice)
         assertEquals(
             listOf(
                 "Karl.robo.txt is in Windows-1252, not in UTF-8. It was read all the same.",
                 "Karl.robo.txt was read as Karl.robo.",
             ),
-            notice.remarks,
+            notice.warnings,
         )
     }
 

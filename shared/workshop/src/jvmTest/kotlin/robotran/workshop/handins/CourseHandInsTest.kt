@@ -29,7 +29,7 @@ internal class CourseHandInsTest : HandInsTesting() {
         handle(HandInsEvent.OrderChosen(HandInOrder.NAME))
     }
 
-    private fun Workshop.told() =
+    private fun Workshop.described() =
         page.rows.map { row -> Triple(row.name, page.tasks.getOrNull(row.task)?.title, row.verdict) }
 
     @Test
@@ -50,7 +50,7 @@ internal class CourseHandInsTest : HandInsTesting() {
             Triple("Ben - Around the circle", "Around the circle", HandInVerdict.PASSED),
             Triple("Cleo", null, HandInVerdict.UNUSABLE),
         )
-        assertEquals(expected, workshop.told())
+        assertEquals(expected, workshop.described())
         val csv = workshop.save(HandInsEvent.CsvRequested, "/home/circles.csv").decodeToString().split("\r\n")
         assertEquals(
             listOf("\uFEFFname,assignment,verdict", "Ada,Into the circle,solved", "Ada,Out of the circle,not solved"),

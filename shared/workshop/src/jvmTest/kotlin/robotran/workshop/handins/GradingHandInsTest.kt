@@ -138,7 +138,7 @@ internal class GradingHandInsTest : HandInsTesting() {
         workers = workersOf { submission ->
             begun += submission.name
             next.receive()
-            GradedHandIn.HasMistakes(submission, emptyList())
+            GradedHandIn.HasErrors(submission, emptyList())
         }
         looking { workshop ->
             workshop.bring(AnyClass.few.take(2))
@@ -162,14 +162,14 @@ internal class GradingHandInsTest : HandInsTesting() {
         val next = Channel<Unit>(Channel.UNLIMITED)
         workers = workersOf { submission ->
             next.receive()
-            GradedHandIn.HasMistakes(submission, listOf("${submission.handIn?.tries}"))
+            GradedHandIn.HasErrors(submission, listOf("${submission.handIn?.tries}"))
         }
         looking { workshop ->
             workshop.bring(listOf(AnyClass.file("Ada", AnyClass.short, tries = 1)))
             workshop.bring(listOf(AnyClass.file("Ada", AnyClass.solved, tries = 4)))
             repeat(2) { next.trySend(Unit) }
             advanceUntilIdle()
-            val graded = workshop.page.rows.single().graded as GradedHandIn.HasMistakes
+            val graded = workshop.page.rows.single().graded as GradedHandIn.HasErrors
             assertEquals(listOf("4"), graded.reasons)
         }
     }

@@ -282,7 +282,7 @@ class LearningStateHolderTest {
         workshop.handle(LearningEvent.HelpRequested("turn left 90", 6))
         assertEquals("left", workshop.learning.help.found?.word)
         workshop.handle(LearningEvent.HelpRequested("class A {\n  Motor.A.forward();\n}", 22))
-        assertEquals(ProgramLanguage.JAVA, workshop.learning.help.code)
+        assertEquals(ProgramLanguage.JAVA, workshop.learning.help.programLanguage)
         assertEquals("Motor.forward", workshop.learning.help.found?.word)
         workshop.handle(LearningEvent.HelpRequested("var side = 3", 5))
         assertEquals("side", workshop.learning.help.word)

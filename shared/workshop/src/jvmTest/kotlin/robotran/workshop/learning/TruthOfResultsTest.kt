@@ -65,9 +65,9 @@ class TruthOfResultsTest {
         begin("dice")
         val tenBeeps = "show random(1, 12)\nrepeat 10 times\n  beep\n  wait 0.5 seconds\nend\n"
         assertEquals(false, wasDoneMeanwhile(tenBeeps))
-        val told = workshop.state.run.shortfalls.map { it.shortfall }
-        assertEquals(1, told.size, "one of the numbers is enough, so the nearest alone is told: $told")
-        assertIs<ProgramShortfall.TooManyTones>(told.single())
+        val described = workshop.state.run.shortfalls.map { it.shortfall }
+        assertEquals(1, described.size, "one of the numbers is enough, so the nearest alone is told: $described")
+        assertIs<ProgramShortfall.TooManyTones>(described.single())
         assertTrue(wasDoneMeanwhile(assertNotNull(learning.tutorial).current.solution.text))
     }
 

@@ -8,11 +8,11 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.Reach
 import robotran.world.GoalCondition.StayOut
 import robotran.world.Lamp
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -31,7 +31,7 @@ class MeasuringTest {
         paper = Paper(100.0, 80.0),
         robots = listOf(RobotPlacement(Pose(30.0, 20.0, 90.0))),
         barriers = listOf(Barrier(Shape.Rectangle(Point(90.0, 20.0), 10.0, 4.0))),
-        blocks = listOf(Block(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
+        blocks = listOf(MovableBlock(Shape.Rectangle(Point(60.0, 30.0), 6.0, 6.0))),
         lamps = listOf(Lamp(Point(20.0, 70.0))),
         goals = listOf(
             Goal(StayOut(Shape.Circle(Point(50.0, 40.0), 3.0))),

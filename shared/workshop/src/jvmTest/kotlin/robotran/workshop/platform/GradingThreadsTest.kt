@@ -41,14 +41,14 @@ class GradingThreadsTest {
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.ENGLISH)
         val alone = submissions().map { grader.prepare(it).finish {} }
         val crew = GradingThreads(3).start(assignment, plan, Language.ENGLISH)
-        val told = mutableListOf<Int>()
+        val described = mutableListOf<Int>()
         val caller = Thread.currentThread()
         val together = coroutineScope {
             submissions().map { submission ->
                 async {
                     crew.grade(submission) { runs ->
                         assertEquals(caller, Thread.currentThread())
-                        told += runs
+                        described += runs
                     }
                 }
             }.awaitAll()
@@ -56,7 +56,7 @@ class GradingThreadsTest {
         crew.close()
         assertEquals(alone.map(::reports), together.map(::reports))
         assertEquals(alone.map { it.submission }, together.map { it.submission })
-        assertTrue(told.any { it > 0 }, "$told")
+        assertTrue(described.any { it > 0 }, "$described")
     }
 
     @Test

@@ -118,7 +118,7 @@ class SendStateHolderTest {
         images.result = ProgramImageResult.Failure(listOf(mistake))
         request()
         assertEquals(SendStep.HasErrors(mistake), step)
-        holder.handle(SendEvent.MistakeShown)
+        holder.handle(SendEvent.DiagnosticShown)
         assertNull(holder.state)
         assertEquals(listOf(mistake), shown)
         assertEquals(emptyList(), towers.opened)
@@ -421,7 +421,7 @@ class SendStateHolderTest {
         override val session: SessionState get() = error("Sending needs only the program.")
     }
 
-    private class RememberingTabs(private val mistakes: MutableList<Diagnostic>) : ProgramTabs {
+    private class RememberingTabs(private val errors: MutableList<Diagnostic>) : ProgramTabs {
         override fun addProgram(program: Program, replacing: Boolean) = error("Sending adds no program.")
 
         override fun chooseProgram(index: Int) = error("Sending chooses no program.")
@@ -434,8 +434,8 @@ class SendStateHolderTest {
 
         override fun showLine(index: Int, line: Int) = error("Sending shows no line.")
 
-        override fun showMistake(diagnostic: Diagnostic) {
-            mistakes += diagnostic
+        override fun showDiagnostic(diagnostic: Diagnostic) {
+            errors += diagnostic
         }
     }
 

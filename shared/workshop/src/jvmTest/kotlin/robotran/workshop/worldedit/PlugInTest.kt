@@ -56,7 +56,7 @@ class PlugInTest {
         runWithoutLeftBumper()
         val run = workshop.state.shownProgramRun
         assertEquals(listOf(1), run.missingSensors?.sensors?.map { it.port })
-        assertContains(run.remarks.first().message, "touch sensor is missing on port 1")
+        assertContains(run.warnings.first().message, "touch sensor is missing on port 1")
         assertEquals(1, workshop.state.run.marks.count { it.text.contains("touch sensor") })
     }
 
@@ -71,7 +71,7 @@ class PlugInTest {
         workshop.advance(300)
         assertTrue(workshop.state.running)
         assertNull(workshop.state.notice, "It asks for this run.")
-        assertEquals(emptyList(), workshop.state.shownProgramRun.remarks)
+        assertEquals(emptyList(), workshop.state.shownProgramRun.warnings)
     }
 
     @Test
@@ -157,8 +157,8 @@ class PlugInTest {
     fun `all sensors that are missing are one remark and one change`() {
         runWith(listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList()), BOTH)
         val run = workshop.state.shownProgramRun
-        assertEquals(2, run.remarks.single().sourceLine, "It names the line that feels first.")
-        assertContains(run.remarks.single().message, "Touch sensors are missing on ports 1 and 3")
+        assertEquals(2, run.warnings.single().sourceLine, "It names the line that feels first.")
+        assertContains(run.warnings.single().message, "Touch sensors are missing on ports 1 and 3")
         workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))
         assertEquals(Notice.SensorsPluggedIn(listOf(1, 3)), workshop.state.notice)
         assertEquals(BuiltInWorlds.plain.robots.first().ports, workshop.ports)

@@ -10,7 +10,6 @@ import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.nearestDecimal
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.AnyOf
@@ -29,6 +28,7 @@ import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots
@@ -58,7 +58,8 @@ private class ArbitraryWorld(private val random: Random) {
 
     fun world(): World {
         val robots = List(random.nextInt(1, 9), ::robot)
-        val blocks = some(4) { Block(shape(), number(0.001, 100.0), number(0.0, 10.0), maybe(::name), unknown()) }
+        val blocks =
+            some(4) { MovableBlock(shape(), number(0.001, 100.0), number(0.0, 10.0), maybe(::name), unknown()) }
         val marks = some(4, ::mark)
         val template = maybe { Template(List(random.nextInt(1, 4)) { way(2) }, unknown()) }
         val goals = Goals(robots.map { it.name }, blocks.mapNotNull { it.name }, marks, template)

@@ -2,10 +2,10 @@ package robotran.world.file
 
 import robotran.json.JsonCursor
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.WorldLimits
@@ -26,12 +26,13 @@ internal class ElementReader(private val shapes: ShapeReader) {
 
     fun barrier(cursor: JsonCursor) = Barrier(shapes.shape(cursor), nameOf(cursor), unknownOf(cursor))
 
-    fun block(cursor: JsonCursor) = Block(
+    fun block(cursor: JsonCursor) = MovableBlock(
         shape = shapes.shape(cursor),
         mass = cursor.optional(
             "mass",
-        )?.number(WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS) ?: Block.DEFAULT_MASS,
-        friction = cursor.optional("friction")?.number(0.0..WorldLimits.MAXIMUM_FRICTION) ?: Block.DEFAULT_FRICTION,
+        )?.number(WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS) ?: MovableBlock.DEFAULT_MASS,
+        friction =
+            cursor.optional("friction")?.number(0.0..WorldLimits.MAXIMUM_FRICTION) ?: MovableBlock.DEFAULT_FRICTION,
         name = nameOf(cursor),
         unknown = unknownOf(cursor),
     )

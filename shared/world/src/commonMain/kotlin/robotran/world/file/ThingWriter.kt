@@ -5,10 +5,10 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.ObjectBuilder
 import robotran.json.jsonObject
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Lamp
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Shade
 import robotran.world.Wall
 import robotran.world.geometry.Point
@@ -25,11 +25,11 @@ internal fun elementOf(barrier: Barrier) = jsonObject(barrier.unknown.members) {
     shape(barrier.shape)
 }
 
-internal fun elementOf(block: Block) = jsonObject(block.unknown.members) {
+internal fun elementOf(block: MovableBlock) = jsonObject(block.unknown.members) {
     text("name", block.name)
     shape(block.shape)
-    number("mass", block.mass, default = Block.DEFAULT_MASS)
-    number("friction", block.friction, default = Block.DEFAULT_FRICTION)
+    number("mass", block.mass, default = MovableBlock.DEFAULT_MASS)
+    number("friction", block.friction, default = MovableBlock.DEFAULT_FRICTION)
 }
 
 internal fun elementOf(mark: Mark) = jsonObject(mark.unknown.members) {

@@ -6,7 +6,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.json.writeDecimal
 import robotran.language.Language
 import robotran.world.robot.RobotError
-import robotran.world.robot.RobotFigure
+import robotran.world.robot.RobotParameter
 
 /** The whole sentence for this error. */
 fun RobotError.sentence(language: Language): String = with(RobotMessages.of(language)) {

@@ -2,7 +2,7 @@ package robotran.world.robot
 
 import robotran.brick.kind.BrickKind
 import robotran.world.Drive
-import robotran.world.NxtMotorFigures
+import robotran.world.NxtMotorParameters
 import robotran.world.Penbot
 
 /**
@@ -47,7 +47,7 @@ class BrickBuild internal constructor(
     }
 }
 
-/** The motor of a drive wheel. Units are those of [RobotFigures]. */
+/** The motor of a drive wheel. Units are those of [RobotParameters]. */
 internal interface DriveMotor {
     val lag: Double
 
@@ -85,19 +85,19 @@ private object RcxMotor : DriveMotor {
 private object NxtMotor : DriveMotor {
     private const val FULL_TURN = 360.0
 
-    override val lag = NxtMotorFigures.LAG
+    override val lag = NxtMotorParameters.LAG
 
     override fun topSpeed(drive: Drive, circumference: Double) =
-        NxtMotorFigures.FREE_SPEED / drive.gear / FULL_TURN * circumference
+        NxtMotorParameters.FREE_SPEED / drive.gear / FULL_TURN * circumference
 
     override fun calibratedSpeed(drive: Drive, circumference: Double) =
-        NxtMotorFigures.PILOT_SPEED / drive.gear / FULL_TURN * circumference
+        NxtMotorParameters.PILOT_SPEED / drive.gear / FULL_TURN * circumference
 
-    override fun stallForce(drive: Drive) = NxtMotorFigures.STALL_TORQUE * drive.gear *
-        NxtMotorFigures.GEAR_EFFICIENCY / (drive.wheelDiameter / 2) * NEWTON
+    override fun stallForce(drive: Drive) = NxtMotorParameters.STALL_TORQUE * drive.gear *
+        NxtMotorParameters.GEAR_EFFICIENCY / (drive.wheelDiameter / 2) * NEWTON
 
     override fun rollingDeceleration(drive: Drive, circumference: Double) =
-        NxtMotorFigures.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
+        NxtMotorParameters.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
 }
 
 /** In kg cm/s2. */

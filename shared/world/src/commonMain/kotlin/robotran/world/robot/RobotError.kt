@@ -15,7 +15,7 @@ sealed interface RobotError {
     /** A figure is outside of its range. */
     data class OutOfRange(
         override val piece: RobotPiece,
-        val figure: RobotFigure,
+        val figure: RobotParameter,
         val range: ClosedRange<Double>,
         override val part: Int? = null,
     ) : RobotError
@@ -109,7 +109,7 @@ sealed interface RobotError {
 enum class RobotPiece { OUTLINE, HEIGHT, MASS, WHEELS, CASTERS, PEN, BRICK, PART, ALL }
 
 /** The figures of a robot that have a range, see [robotran.world.RobotLimits]. */
-enum class RobotFigure {
+enum class RobotParameter {
     COORDINATE,
     CORNERS,
     HEIGHT,

@@ -21,44 +21,44 @@ fun robotErrors(robot: RobotDescription): List<RobotError> {
 }
 
 private fun rangeErrors(robot: RobotDescription): List<RobotError> = buildList {
-    fun check(value: Double, range: ClosedRange<Double>, piece: RobotPiece, figure: RobotFigure, part: Int? = null) {
+    fun check(value: Double, range: ClosedRange<Double>, piece: RobotPiece, figure: RobotParameter, part: Int? = null) {
         if (value !in range) add(OutOfRange(piece, figure, range, part))
     }
 
     fun check(point: Point, piece: RobotPiece, part: Int? = null) {
-        check(point.x, RobotLimits.COORDINATES, piece, RobotFigure.COORDINATE, part)
-        check(point.y, RobotLimits.COORDINATES, piece, RobotFigure.COORDINATE, part)
+        check(point.x, RobotLimits.COORDINATES, piece, RobotParameter.COORDINATE, part)
+        check(point.y, RobotLimits.COORDINATES, piece, RobotParameter.COORDINATE, part)
     }
 
-    fun check(count: Int, counts: IntRange, piece: RobotPiece, figure: RobotFigure) =
+    fun check(count: Int, counts: IntRange, piece: RobotPiece, figure: RobotParameter) =
         check(count.toDouble(), counts.first.toDouble()..counts.last.toDouble(), piece, figure)
-    check(robot.chassis.outline.size, RobotLimits.CORNERS, RobotPiece.OUTLINE, RobotFigure.CORNERS)
+    check(robot.chassis.outline.size, RobotLimits.CORNERS, RobotPiece.OUTLINE, RobotParameter.CORNERS)
     robot.chassis.outline.forEach { check(it, RobotPiece.OUTLINE) }
-    check(robot.chassis.height, RobotLimits.HEIGHTS, RobotPiece.HEIGHT, RobotFigure.HEIGHT)
-    check(robot.chassis.mass, RobotLimits.MASSES, RobotPiece.MASS, RobotFigure.MASS)
+    check(robot.chassis.height, RobotLimits.HEIGHTS, RobotPiece.HEIGHT, RobotParameter.HEIGHT)
+    check(robot.chassis.mass, RobotLimits.MASSES, RobotPiece.MASS, RobotParameter.MASS)
     check(robot.chassis.massAt, RobotPiece.MASS)
     if (robot.drive.wheelDiameter !in RobotLimits.WHEEL_DIAMETERS) add(RobotError.NoWheels)
-    check(robot.drive.wheelWidth, RobotLimits.WHEEL_WIDTHS, RobotPiece.WHEELS, RobotFigure.WHEEL_WIDTH)
-    check(robot.drive.track, RobotLimits.TRACKS, RobotPiece.WHEELS, RobotFigure.TRACK)
-    check(robot.drive.gear, RobotLimits.GEARS, RobotPiece.WHEELS, RobotFigure.GEAR)
-    check(robot.drive.tyreFriction, RobotLimits.TYRE_FRICTIONS, RobotPiece.WHEELS, RobotFigure.TYRE_FRICTION)
-    check(robot.casters.size, 0..RobotLimits.MAXIMUM_CASTERS, RobotPiece.CASTERS, RobotFigure.CASTERS)
+    check(robot.drive.wheelWidth, RobotLimits.WHEEL_WIDTHS, RobotPiece.WHEELS, RobotParameter.WHEEL_WIDTH)
+    check(robot.drive.track, RobotLimits.TRACKS, RobotPiece.WHEELS, RobotParameter.TRACK)
+    check(robot.drive.gear, RobotLimits.GEARS, RobotPiece.WHEELS, RobotParameter.GEAR)
+    check(robot.drive.tyreFriction, RobotLimits.TYRE_FRICTIONS, RobotPiece.WHEELS, RobotParameter.TYRE_FRICTION)
+    check(robot.casters.size, 0..RobotLimits.MAXIMUM_CASTERS, RobotPiece.CASTERS, RobotParameter.CASTERS)
     robot.casters.forEach { check(it, RobotPiece.CASTERS) }
     check(robot.brickAt.at, RobotPiece.BRICK)
-    check(robot.parts.size, 0..RobotLimits.MAXIMUM_PARTS, RobotPiece.ALL, RobotFigure.PARTS)
+    check(robot.parts.size, 0..RobotLimits.MAXIMUM_PARTS, RobotPiece.ALL, RobotParameter.PARTS)
     robot.parts.forEachIndexed { number, part ->
         when (part) {
             is BumperPart -> {
                 check(part.at, RobotPiece.PART, number)
-                check(part.width, RobotLimits.BUMPER_WIDTHS, RobotPiece.PART, RobotFigure.BUMPER_WIDTH, number)
-                check(part.depth, RobotLimits.BUMPER_DEPTHS, RobotPiece.PART, RobotFigure.BUMPER_DEPTH, number)
-                check(part.direction, RobotLimits.ANGLES, RobotPiece.PART, RobotFigure.ANGLE, number)
+                check(part.width, RobotLimits.BUMPER_WIDTHS, RobotPiece.PART, RobotParameter.BUMPER_WIDTH, number)
+                check(part.depth, RobotLimits.BUMPER_DEPTHS, RobotPiece.PART, RobotParameter.BUMPER_DEPTH, number)
+                check(part.direction, RobotLimits.ANGLES, RobotPiece.PART, RobotParameter.ANGLE, number)
             }
 
             is SensorPart -> {
                 check(part.at, RobotPiece.PART, number)
-                check(part.height, RobotLimits.SENSOR_HEIGHTS, RobotPiece.PART, RobotFigure.SENSOR_HEIGHT, number)
-                check(part.towards, RobotLimits.ANGLES, RobotPiece.PART, RobotFigure.ANGLE, number)
+                check(part.height, RobotLimits.SENSOR_HEIGHTS, RobotPiece.PART, RobotParameter.SENSOR_HEIGHT, number)
+                check(part.towards, RobotLimits.ANGLES, RobotPiece.PART, RobotParameter.ANGLE, number)
             }
 
             else -> Unit
@@ -91,7 +91,7 @@ private fun shapes(robot: RobotDescription): Int {
 
 private fun driveErrors(robot: RobotDescription): List<RobotError> {
     val drive = robot.drive
-    val speed = RobotFigures.of(robot).topSpeed
+    val speed = RobotParameters.of(robot).topSpeed
     return listOfNotNull(
         RobotError.OneDriveMotor(drive.left).takeIf { drive.left == drive.right },
         robot.pen?.motor?.takeIf { it == drive.left || it == drive.right }?.let { RobotError.PenMotorTaken(it) },

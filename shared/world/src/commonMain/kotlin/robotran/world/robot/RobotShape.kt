@@ -49,7 +49,7 @@ val BumperPart.corners: List<Point>
 val RobotDescription.footprint: List<Point>
     get() {
         val radius = drive.wheelDiameter / 2
-        val half = RobotFigures.of(this).let { if (isBuiltAsPenbot) it.overallWidth / 2 else wheelHalf }
+        val half = RobotParameters.of(this).let { if (isBuiltAsPenbot) it.overallWidth / 2 else wheelHalf }
         val wheels = listOf(-radius to -half, radius to -half, radius to half, -radius to half)
         return hull(chassis.outline + wheels.map { (x, y) -> Point(x, y) } + bumpers.flatMap { it.corners })
     }

@@ -1,7 +1,6 @@
 package robotran.world.file
 
 import robotran.world.Barrier
-import robotran.world.Block
 import robotran.world.Goal
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.AnyOf
@@ -20,6 +19,7 @@ import robotran.world.Lamp
 import robotran.world.LightFacing
 import robotran.world.Mark
 import robotran.world.MarkFigure
+import robotran.world.MovableBlock
 import robotran.world.Paper
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots
@@ -96,7 +96,7 @@ class ReadWorldTest {
             ),
             full.barriers,
         )
-        assertEquals(listOf(Block(Shape.Circle(Point(150.0, 20.0), 3.0), 0.2, 0.5, "brick")), full.blocks)
+        assertEquals(listOf(MovableBlock(Shape.Circle(Point(150.0, 20.0), 3.0), 0.2, 0.5, "brick")), full.blocks)
         assertEquals(
             listOf(
                 Mark(

@@ -33,7 +33,7 @@ class RobotErrorsTest {
         for (sentence in sentences) assertTrue(sentence.endsWith(".") && sentence.first().isUpperCase(), sentence)
     }
 
-    private fun told(robot: RobotDescription): String = error(robot).sentence(Language.ENGLISH)
+    private fun described(robot: RobotDescription): String = error(robot).sentence(Language.ENGLISH)
 
     private fun RobotDescription.chassis(change: Chassis.() -> Chassis) = copy(chassis = chassis.change())
 
@@ -47,7 +47,7 @@ class RobotErrorsTest {
     @Test
     fun `two things on a port`() {
         val two = nxt.with(FingerTouchPart(2), sensor(SensorKind.SOUND, Facing.Ahead(0.0)).on(2))
-        assertEquals("Two things are plugged into port 2.", told(two))
+        assertEquals("Two things are plugged into port 2.", described(two))
         assertEquals(1, error(two).part)
         assertEquals(emptyList(), robotErrors(rcx.with(FingerTouchPart(2), RotationPart(2, BumperSide.LEFT))))
         val three = rcx.with(FingerTouchPart(2), RotationPart(2, BumperSide.LEFT), RotationPart(2, BumperSide.RIGHT))
@@ -57,12 +57,12 @@ class RobotErrorsTest {
 
     @Test
     fun `ports and sensors that a brick does not have`() {
-        assertEquals("An RCX has no port 4.", told(rcx.with(FingerTouchPart(4))))
+        assertEquals("An RCX has no port 4.", described(rcx.with(FingerTouchPart(4))))
         val sonar = sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0))
-        assertEquals("An RCX cannot read an ultrasonic sensor.", told(rcx.with(sonar)))
+        assertEquals("An RCX cannot read an ultrasonic sensor.", described(rcx.with(sonar)))
         val foreign = sensor(SensorKind.MINDSENSORS_COMPASS, Facing.Ahead(0.0))
-        assertEquals("An RCX cannot read a mindsensors compass.", told(rcx.with(foreign)))
-        assertEquals("An RCX cannot read an RCX link.", told(rcx.with(foreign.copy(sensor = SensorKind.RCX_LINK))))
+        assertEquals("An RCX cannot read a mindsensors compass.", described(rcx.with(foreign)))
+        assertEquals("An RCX cannot read an RCX link.", described(rcx.with(foreign.copy(sensor = SensorKind.RCX_LINK))))
         val warm = sensor(SensorKind.TEMPERATURE, Facing.Ahead(0.0))
         assertEquals(emptyList(), robotErrors(nxt.with(RotationPart(1, BumperSide.LEFT), warm.on(2))))
         assertEquals(emptyList(), robotErrors(rcx.with(sonar.copy(port = null))))
@@ -72,23 +72,23 @@ class RobotErrorsTest {
     fun `motors with two purposes`() {
         assertEquals(
             "Two motors are needed to drive, but left and right are both motor A.",
-            told(rcx.drive { copy(right = MotorPort.A) }),
+            described(rcx.drive { copy(right = MotorPort.A) }),
         )
         assertEquals(
             "Motor C drives a wheel, so it cannot lift the pen.",
-            told(rcx.copy(pen = PenMount(MotorPort.C))),
+            described(rcx.copy(pen = PenMount(MotorPort.C))),
         )
         val turret = sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0)).copy(turret = MotorPort.B)
-        assertEquals("Motor B turns a sensor and lifts the pen.", told(nxt.with(turret)))
+        assertEquals("Motor B turns a sensor and lifts the pen.", described(nxt.with(turret)))
         assertEquals(emptyList(), robotErrors(nxt.copy(pen = null).with(turret)))
         assertEquals(
             "Motor A turns a sensor and drives a wheel.",
-            told(nxt.with(turret.copy(turret = MotorPort.A))),
+            described(nxt.with(turret.copy(turret = MotorPort.A))),
         )
         val light = sensor(SensorKind.LIGHT, Facing.Ahead(0.0)).copy(turret = MotorPort.B)
         assertEquals(
             "The motors of an RCX cannot turn a sensor: they do not count.",
-            told(rcx.copy(pen = null).with(light)),
+            described(rcx.copy(pen = null).with(light)),
         )
     }
 
@@ -105,7 +105,7 @@ class RobotErrorsTest {
     fun `robots that tip over`() {
         assertEquals(
             "The robot tips over: its mass lies behind the wheels, and no caster holds it there.",
-            told(rcx.chassis { copy(massAt = Point(-1.0, 0.0)) }),
+            described(rcx.chassis { copy(massAt = Point(-1.0, 0.0)) }),
         )
         assertEquals(RobotError.TipsOver(backwards = false), error(rcx.copy(casters = emptyList())))
         assertEquals(RobotError.TipsOver(backwards = false), error(rcx.chassis { copy(massAt = Point(7.0, 0.0)) }))
@@ -152,7 +152,7 @@ class RobotErrorsTest {
     fun `sensors where they cannot be`() {
         assertEquals(
             "The ultrasonic sensor is inside the floor: put it at least 2 cm high.",
-            told(nxt.with(sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0), height = 1.0))),
+            described(nxt.with(sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0), height = 1.0))),
         )
         assertEquals(
             RobotError.SensorInFloor(0, SensorKind.COLOUR, 0.5),
@@ -160,7 +160,7 @@ class RobotErrorsTest {
         )
         assertEquals(
             "The light sensor looks at the floor from too high: at most 3 cm.",
-            told(rcx.with(sensor(SensorKind.LIGHT, Facing.Down, height = 3.5))),
+            described(rcx.with(sensor(SensorKind.LIGHT, Facing.Down, height = 3.5))),
         )
         assertEquals(
             RobotError.CannotLookDown(0, SensorKind.ULTRASONIC),
@@ -172,28 +172,28 @@ class RobotErrorsTest {
         )
         val behind = Point(-10.0, 0.0)
         val ahead = sensor(SensorKind.ULTRASONIC, Facing.Ahead(0.0), at = behind)
-        assertEquals("The ultrasonic sensor looks into the robot itself.", told(nxt.with(ahead)))
+        assertEquals("The ultrasonic sensor looks into the robot itself.", described(nxt.with(ahead)))
         assertEquals(emptyList(), robotErrors(nxt.with(ahead.copy(facing = Facing.Ahead(180.0)))))
         assertEquals(emptyList(), robotErrors(nxt.with(ahead.copy(height = 12.0))), "it looks over the robot")
         assertEquals(
             RobotError.FarAway(0, SensorKind.LIGHT, 26),
             error(rcx.with(sensor(SensorKind.LIGHT, Facing.Down, 1.0, at = Point(34.0, 0.0)))),
         )
-        assertEquals("The bumper is inside the robot.", told(rcx.with(BumperPart(1, Point(3.0, 0.0), 4.0))))
+        assertEquals("The bumper is inside the robot.", described(rcx.with(BumperPart(1, Point(3.0, 0.0), 4.0))))
     }
 
     @Test
     fun `figures out of their ranges`() {
-        assertEquals("The mass must be from 0.1 to 5 kg.", told(rcx.chassis { copy(mass = 0.05) }))
-        assertEquals("The track must be from 4 to 40 cm.", told(rcx.drive { copy(track = 41.0) }))
+        assertEquals("The mass must be from 0.1 to 5 kg.", described(rcx.chassis { copy(mass = 0.05) }))
+        assertEquals("The track must be from 4 to 40 cm.", described(rcx.drive { copy(track = 41.0) }))
         assertEquals(
             "A direction must be from -360 to 360 degrees.",
-            told(rcx.with(BumperPart(1, Point(9.0, 0.0), 4.0, direction = 400.0))),
+            described(rcx.with(BumperPart(1, Point(9.0, 0.0), 4.0, direction = 400.0))),
         )
         assertEquals(RobotPiece.PART, error(rcx.with(BumperPart(1, Point(9.0, 0.0), 40.0))).piece)
         assertEquals(
             "The number of parts must be from 0 to 12.",
-            told(
+            described(
                 rcx.copy(
                     parts = List(13) {
                         FingerTouchPart(null)

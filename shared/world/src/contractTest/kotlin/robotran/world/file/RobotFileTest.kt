@@ -16,7 +16,7 @@ import robotran.world.RobotDescription
 import robotran.world.RotationPart
 import robotran.world.SensorPart
 import robotran.world.geometry.Point
-import robotran.world.robot.RobotFigures
+import robotran.world.robot.RobotParameters
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -101,7 +101,7 @@ class RobotFileTest {
         val robot = ReadyRobots.RCX_PENBOT.copy(parts = ReadyRobots.RCX_PENBOT.parts + sensor.copy(port = null))
         val read = loadedRobot(writeRobot(robot))
         assertEquals(robot, read)
-        assertSame(RobotFigures.PENBOT, RobotFigures.of(read))
+        assertSame(RobotParameters.PENBOT, RobotParameters.of(read))
     }
 
     @Test

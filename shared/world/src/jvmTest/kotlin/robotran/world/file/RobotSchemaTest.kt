@@ -27,7 +27,7 @@ class RobotSchemaTest {
     fun `every robot that comes with Robotran follows the schema and has no field that it does not know`() {
         for ((name, text) in robotTexts + documentedRobots) {
             val robot = Json.parseToJsonElement(text)
-            assertEquals(emptyList(), schema.mistakesIn(robot), name)
+            assertEquals(emptyList(), schema.errorsIn(robot), name)
             assertEquals(emptyList(), schema.unknownIn(robot), name)
         }
     }
@@ -37,7 +37,7 @@ class RobotSchemaTest {
         val possible = arbitraryRobots().filter { robotErrors(it).isEmpty() }
         for (robot in possible.take(200, RandomSource.seeded(2005))) {
             val written = Json.parseToJsonElement(writeRobot(robot))
-            assertEquals(emptyList(), schema.mistakesIn(written))
+            assertEquals(emptyList(), schema.errorsIn(written))
             assertEquals(emptyList(), schema.unknownIn(written))
         }
     }
@@ -55,7 +55,7 @@ class RobotSchemaTest {
 
     @Test
     fun `what the schema refuses is refused`() {
-        assertEquals(emptyList(), schema.mistakesIn(full))
+        assertEquals(emptyList(), schema.errorsIn(full))
         var refused = 0
         for (changed in changes(full, ::wrongValues)) {
             if (schema.accepts(changed)) continue
@@ -66,7 +66,7 @@ class RobotSchemaTest {
                     Language.ENGLISH,
                 ) !is RobotFileResult.Failure
             ) {
-                fail("${schema.mistakesIn(changed)}\n$text")
+                fail("${schema.errorsIn(changed)}\n$text")
             }
         }
         assertTrue(refused > 800, "$refused were refused")

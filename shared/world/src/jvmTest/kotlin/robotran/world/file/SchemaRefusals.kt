@@ -17,7 +17,7 @@ import kotlin.test.fail
  */
 internal fun countRefused(world: JsonElement): Int {
     val whole = withoutDecimals(world)
-    assertEquals(emptyList(), WorldSchema.mistakesIn(whole))
+    assertEquals(emptyList(), WorldSchema.errorsIn(whole))
     val refused = changes(whole, ::wrongValues).filterNot(WorldSchema::accepts)
     for (changed in refused) {
         val text = writeCompactJson(changed)
@@ -26,7 +26,7 @@ internal fun countRefused(world: JsonElement): Int {
                 Language.ENGLISH,
             ) !is WorldFileResult.Failure
         ) {
-            fail("${WorldSchema.mistakesIn(changed)}\n$text")
+            fail("${WorldSchema.errorsIn(changed)}\n$text")
         }
     }
     return refused.size

@@ -23,7 +23,7 @@ class WorldSchemaTest {
     fun `every world that comes with Robotran follows the schema and has no field that it does not know`() {
         for ((name, text) in BuiltInWorlds.texts + documentedWorlds) {
             val world = Json.parseToJsonElement(text)
-            assertEquals(emptyList(), WorldSchema.mistakesIn(world), name)
+            assertEquals(emptyList(), WorldSchema.errorsIn(world), name)
             assertEquals(emptyList(), WorldSchema.unknownIn(world), name)
         }
     }
@@ -32,7 +32,7 @@ class WorldSchemaTest {
     fun `every field that is written is in the schema`() {
         assertEquals(emptyList(), WorldSchema.unknownIn(full))
         for (world in worlds) {
-            assertEquals(emptyList(), WorldSchema.mistakesIn(world))
+            assertEquals(emptyList(), WorldSchema.errorsIn(world))
             assertEquals(emptyList(), WorldSchema.unknownIn(withoutUnknown(world)))
         }
     }

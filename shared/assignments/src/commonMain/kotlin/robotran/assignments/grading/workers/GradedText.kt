@@ -25,7 +25,7 @@ private fun writeGraded(graded: GradedHandIn, chosen: Int, plan: GradingPlan): S
             end = EndText.of(graded.picture),
         )
 
-        is GradedHandIn.HasMistakes -> GradedText(chosen, mistakes = graded.reasons)
+        is GradedHandIn.HasErrors -> GradedText(chosen, mistakes = graded.reasons)
         is GradedHandIn.Failed -> GradedText(chosen, failures = graded.reasons)
         is GradedHandIn.Unusable -> error("What cannot be used is not graded.")
     },
@@ -51,7 +51,7 @@ fun readGraded(text: String, submission: Submission.Usable, plan: GradingPlan, s
     require(graded.chosen in submission.attempts.indices) { "There is no attempt ${graded.chosen}." }
     val counting = submission.choose(graded.chosen)
     return when {
-        graded.mistakes != null -> GradedHandIn.HasMistakes(counting, graded.mistakes)
+        graded.mistakes != null -> GradedHandIn.HasErrors(counting, graded.mistakes)
         graded.failures != null -> GradedHandIn.Failed(counting, graded.failures)
 
         else -> {

@@ -58,8 +58,8 @@ class GradingWorkerTest {
     @Test
     fun `results that went through texts are the same`() = runTest {
         val programs = listOf(DRAWS, "pen down\nforward 2\n", "repeat forever\n  turn left 90\nend\n", "beep\n")
-        val told = compare(ASSIGNMENT, programs.map { submission("anna.robo", it) })
-        assertTrue(told.containsAll(listOf(0, 1, 2, 3)), "$told")
+        val described = compare(ASSIGNMENT, programs.map { submission("anna.robo", it) })
+        assertTrue(described.containsAll(listOf(0, 1, 2, 3)), "$described")
     }
 
     @Test
@@ -84,7 +84,7 @@ class GradingWorkerTest {
         val submission = submission("Go.java", "import josx.platform.rcx.*;\nclass Go { }\n")
         val nxtPlan = GradingPlan.of(nxtAssignment)
         val graded = readGraded(worker(nxtAssignment).grade(writeHandIn(submission)) {}, submission, nxtPlan, start())
-        assertContains(assertIs<GradedHandIn.HasMistakes>(graded).reasons.single(), "für einen RCX")
+        assertContains(assertIs<GradedHandIn.HasErrors>(graded).reasons.single(), "für einen RCX")
     }
 
     /**
@@ -101,10 +101,10 @@ class GradingWorkerTest {
         val plan = GradingPlan.of(assignment)
         val worker = worker(assignment)
         val grader = HandInGrader(assignment, plan, loadPhysicsEngine(), Language.GERMAN)
-        val told = mutableListOf<Int>()
+        val described = mutableListOf<Int>()
         val passed = submissions.map { submission ->
             val here = assertIs<GradedHandIn.Graded>(grader.prepare(submission).finish {})
-            val text = worker.grade(writeHandIn(submission), told::add)
+            val text = worker.grade(writeHandIn(submission), described::add)
             val there = assertIs<GradedHandIn.Graded>(readGraded(text, submission, plan, start(plan)))
             assertEquals(here.submission, there.submission)
             assertEquals(
@@ -128,7 +128,7 @@ class GradingWorkerTest {
             there.met
         }
         if (met != null) assertEquals(met, passed)
-        return told
+        return described
     }
 
     @Test
@@ -137,7 +137,7 @@ class GradingWorkerTest {
         val graded = readGraded(worker().grade(writeHandIn(submission)) {}, submission, plan, start())
         val grader = HandInGrader(ASSIGNMENT, plan, loadPhysicsEngine(), Language.GERMAN)
         assertEquals<GradedHandIn>(grader.prepare(submission).finish {}, graded)
-        assertIs<GradedHandIn.HasMistakes>(graded)
+        assertIs<GradedHandIn.HasErrors>(graded)
     }
 
     @Test

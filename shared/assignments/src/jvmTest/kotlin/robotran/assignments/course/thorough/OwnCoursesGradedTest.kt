@@ -35,7 +35,7 @@ class OwnCoursesGradedTest {
         val robot = ProjectRobot(project.world.robots.first().name, programs)
         val ready = when (val made = grader.prepare(Submission.Usable("", "", robot))) {
             is Preparation.Ready -> made
-            is Preparation.HasMistakes -> return false
+            is Preparation.HasErrors -> return false
             is Preparation.Failed -> throw AssertionError("${project.assignmentId}: ${made.reasons}")
         }
         val graded = ready.graded(ready.runs().map { it.finish() })

@@ -68,12 +68,12 @@ private fun copyArray(machine: VirtualMachine, thread: VmThread, first: Int) {
     val words = machine.heap.words
     machine.charge(count * size / machine.model.wordsInABytecode)
     val misfits = misfits(machine, start, count, sourceType, targetType)
-    val isTold = machine.model.elements != QuirkHandling.APPLY
-    val copied = if (isTold) misfits.firstOrNull() ?: count else count
+    val isReported = machine.model.elements != QuirkHandling.APPLY
+    val copied = if (isReported) misfits.firstOrNull() ?: count else count
     words.copyInto(words, place, start, start + copied * size)
     if (misfits.isEmpty()) return
     machine.addWarning(Quirk.UNCHECKED_ELEMENT)
-    if (isTold) return machine.raise(thread, BuiltInException.ARRAY_STORE)
+    if (isReported) return machine.raise(thread, BuiltInException.ARRAY_STORE)
     misfits.forEach { words[place + it] = 0 }
 }
 

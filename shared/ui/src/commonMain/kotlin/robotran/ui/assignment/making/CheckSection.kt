@@ -77,7 +77,7 @@ private fun CheckResult(check: SolutionCheck?) {
             StartPassed(check.startPassed, check.runs)
         }
 
-        is SolutionCheck.HasMistakes -> {
+        is SolutionCheck.HasErrors -> {
             Explanation(SchoolTexts.makeTryMistakes(spoken), news, bad = true)
             for (reason in check.reasons.take(MAX_REASONS)) Explanation(reason)
         }

@@ -10,7 +10,7 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.assignments.packaging.ScormVersion
-import robotran.ui.assignment.LinkOrProblem
+import robotran.ui.assignment.LinkOrError
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.Explanation
@@ -77,7 +77,7 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
     }
     // What is handed in needs no such note: a teacher pastes its link wherever Robotran is open.
     link.link?.let { LocalLinkNote(it) }
-    LinkOrProblem(link.link, link.problem, "$place-qr", qrHelp, isForClass = true)
+    LinkOrError(link.link, link.problem, "$place-qr", qrHelp, isForClass = true)
 }
 
 /** Packages, and the code for a frame. */
@@ -97,7 +97,7 @@ internal fun PlatformSection(state: AssignmentEditorState, onEvent: (WorkshopEve
             SecondButton(copy(spoken), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
         }
         val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
-        val result = packed ?: state.embedCode ?: state.embedProblem
+        val result = packed ?: state.embedCode ?: state.embedError
         ComesIntoView(if (state.isPacking) "packing" else result) { PlatformResult(state) }
     }
 }
@@ -111,7 +111,7 @@ private fun PlatformResult(state: AssignmentEditorState) {
         )
     }
     if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
-    state.embedProblem?.let { LinkOrProblem(null, it, "make-embed-problem") }
+    state.embedError?.let { LinkOrError(null, it, "make-embed-problem") }
     state.embedCode?.let { EmbedCode(it, state.embedCodeCopied) }
 }
 

@@ -138,7 +138,7 @@ private fun outlineOf(row: BlockRow, look: BlockLook, scope: BlockScope, marks: 
         row.block is Block.Loose -> BlockOutline(look.edge, 2.dp, isDashed = true)
         row is BlockRow.Empty -> BlockOutline(look.edge, 1.dp, isDashed = true)
         row.block is Block.Blank -> null
-        marks.hasMistake -> BlockOutline(colours.error, 2.dp, isDashed = true)
+        marks.hasError -> BlockOutline(colours.error, 2.dp, isDashed = true)
         look.edge != look.fill -> BlockOutline(look.edge, 2.dp)
         else -> null
     }

@@ -40,7 +40,7 @@ internal data class RowMarks(
     val isFound: Boolean = false,
     val isFoundNow: Boolean = false,
 ) {
-    val hasMistake: Boolean get() = notes.any { !it.isWarning }
+    val hasError: Boolean get() = notes.any { !it.isWarning }
 }
 
 /**

@@ -62,7 +62,7 @@ internal data class BlockScope(
     /** Puts [text] at the part whose sheet is open. */
     fun put(text: String) = onEvent(BlockEvent.Put(text))
 
-    fun show(sheet: BlockDialog?) = onEvent(BlockEvent.SheetShown(sheet))
+    fun show(sheet: BlockDialog?) = onEvent(BlockEvent.DialogShown(sheet))
 }
 
 private val NUMBER = Regex("-?\\d+(\\.\\d+)?")

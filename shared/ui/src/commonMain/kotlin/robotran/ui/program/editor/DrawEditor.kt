@@ -66,7 +66,13 @@ internal class EditorDrawing(
                 drawWave(span(diagnostic, laidOut, left), bottom, colours.error)
             }
         }
-        for (doubt in marks.doubts) if (doubt.line == line + 1) drawDots(span(doubt, laidOut, left), bottom, code.doubt)
+        for (warning in marks.warnings) {
+            if (warning.line ==
+                line + 1
+            ) {
+                drawDots(span(warning, laidOut, left), bottom, code.warning)
+            }
+        }
         drawComposing(line, laidOut, left, bottom)
     }
 

@@ -38,7 +38,7 @@ internal class GutterDrawing(
     private val code: CodeColours,
 ) {
     private val mistaken = marks.diagnostics.mapTo(mutableSetOf(marks.failedLine)) { it.line }
-    private val doubtful = marks.doubts.mapTo(mutableSetOf()) { it.line }
+    private val warningLines = marks.warnings.mapTo(mutableSetOf()) { it.line }
 
     fun DrawScope.draw(lines: Int) {
         val visible = view.visibleLines
@@ -60,13 +60,13 @@ internal class GutterDrawing(
         }
         val sign = when {
             line in mistaken -> "!"
-            line in doubtful -> "?"
+            line in warningLines -> "?"
             else -> ""
         }
         val colour = when {
             hasStop -> RobotranColours.ON_COLOUR
             line in mistaken -> colours.error
-            line in doubtful -> code.doubt
+            line in warningLines -> code.warning
             line == marks.runningLine -> colours.onPane
             else -> colours.quiet
         }

@@ -10,7 +10,7 @@ import robotran.textediting.text.TextDocument
  *
  * @property runningLine the running line; 0 for none.
  * @property failedLine the line where a run failed; 0 for none.
- * @property diagnostics the ranges to underline; [doubts] are underlined less prominently.
+ * @property diagnostics the ranges to underline; [warnings] are underlined less prominently.
  * @property matches the search results, in order.
  * @property partners the lines that correspond to the caret's line in the other text.
  * @property runningPartners the lines that correspond to the running line of the other text.
@@ -21,7 +21,7 @@ internal data class EditorMarks(
     val runningLine: Int = 0,
     val failedLine: Int = 0,
     val diagnostics: List<SourceRange> = emptyList(),
-    val doubts: List<SourceRange> = emptyList(),
+    val warnings: List<SourceRange> = emptyList(),
     val breakpoints: Set<Int> = emptySet(),
     val matches: List<SourceSpan> = emptyList(),
     val partners: Set<Int> = emptySet(),

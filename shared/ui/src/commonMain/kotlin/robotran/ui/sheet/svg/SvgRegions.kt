@@ -34,7 +34,7 @@ internal class SvgRegions(private val svg: SvgWriter, private val shapes: SvgSha
             for (piece in pieces) {
                 svg.element(
                     "polyline",
-                    "points" to figures(shapes.down(piece)),
+                    "points" to parameters(shapes.down(piece)),
                     "fill" to "none",
                     *edge,
                 )

@@ -38,7 +38,7 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
                 )
             }
 
-            is Shape.Polygon -> svg.element("polygon", "points" to figures(down(shape.corners)), *attributes)
+            is Shape.Polygon -> svg.element("polygon", "points" to parameters(down(shape.corners)), *attributes)
         }
     }
 
@@ -49,7 +49,7 @@ internal class SvgShapes(private val svg: SvgWriter, private val paperHeight: Do
     /** A line with round ends and joins. */
     fun line(points: List<Point>, closed: Boolean, width: Double, vararg attributes: Pair<String, Any?>) = svg.element(
         if (closed) "polygon" else "polyline",
-        "points" to figures(down(points)),
+        "points" to parameters(down(points)),
         "fill" to "none",
         "stroke-width" to width,
         "stroke-linecap" to "round",

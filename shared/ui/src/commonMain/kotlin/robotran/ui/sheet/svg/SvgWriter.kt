@@ -79,7 +79,7 @@ internal fun figure(number: Double): String {
 }
 
 /** The format of `points`. */
-internal fun figures(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
+internal fun parameters(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
 
 /** A colour such as `#16307a`; its alpha needs a separate attribute. */
 internal fun hex(colour: Color): String =

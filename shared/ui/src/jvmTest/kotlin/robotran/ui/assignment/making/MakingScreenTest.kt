@@ -69,12 +69,12 @@ class MakingScreenTest {
         onNodeWithTag(tag).fetchSemanticsNode().let { Rect(it.positionInRoot, it.size.toSize()) }
 
     /** Whether all of [tag] is in sight, and announced. */
-    private fun ComposeUiTest.assertSeenAndTold(tag: String) {
+    private fun ComposeUiTest.assertSeenAndAnnounced(tag: String) {
         val form = onNodeWithTag("make-form").fetchSemanticsNode().boundsInRoot
         val place = placeOf(tag)
         assertTrue(place.top >= form.top && place.bottom <= form.bottom, "$tag at $place is not in sight in $form")
-        val told = onNodeWithTag(tag).fetchSemanticsNode().config.getOrNull(SemanticsProperties.LiveRegion)
-        assertNotNull(told, "$tag is not announced")
+        val described = onNodeWithTag(tag).fetchSemanticsNode().config.getOrNull(SemanticsProperties.LiveRegion)
+        assertNotNull(described, "$tag is not announced")
     }
 
     private fun assignmentOf(workshop: Workshop): Assignment = checkNotNull(workshop.project.assignment)
@@ -108,7 +108,7 @@ class MakingScreenTest {
                 scrollAndTouch("make-start-0")
                 onNodeWithTag("make-start-0").assertIsNotSelected()
                 onNodeWithTag("make-start-refused").assertTextContains("program.robo is the solution", true)
-                assertSeenAndTold("make-start-refused")
+                assertSeenAndAnnounced("make-start-refused")
             }
         }
     }
@@ -166,10 +166,10 @@ class MakingScreenTest {
             making(size) { workshop ->
                 scrollAndTouch("make-check")
                 pass(500)
-                assertSeenAndTold("make-checked")
+                assertSeenAndAnnounced("make-checked")
                 scrollAndTouch("make-pupil-file")
                 pass(500)
-                assertSeenAndTold("make-saved")
+                assertSeenAndAnnounced("make-saved")
                 scrollAndTouch("make-pupil-link")
                 pass(500)
                 assertTrue(has("qr-code"))
@@ -187,7 +187,7 @@ class MakingScreenTest {
             making(size) { workshop ->
                 scrollAndTouch("make-embed")
                 pass(500)
-                assertSeenAndTold("make-embed-copied")
+                assertSeenAndAnnounced("make-embed-copied")
                 onNodeWithTag("make-embed-copied").assertTextContains("Code copied")
                 onNodeWithTag("make-embed-code").assertTextContains("<iframe src=", substring = true)
                 assertEquals(machine.clipboard.text, workshop.state.making?.embedCode)

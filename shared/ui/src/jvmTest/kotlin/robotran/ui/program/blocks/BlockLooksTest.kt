@@ -54,10 +54,10 @@ class BlockLooksTest {
             mapOf("note" to looks.note, "loose text" to looks.loose, "empty" to looks.empty)
     }
 
-    private fun assertContrast(one: Color, other: Color, least: Float, told: String) {
+    private fun assertContrast(one: Color, other: Color, least: Float, described: String) {
         val (light, dark) = listOf(one.luminance(), other.luminance()).sortedDescending()
         val contrast = (light + GLARE) / (dark + GLARE)
-        assertTrue(contrast >= least, "$told: the contrast is only $contrast")
+        assertTrue(contrast >= least, "$described: the contrast is only $contrast")
     }
 
     private companion object {

@@ -148,20 +148,27 @@ abstract class BlocksOnScreens {
         }
     }
 
-    private fun ComposeUiTest.assertWholePad(told: String) {
+    private fun ComposeUiTest.assertWholePad(described: String) {
         val digits = (0..9).map { "digit-$it" }
-        for (tag in digits + listOf("number-now", "number-less", "number-more", "number-done")) assertWhole(tag, told)
+        for (tag in digits + listOf(
+            "number-now",
+            "number-less",
+            "number-more",
+            "number-done",
+        )) {
+            assertWhole(tag, described)
+        }
         checkTargets("number-less", "number-more", "number-done", *digits.toTypedArray())
     }
 
-    private fun ComposeUiTest.assertLargeEnough(told: String) {
+    private fun ComposeUiTest.assertLargeEnough(described: String) {
         val nodes = onAllNodes(SemanticsMatcher.keyIsDefined(SemanticsProperties.TestTag)).fetchSemanticsNodes()
         for (node in nodes) {
             val tag = node.config[SemanticsProperties.TestTag]
             val isWhole = node.size.height - node.boundsInRoot.height < 1f
             if (!isWhole || TOUCHED.none { tag.startsWith(it) }) continue
             val place = node.touchBoundsInRoot
-            assertTrue(place.width >= 48f && place.height >= 48f, "$told: $tag is only ${place.size}")
+            assertTrue(place.width >= 48f && place.height >= 48f, "$described: $tag is only ${place.size}")
         }
     }
 

@@ -62,7 +62,7 @@ class BlocksPictures {
     @Test
     fun `the palette can be photographed`() = photograph("palette") {
         it.handle(BlockEvent.PaletteGroupSelected(BlockPalette(BlockGroup.CONTROL)))
-        it.handle(BlockEvent.SheetShown(BlockDialog.Palette))
+        it.handle(BlockEvent.DialogShown(BlockDialog.Palette))
     }
 
     @Test
@@ -84,7 +84,7 @@ class BlocksPictures {
     fun `what senses on a robot with a sonar can be photographed`() = photograph("sense-nxt") {
         it.handle(LearningEvent.WorldChosen("nxt-wall"))
         it.handle(BlockEvent.PaletteGroupSelected(BlockPalette(BlockGroup.SENSE)))
-        it.handle(BlockEvent.SheetShown(BlockDialog.Palette))
+        it.handle(BlockEvent.DialogShown(BlockDialog.Palette))
     }
 
     @Test
@@ -98,7 +98,7 @@ class BlocksPictures {
     @Test
     fun `what can be done to a block can be photographed`() = photograph("actions") { workshop ->
         val block = workshop.at("turn")
-        workshop.handle(BlockEvent.SheetShown(BlockDialog.Actions(block)))
+        workshop.handle(BlockEvent.DialogShown(BlockDialog.Actions(block)))
     }
 
     private fun Workshop.at(label: String): BlockId {
@@ -115,7 +115,7 @@ class BlocksPictures {
         val blocks = checkNotNull(state.programs.blocks)
         val line = blocks.program.outline.lines.first { label in it.span.textIn(blocks.program.text) }
         val parts = line.editableParts
-        handle(BlockEvent.SheetShown(BlockDialog.Part(parts[part ?: parts.lastIndex].span)))
+        handle(BlockEvent.DialogShown(BlockDialog.Part(parts[part ?: parts.lastIndex].span)))
     }
 
     private fun photograph(

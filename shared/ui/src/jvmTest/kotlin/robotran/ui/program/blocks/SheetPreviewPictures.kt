@@ -66,7 +66,7 @@ class SheetPreviewPictures {
         } else {
             BlockDialog.Part(blocks.program.outline.lines[1].editableParts.last().span)
         }
-        workshop.handle(BlockEvent.SheetShown(sheet))
+        workshop.handle(BlockEvent.DialogShown(sheet))
         workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
         photograph(workshop, width, height, dark).keepAs("blocks/preview-$name")
         workshop.close()

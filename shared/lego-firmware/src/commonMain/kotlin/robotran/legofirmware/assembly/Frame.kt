@@ -1,9 +1,0 @@
-package robotran.legofirmware.assembly
-
-import robotran.legofirmware.image.ChunkKind
-
-/** The lines around a task or subroutine. */
-internal enum class Frame(val word: String, val end: String, val kind: ChunkKind) {
-    TASK("task", "endt", ChunkKind.TASK),
-    SUB("sub", "ends", ChunkKind.SUB),
-}

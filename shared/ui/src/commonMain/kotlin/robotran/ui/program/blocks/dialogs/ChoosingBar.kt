@@ -1,0 +1,71 @@
+package robotran.ui.program.blocks.dialogs
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Surface
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.blockediting.BlockEdit
+import robotran.ui.language.spoken
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
+import robotran.ui.texts.BlockTexts
+import robotran.ui.texts.EditorTexts
+import robotran.ui.theme.LineHeights
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.Shapes
+import robotran.ui.theme.TextSizes
+import robotran.workshop.event.BlockEvent
+
+/** How many blocks are chosen, and what can be done to all of them. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun ChoosingBar(scope: BlockScope) {
+    val colours = LocalRobotranColours.current
+    val clipboard = LocalClipboardManager.current
+    val state = scope.state
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"),
+        Shapes.LARGE,
+        colours.pane,
+        colours.onPane,
+        shadowElevation = 6.dp,
+        border = BorderStroke(1.dp, colours.line),
+    ) {
+        Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
+            Text(
+                BlockTexts.chosen(spoken, state.selected.size),
+                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+                fontSize = TextSizes.BODY,
+                lineHeight = LineHeights.LABEL,
+            )
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
+                DialogButton(BlockTexts.done(spoken), "choosing-done") {
+                    scope.onEvent(BlockEvent.MultiSelectChanged(false))
+                }
+                DialogButton(EditorTexts.copy(spoken), "choosing-copy") { clipboard.copy(scope) }
+                DialogButton(BlockTexts.duplicate(spoken), "choosing-duplicate") {
+                    state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
+                }
+                DialogButton(BlockTexts.delete(spoken), "choosing-delete") {
+                    scope.edit(BlockEdit.Delete(state.selected.toSet()))
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,171 @@
+package robotran.workshop.export
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import robotran.documents.fileNameFor
+import robotran.workshop.event.ExportEvent
+import robotran.workshop.platform.FileKind
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.Printing
+import robotran.workshop.platform.Saving
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.RunControls
+import robotran.workshop.state.ExportState
+import robotran.workshop.state.MovingKind
+import robotran.workshop.state.Poster
+import robotran.workshop.state.ShowError
+import robotran.workshop.state.ShowStep
+
+/**
+ * Makes what pupils show of their work: moving pictures, pictures, posters. One piece of work runs at a time. The run
+ * stands still meanwhile.
+ *
+ * @param title the project's name, for files and posters.
+ */
+class ExportStateHolder(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val preferences: Preferences,
+    private val current: CurrentProject,
+    private val run: RunControls,
+    private val title: () -> String,
+) {
+    /** Null while the sheet is closed. */
+    var state: ExportState? by mutableStateOf(null)
+        private set
+
+    private val maker = MovingPictureMaker(platform)
+    private var work: Job? = null
+
+    /** What the pupil wrote on the last poster. It is saved nowhere. */
+    private var makerName = ""
+    private var isDated = false
+
+    fun handle(event: ExportEvent) {
+        if (event == ExportEvent.Requested) return begin()
+        val step = state?.step ?: return
+        when (event) {
+            ExportEvent.Requested -> Unit
+            is ExportEvent.MovingChosen -> chooseSpeed(event.kind)
+            is ExportEvent.SpeedChosen -> if (step is ShowStep.ChoosingSpeed) show(step.copy(chosen = event.speed))
+            ExportEvent.MakingRequested -> if (step is ShowStep.ChoosingSpeed) work { make(step) }
+            is ExportEvent.StillChosen -> work { saveStill(event.kind) }
+            ExportEvent.PosterChosen -> show(ShowStep.ChoosingPoster(firstPoster(), isDated))
+            is ExportEvent.PosterChanged -> if (step is ShowStep.ChoosingPoster) change(step, event)
+            ExportEvent.PosterPrinted -> if (step is ShowStep.ChoosingPoster) work { print(step.poster) }
+            ExportEvent.PosterSaved -> if (step is ShowStep.ChoosingPoster) work { savePoster(step.poster) }
+            ExportEvent.BackRequested -> goBack()
+            ExportEvent.Closed -> close()
+        }
+    }
+
+    /** Cancels whatever is under way and closes the sheet. */
+    fun close() {
+        cancel()
+        state = null
+    }
+
+    private fun begin() {
+        if (state != null) return
+        state = ExportState(
+            ShowStep.Choosing,
+            canRecord = platform.videos.isAvailable,
+            canPrint = platform.posters.canPrint,
+            hasRun = run.recordedRun().length > 0,
+        )
+    }
+
+    private fun goBack() {
+        cancel()
+        show(ShowStep.Choosing)
+    }
+
+    private fun chooseSpeed(kind: MovingKind) {
+        val speeds = speedsFor(run.recordedRun().length)
+        show(ShowStep.ChoosingSpeed(kind, speeds, proposedSpeed(speeds)))
+    }
+
+    private suspend fun make(chosen: ShowStep.ChoosingSpeed) {
+        show(ShowStep.Making(chosen.kind, progress = 0f))
+        maker.make(run.recordedRun(), chosen.kind, chosen.chosen).collect { step ->
+            when (step) {
+                is MakingStep.Progress -> show(ShowStep.Making(chosen.kind, step.part))
+                is MakingStep.Done -> save(step.bytes, chosen.kind.fileKind, back = chosen)
+                MakingStep.TooLarge -> show(ShowStep.Failed(ShowError.TooLarge))
+                MakingStep.NoVideo -> show(ShowStep.Failed(ShowError.NoVideo))
+            }
+        }
+    }
+
+    private suspend fun saveStill(kind: FileKind) {
+        val world = run.recordedRun().world
+        val bytes = when (kind) {
+            FileKind.SVG -> platform.pictures.svg(world, current.session).encodeToByteArray()
+            else -> platform.pictures.png(world, current.session)
+        }
+        save(bytes, kind, back = ShowStep.Choosing)
+    }
+
+    private fun firstPoster() = Poster(
+        title().take(Poster.MAX_TITLE),
+        makerName,
+        dateOf(isDated),
+        run.recordedRun().world,
+        current.session,
+        current.shownProgram,
+        preferences.language,
+    )
+
+    private fun change(step: ShowStep.ChoosingPoster, event: ExportEvent.PosterChanged) {
+        makerName = event.maker.take(Poster.MAX_MAKER)
+        isDated = event.isDated
+        val title = event.title.take(Poster.MAX_TITLE)
+        val poster = step.poster.copy(title = title, maker = makerName, date = dateOf(isDated))
+        show(ShowStep.ChoosingPoster(poster, isDated))
+    }
+
+    private fun dateOf(isDated: Boolean): String =
+        if (isDated) platform.clock.date(platform.clock.now, preferences.language.tag) else ""
+
+    private suspend fun print(poster: Poster) {
+        val printing = platform.posters.print(poster)
+        if (printing is Printing.Failed) show(ShowStep.Failed(ShowError.NotPrinted(printing.reason)))
+    }
+
+    private suspend fun savePoster(poster: Poster) {
+        val svg = platform.posters.svg(poster).encodeToByteArray()
+        save(svg, FileKind.SVG, back = ShowStep.ChoosingPoster(poster, isDated), name = poster.title)
+    }
+
+    private suspend fun save(bytes: ByteArray, kind: FileKind, back: ShowStep, name: String = title()) {
+        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
+            is Saving.Saved -> show(ShowStep.Saved(saving.name))
+            is Saving.Failed -> show(ShowStep.Failed(ShowError.NotSaved(saving.reason, saving.isFull)))
+            Saving.Cancelled -> show(back)
+        }
+    }
+
+    private fun work(block: suspend () -> Unit) {
+        cancel()
+        work = scope.launch { block() }
+    }
+
+    private fun cancel() {
+        work?.cancel()
+        work = null
+    }
+
+    private fun show(step: ShowStep) {
+        state = state?.copy(step = step)
+    }
+}
+
+private val MovingKind.fileKind: FileKind get() = when (this) {
+    MovingKind.PICTURE -> FileKind.GIF
+    MovingKind.VIDEO -> FileKind.WEBM
+}
