@@ -5,6 +5,7 @@ plugins {
 kotlin {
     sourceSets {
         commonMain.dependencies {
+            api(project(":shared:editing"))
             api(project(":shared:world"))
             implementation(project(":shared:json"))
         }

@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.editing.rounded
 import robotran.json.nearestDecimal
 import robotran.world.geometry.Direction
 import robotran.world.geometry.Point

@@ -1,10 +1,10 @@
 package robotran.worldediting
 
-import robotran.world.Lamp
+import robotran.editing.hasNoUnpairedSurrogate
+import robotran.editing.isValidText
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.RobotPlacement
-import robotran.world.Shade
 import robotran.world.World
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
@@ -19,29 +19,7 @@ internal fun errorOf(element: Element): WorldEditError? {
 }
 
 /** Why the properties of [world], without its elements and goals, are invalid; null if they are valid. */
-internal fun errorOf(world: World): WorldEditError? {
-    val sides = WorldLimits.MINIMUM_PAPER_SIDE..WorldLimits.MAXIMUM_PAPER_SIDE
-    val isWithin = world.paper.width in sides && world.paper.height in sides &&
-        world.ambientLight in 0.0..WorldLimits.MAXIMUM_BRIGHTNESS &&
-        world.temperature in WorldLimits.MINIMUM_TEMPERATURE..WorldLimits.MAXIMUM_TEMPERATURE &&
-        world.timeLimit in 1..WorldLimits.MAXIMUM_SECONDS && world.realism in 0.0..1.0 && world.seed >= 0
-    val areTexts = isValidText(world.title, WorldLimits.MAXIMUM_TITLE_CHARACTERS) &&
-        (
-            world.task.isEmpty() ||
-                isValidText(world.task, WorldLimits.MAXIMUM_TASK_CHARACTERS, mayBeBlank = true, severalLines = true)
-        )
-    return if (!isWithin) {
-        WorldEditError.OutOfRange
-    } else {
-        WorldEditError.InvalidText.takeIf { !areTexts }
-            ?: countError(world)
-    }
-}
-
-/** Whether a file can hold [text] in one line, or in several if [severalLines]. */
-fun isValidText(text: String, maximum: Int, mayBeBlank: Boolean = false, severalLines: Boolean = false): Boolean =
-    (mayBeBlank || text.isNotBlank()) && text.length <= maximum && hasNoUnpairedSurrogate(text) &&
-        text.none { it.isISOControl() && !(severalLines && it == '\n') }
+internal fun errorOf(world: World): WorldEditError? = fieldsOf(world.parameters).error ?: countError(world)
 
 /** Max number of elements of [kind] in a world. */
 fun max(kind: ElementKind): Int = when (kind) {
@@ -117,17 +95,8 @@ private fun sizeError(side: Double): WorldEditError? =
 
 private fun valueError(element: Element): WorldEditError? = when (element) {
     is Element.OfRobot -> errorOf(element.robot)
-    is Element.OfWall -> WorldEditError.OutOfRange.takeIf { element.wall.thickness !in THICKNESSES }
-
-    is Element.OfBlock -> WorldEditError.OutOfRange.takeIf {
-        element.block.mass !in MASSES ||
-            element.block.friction !in FRICTIONS
-    }
-
-    is Element.OfMark -> errorOf(element.mark)
-    is Element.OfLamp -> errorOf(element.lamp)
     is Element.OfGoal -> errorOf(element.goal)
-    is Element.OfBarrier, is Element.OfStroke -> null
+    else -> ownFields(element).error
 }
 
 private fun errorOf(robot: RobotPlacement): WorldEditError? {
@@ -144,34 +113,5 @@ private fun errorOf(robot: RobotPlacement): WorldEditError? {
     }
 }
 
-private fun errorOf(mark: Mark): WorldEditError? {
-    val isShade = when (val shade = mark.shade) {
-        is Shade.Grey -> shade.reflectance in 0.0..1.0
-        is Shade.Colour -> listOf(shade.red, shade.green, shade.blue).all { it in 0..MAX_COLOUR }
-    }
-    val isWidth = (mark.figure as? MarkFigure.Line)?.let { it.width in THICKNESSES } ?: true
-    return WorldEditError.OutOfRange.takeIf { !isShade || !isWidth }
-}
-
-private fun errorOf(lamp: Lamp): WorldEditError? = WorldEditError.OutOfRange.takeIf {
-    lamp.brightness !in BRIGHTNESSES || lamp.cone !in WorldLimits.MINIMUM_CONE..Lamp.ALL_ROUND ||
-        lamp.direction !in -WorldLimits.MAXIMUM_ANGLE..WorldLimits.MAXIMUM_ANGLE
-}
-
-/** Whether there is no unpaired surrogate, which UTF-8 cannot encode. */
-internal fun hasNoUnpairedSurrogate(text: String): Boolean {
-    var place = 0
-    while (place < text.length) {
-        val isPair = text[place].isHighSurrogate() && place + 1 < text.length && text[place + 1].isLowSurrogate()
-        if (text[place].isSurrogate() && !isPair) return false
-        place += if (isPair) 2 else 1
-    }
-    return true
-}
-
 internal const val MIN_CORNERS = 3
-private const val MAX_COLOUR = 255
-private val THICKNESSES = WorldLimits.MINIMUM_THICKNESS..WorldLimits.MAXIMUM_WALL_THICKNESS
-private val MASSES = WorldLimits.MINIMUM_MASS..WorldLimits.MAXIMUM_MASS
-private val FRICTIONS = 0.0..WorldLimits.MAXIMUM_FRICTION
 private val BRIGHTNESSES = 0.0..WorldLimits.MAXIMUM_BRIGHTNESS

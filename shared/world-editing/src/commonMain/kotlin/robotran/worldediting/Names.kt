@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.editing.isValidText
 import robotran.world.HasLine
 import robotran.world.World
 import robotran.world.WorldLimits

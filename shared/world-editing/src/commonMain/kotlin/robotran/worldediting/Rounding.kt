@@ -1,12 +1,9 @@
 package robotran.worldediting
 
+import robotran.editing.rounded
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
-import kotlin.math.floor
-
-/** To thousandths of a centimetre or a degree: not visible, and short in a file. */
-internal fun rounded(number: Double): Double = floor(number * THOUSAND + HALF) / THOUSAND
 
 /** In (-180, 180] degrees. */
 internal fun roundedAngle(degrees: Double): Double = normalizedAngle(rounded(normalizedAngle(degrees)))
@@ -26,6 +23,3 @@ private fun Shape.rounded(): Shape = when (this) {
     is Shape.Circle -> Shape.Circle(centre.rounded(), rounded(radius))
     is Shape.Polygon -> Shape.Polygon(corners.map(Point::rounded))
 }
-
-private const val THOUSAND = 1000.0
-private const val HALF = 0.5

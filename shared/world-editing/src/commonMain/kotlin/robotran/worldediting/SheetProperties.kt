@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.editing.rounded
 import robotran.world.World
 
 /** The editable properties of a world as a whole; see [World]. */

@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.editing.rounded
 import robotran.json.nearestDecimal
 import robotran.world.Mark
 import robotran.world.MarkFigure

@@ -1,11 +1,14 @@
 package robotran.worldediting
 
+import robotran.editing.Field
+import robotran.editing.ungrouped
 import robotran.json.nearestDecimal
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.GoalCondition.DrawTemplate
 import robotran.world.GoalCondition.InkLength
 import robotran.world.GoalCondition.PlaySound
+import robotran.world.HasTimeLimit
 import robotran.world.World
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -26,27 +29,26 @@ class GoalFieldsTest {
     }
 
     @Test
-    fun `each figure of each kind has a name of its own`() {
+    fun `each figure of each kind has a tag of its own`() {
         for (condition in conditions) {
-            val names = fieldsOf(condition).map { it.name }
-            assertEquals(names.distinct(), names, "$condition")
+            val tags = fieldsOf(condition).ungrouped().map { it.tag }
+            assertEquals(tags.distinct(), tags, "$condition")
         }
-        assertEquals(GoalFieldName.entries.toSet(), conditions.flatMap(::fieldsOf).map { it.name }.toSet())
     }
 
     @Test
     fun `a number beyond its limits is refused, and one at its limits is not`() {
         for (condition in conditions) {
-            for (field in fieldsOf(condition).filterIsInstance<GoalField.Number>()) {
+            for (field in fieldsOf(condition).filterIsInstance<Field.Number<GoalCondition>>()) {
                 val (lowest, highest) = field.spec.range.run { start to endInclusive }
                 assertEquals(
                     listOf(null, null),
                     listOf(lowest, highest).map {
-                        errorOf(Goal(field.with(it)))
+                        errorOf(Goal(checkNotNull(field.with(it))))
                     },
                     "$condition",
                 )
-                val beyond = listOf(lowest - 1, highest + 1).map { errorOf(Goal(field.with(it))) }
+                val beyond = listOf(lowest - 1, highest + 1).map { errorOf(Goal(checkNotNull(field.with(it)))) }
                 assertEquals(
                     listOf<WorldEditError?>(WorldEditError.OutOfRange, WorldEditError.OutOfRange),
                     beyond,
@@ -61,8 +63,8 @@ class GoalFieldsTest {
         val bounds =
             listOf(InkLength(5.0, null), InkLength(null, 5.0), PlaySound(lowest = 9000), PlaySound(highest = 50))
         for (condition in conditions + bounds) {
-            for (field in fieldsOf(condition).filterIsInstance<GoalField.OptionalNumber>()) {
-                assertNull(errorOf(Goal(field.with(field.default))), "${field.name} of $condition")
+            for (field in fieldsOf(condition).filterIsInstance<Field.OptionalNumber<GoalCondition>>()) {
+                assertNull(errorOf(Goal(checkNotNull(field.switch.with(true)))), "${field.tag} of $condition")
             }
         }
     }
@@ -77,10 +79,9 @@ class GoalFieldsTest {
     fun `the time limit of the world is what a goal begins with`() {
         val world = emptySheet().world.copy(timeLimit = World.DEFAULT_TIME_LIMIT + 7)
         for (condition in conditions) {
-            val within = fieldsOf(condition, world.timeLimit).find {
-                it.name == GoalFieldName.WITHIN
-            } as? GoalField.OptionalNumber
-            if (within != null) assertEquals(world.timeLimit.toDouble(), within.default)
+            val within = fieldsOf(condition, world.timeLimit).find { it.tag == "field-within" } as? Field.OptionalNumber
+            val begun = within?.switch?.with(true) as? HasTimeLimit
+            if (within != null) assertEquals(world.timeLimit, begun?.within)
         }
     }
 

@@ -32,6 +32,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradingPlan
+import robotran.ui.editing.EditIcons
 import robotran.ui.language.spoken
 import robotran.ui.learning.PLAY_ICON
 import robotran.ui.parts.Icon
@@ -47,7 +48,6 @@ import robotran.ui.theme.Shapes
 import robotran.ui.theme.Space
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.ui.worldedit.EditIcons
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInTask

@@ -1,9 +1,9 @@
 package robotran.ui.parts
 
 import androidx.compose.runtime.Composable
+import robotran.editing.READY_ROBOT_WORDS
+import robotran.editing.RobotTexts
 import robotran.ui.language.spoken
-import robotran.ui.texts.Label
-import robotran.ui.texts.RobotTexts
 import robotran.world.ReadyRobots
 
 /** The name of the ready robot with the key [base] of [ReadyRobots.all]. */
@@ -17,11 +17,3 @@ internal fun readyRobotWithBrick(base: String): String {
     val brick = ReadyRobots.all.getValue(base).brick.label
     return if (brick in name) name else RobotTexts.readyWithBrick(spoken, name, brick)
 }
-
-internal val READY_ROBOT_WORDS: Map<String, Label> = mapOf(
-    "rcx-penbot" to RobotTexts::readyRcxPenbot,
-    "nxt-penbot" to RobotTexts::readyNxtPenbot,
-    "line-follower" to RobotTexts::readyLineFollower,
-    "sumo" to RobotTexts::readySumo,
-    "both-sides" to RobotTexts::readyBothSides,
-)

@@ -7,8 +7,8 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.robotediting.elements
 import robotran.robotediting.placeOf
+import robotran.ui.editing.CarriedItem
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.worldedit.CarriedItem
 import robotran.world.RobotDescription
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point

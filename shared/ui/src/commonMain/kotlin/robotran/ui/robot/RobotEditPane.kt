@@ -33,14 +33,14 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.editing.RobotTexts
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.editing.CarriedSign
 import robotran.ui.language.spoken
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.texts.RobotTexts
 import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.worldedit.CarriedSign
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.RobotEditState

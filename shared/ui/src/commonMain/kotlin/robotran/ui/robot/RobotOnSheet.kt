@@ -12,6 +12,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
+import robotran.editing.RobotTexts
 import robotran.simulation.state.SessionState
 import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
@@ -19,7 +20,6 @@ import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
 import robotran.ui.sheet.transform
-import robotran.ui.texts.RobotTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.initialStateOf
 import robotran.workshop.state.RobotEditState

@@ -32,15 +32,15 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
+import robotran.ui.editing.CarriedItem
+import robotran.ui.editing.PALETTE_SIGN
+import robotran.ui.editing.SIGN_PADDING
+import robotran.ui.editing.SignLettering
+import robotran.ui.editing.SignWord
+import robotran.ui.editing.signLettering
 import robotran.ui.language.spoken
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
-import robotran.ui.worldedit.CarriedItem
-import robotran.ui.worldedit.PALETTE_SIGN
-import robotran.ui.worldedit.SIGN_PADDING
-import robotran.ui.worldedit.SignLettering
-import robotran.ui.worldedit.SignWord
-import robotran.ui.worldedit.signLettering
 import robotran.world.geometry.Point
 import kotlin.math.abs
 

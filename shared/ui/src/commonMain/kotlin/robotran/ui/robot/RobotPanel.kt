@@ -32,34 +32,32 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.brick.kind.BrickKind
+import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.elements
+import robotran.robotediting.fieldsOf
+import robotran.robotediting.wholeFields
+import robotran.ui.editing.EditIcons
+import robotran.ui.editing.FieldPanel
+import robotran.ui.editing.Form
+import robotran.ui.editing.HelpText
+import robotran.ui.editing.RowHeading
+import robotran.ui.editing.WordButton
 import robotran.ui.language.LocalLanguage
 import robotran.ui.language.spoken
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.readyRobotWithBrick
 import robotran.ui.parts.scrollHint
 import robotran.ui.texts.Label
-import robotran.ui.texts.RobotTexts
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
-import robotran.ui.worldedit.ChipRow
-import robotran.ui.worldedit.EditIcons
-import robotran.ui.worldedit.FieldPanel
-import robotran.ui.worldedit.HelpText
-import robotran.ui.worldedit.RowHeading
-import robotran.ui.worldedit.TextRow
-import robotran.ui.worldedit.WordButton
 import robotran.workshop.event.RobotEditEvent
 import robotran.world.ReadyRobots
-import robotran.world.RobotLimits
 import robotran.world.messages.sentence
 
 /** The tabs of the workbench's panel. */
@@ -144,7 +142,7 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     )
     RobotElementActions(scope, chosen)
     HorizontalDivider(color = LocalRobotranColours.current.line)
-    RobotElementFields(scope, chosen)
+    Form(scope.robot.fieldsOf(chosen), scope)
 }
 
 /** A list of all elements, for choosing without seeing or pointing. */
@@ -186,25 +184,7 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
 /** The name, the brick, other robots, and files. */
 @Composable
 private fun WholeRobotPanel(scope: RobotScope) {
-    val robot = scope.robot
-    TextRow(
-        WorldEditorTexts.name(spoken),
-        robot.title,
-        RobotLimits.MAXIMUM_TITLE_CHARACTERS,
-        "robot-title",
-        { scope.change(robot.copy(title = it), "title") },
-        scope::settle,
-    )
-    ChipRow(
-        RobotTexts.brick(spoken),
-        BrickKind.entries.map { it to it.name },
-        robot.brick,
-        "robot-brick",
-    ) { brick ->
-        if (brick != robot.brick) {
-            scope.changeAtOnce(robot.copy(brick = brick, base = ReadyRobots.defaultOf(brick).base))
-        }
-    }
+    Form(scope.robot.wholeFields(), scope)
     RowHeading(RobotTexts.ready(spoken))
     HelpText(RobotTexts.readyHelp(spoken))
     for ((name, ready) in ReadyRobots.all) {

@@ -1,26 +1,23 @@
 package robotran.ui.robot
 
 import androidx.compose.runtime.Composable
-import robotran.brick.sensors.SensorKind
+import robotran.editing.RobotTexts
+import robotran.editing.written
 import robotran.robotediting.RobotEditError
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotItem
 import robotran.robotediting.elementOf
 import robotran.robotediting.placeOf
-import robotran.robotediting.portsOf
+import robotran.robotediting.robotElementWords
 import robotran.ui.language.LocalLanguage
 import robotran.ui.language.spoken
 import robotran.ui.texts.Label
-import robotran.ui.texts.RobotTexts
-import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.RobotDescription
-import robotran.world.RobotPart
 import robotran.world.SensorPart
 import robotran.world.messages.sentence
 import robotran.world.robot.things
-import robotran.worldediting.written
 import kotlin.math.abs
 
 internal fun itemWord(item: RobotItem): Label = when (item) {
@@ -48,50 +45,10 @@ internal fun itemWord(item: RobotItem): Label = when (item) {
     RobotItem.PEN -> RobotTexts::pen
 }
 
-/** What a part is, without its port. */
-internal fun partWord(part: RobotPart): Label = when (part.kind) {
-    SensorKind.TOUCH -> if (part is BumperPart) RobotTexts::itemBumper else RobotTexts::itemFingerTouch
-    SensorKind.LIGHT -> RobotTexts::itemLight
-    SensorKind.COLOUR -> RobotTexts::itemColour
-    SensorKind.ULTRASONIC -> RobotTexts::itemUltrasonic
-    SensorKind.SOUND -> RobotTexts::itemSound
-    SensorKind.GYRO -> RobotTexts::itemGyro
-    SensorKind.COMPASS -> RobotTexts::itemCompass
-    SensorKind.ROTATION -> RobotTexts::itemRotation
-    SensorKind.TEMPERATURE -> RobotTexts::itemTemperature
-    SensorKind.HITECHNIC_COLOUR -> RobotTexts::itemHitechnicColour
-    SensorKind.MINDSENSORS_COMPASS -> RobotTexts::itemMindsensorsCompass
-    SensorKind.HITECHNIC_ACCELERATION -> RobotTexts::itemHitechnicAcceleration
-    SensorKind.MINDSENSORS_ACCELERATION -> RobotTexts::itemMindsensorsAcceleration
-    SensorKind.RCX_LIGHT -> RobotTexts::itemRcxLight
-    SensorKind.RCX_LINK -> RobotTexts::itemRcxLink
-    SensorKind.NXT_TEMPERATURE -> RobotTexts::itemNxtTemperature
-    SensorKind.INFRARED_SEEKER -> RobotTexts::itemInfraredSeeker
-    SensorKind.INFRARED_SEEKER_2 -> RobotTexts::itemInfraredSeeker2
-    SensorKind.OPTICAL_DISTANCE -> RobotTexts::itemOpticalDistance
-}
-
 /** An element, with its port. */
 @Composable
-internal fun robotElementText(robot: RobotDescription, element: RobotElement): String = when (element) {
-    is RobotElement.Part -> robot.things.getOrNull(element.number)?.let { part ->
-        val ports = robot.portsOf(element.number)
-        val name = partWord(part)(spoken)
-        if (ports.isEmpty()) {
-            RobotTexts.unplugged(spoken, name)
-        } else {
-            RobotTexts.onPort(spoken, name, ports.joinToString())
-        }
-    }.orEmpty()
-
-    is RobotElement.Caster -> RobotTexts.casterNumbered(spoken, element.number + 1)
-    is RobotElement.Corner -> RobotTexts.cornerNumbered(spoken, element.number + 1)
-    RobotElement.Wheels -> RobotTexts.wheels(spoken)
-    RobotElement.Pen -> RobotTexts.pen(spoken)
-    RobotElement.Brick -> RobotTexts.brick(spoken)
-    RobotElement.Mass -> RobotTexts.mass(spoken)
-    RobotElement.Chassis -> RobotTexts.chassis(spoken)
-}
+internal fun robotElementText(robot: RobotDescription, element: RobotElement): String =
+    robotElementWords(robot, element)(spoken)
 
 /** What is chosen, where it is, and what is wrong with it: what a screen reader says after each change. */
 @Composable

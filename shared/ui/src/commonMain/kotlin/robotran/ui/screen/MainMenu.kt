@@ -17,6 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
+import robotran.editing.RobotTexts
 import robotran.ui.documents.ProjectMenuEntry
 import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
@@ -28,7 +29,6 @@ import robotran.ui.parts.MenuDivider
 import robotran.ui.parts.MenuItem
 import robotran.ui.parts.SmallIcon
 import robotran.ui.texts.LearningTexts
-import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.Dimensions

@@ -1,6 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
+import robotran.editing.RobotTexts
 import robotran.ui.assignment.worldName
 import robotran.ui.language.LocalLanguage
 import robotran.ui.language.spoken
@@ -10,7 +11,6 @@ import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NxtTexts
-import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.ScreenTexts

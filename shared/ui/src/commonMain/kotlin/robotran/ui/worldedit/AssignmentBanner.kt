@@ -15,9 +15,9 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.editing.WorldEditorTexts
 import robotran.ui.language.spoken
 import robotran.ui.parts.SecondButton
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes

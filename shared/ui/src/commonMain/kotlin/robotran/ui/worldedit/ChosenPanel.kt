@@ -1,10 +1,10 @@
 package robotran.ui.worldedit
 
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.HorizontalDivider
 import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
@@ -14,20 +14,34 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.brick.sensors.SensorKind
+import robotran.editing.RobotTexts
+import robotran.editing.WorldEditorTexts
+import robotran.ui.brick.nxt.words
+import robotran.ui.editing.EditIcons
+import robotran.ui.editing.Form
+import robotran.ui.editing.HelpText
+import robotran.ui.editing.IconWord
+import robotran.ui.editing.RowHeading
+import robotran.ui.editing.WordButton
 import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.texts.Label
-import robotran.ui.texts.WorldEditorTexts
+import robotran.ui.texts.ScreenTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
+import robotran.workshop.event.RobotEditEvent
 import robotran.worldediting.AlignSide
+import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.canRotate
+import robotran.worldediting.fieldsOf
 import robotran.worldediting.form
 import robotran.worldediting.piece
+import robotran.worldediting.turnStep
 
 /** The selection: its actions and properties. */
 @Composable
@@ -48,11 +62,30 @@ internal fun ChosenPanel(editor: EditorScope) {
     Actions(editor)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     val piece = only?.let { editing.world.piece(it) }
-    if (only != null && piece != null) ElementFields(editor, only, piece)
+    if (only != null && piece != null) {
+        if (piece is Element.OfRobot) BuildButton(editor, only.number)
+        Form(editing.fieldsOf(only, ::pluggedWords), editor, editing.error?.let { editErrorText(it) })
+    }
     if (editing.hasPlace) {
         RowHeading(if (only != null) WorldEditorTexts.alignPaper(spoken) else WorldEditorTexts.align(spoken))
         AlignRow(editor)
     }
+}
+
+@Composable
+private fun BuildButton(editor: EditorScope, robot: Int) {
+    if (robot == 0) HelpText(WorldEditorTexts.ownRobot(spoken))
+    WordButton(
+        RobotTexts.build(spoken),
+        "build-robot",
+        { editor.perform(RobotEditEvent.BenchOpened(robot)) },
+        Modifier.fillMaxWidth().padding(top = 8.dp),
+    )
+}
+
+/** What is on a port, which a program has to name. */
+private fun pluggedWords(port: Int, sensor: SensorKind?): Label = { language ->
+    ScreenTexts.sensor(language, port, (sensor?.words ?: WorldEditorTexts::nothing)(language))
 }
 
 @Composable
@@ -65,7 +98,7 @@ private fun chosenTitle(editing: WorldEditing): String {
 @Composable
 private fun Actions(editor: EditorScope) {
     val editing = editor.editing
-    val turn = turnStep(editing)
+    val turn = editing.turnStep
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { editor.make(WorldEdit.Delete) }
         Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { editor.make(WorldEdit.Duplicate) }

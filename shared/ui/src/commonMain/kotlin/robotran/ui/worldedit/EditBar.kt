@@ -27,13 +27,15 @@ import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.editing.WorldEditorTexts
+import robotran.editing.written
+import robotran.ui.editing.EditIcons
 import robotran.ui.language.spoken
 import robotran.ui.parts.AppMenu
 import robotran.ui.parts.Icon
 import robotran.ui.parts.IconTouch
 import robotran.ui.parts.MenuDivider
 import robotran.ui.parts.MenuItem
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
@@ -44,7 +46,6 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
 import robotran.worldediting.Snapping
 import robotran.worldediting.WorldEdit
-import robotran.worldediting.written
 
 /**
  * The top of the editor: undo, help, and the button that closes it.

@@ -12,6 +12,7 @@ import robotran.worldediting.Tool
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.listed
+import robotran.worldediting.turnStep
 
 /** The edit for a key on the sheet; null for none. */
 internal fun editForKey(event: KeyEvent, editing: WorldEditing): WorldEdit? {
@@ -24,7 +25,7 @@ internal fun editForKey(event: KeyEvent, editing: WorldEditing): WorldEdit? {
         Key.DirectionRight -> nudge(editing, 1, 0, shift)
         Key.DirectionUp -> nudge(editing, 0, 1, shift)
         Key.DirectionDown -> nudge(editing, 0, -1, shift)
-        Key.R -> WorldEdit.TurnBy(turnStep(editing) * if (shift) -1 else 1)
+        Key.R -> WorldEdit.TurnBy(editing.turnStep * if (shift) -1 else 1)
         Key.Plus, Key.Equals, Key.NumPadAdd -> WorldEdit.ScaleBy(GROWTH)
         Key.Minus, Key.NumPadSubtract -> WorldEdit.ScaleBy(1 / GROWTH)
         Key.Delete, Key.Backspace -> WorldEdit.Delete
@@ -48,8 +49,6 @@ internal fun editForCommand(event: KeyEvent): WorldEdit? {
         else -> null
     }
 }
-
-internal fun turnStep(editing: WorldEditing): Double = if (editing.snapping.angle > 0) editing.snapping.angle else 1.0
 
 /** After the last element the focus moves on from the sheet. */
 private fun tabbed(editing: WorldEditing, backwards: Boolean): WorldEdit? {

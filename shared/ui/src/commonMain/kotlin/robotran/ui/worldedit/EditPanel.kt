@@ -25,11 +25,12 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.editing.WorldEditorTexts
+import robotran.ui.editing.FieldPanel
 import robotran.ui.language.spoken
 import robotran.ui.parts.broughtIntoSight
 import robotran.ui.parts.scrollHint
 import robotran.ui.texts.Label
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
@@ -86,13 +87,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
 }
 
 @Composable
-internal fun EditPanel(
-    editor: EditorScope,
-    tab: EditTab,
-    onTab: (EditTab) -> Unit,
-    newTitle: String,
-    modifier: Modifier = Modifier,
-) {
+internal fun EditPanel(editor: EditorScope, tab: EditTab, onTab: (EditTab) -> Unit, modifier: Modifier = Modifier) {
     val editing = editor.editing
     val errors = editing.errors.filter { tab == EditTab.CHOSEN && it.thing in editing.selection }
         .map { validationErrorText(editing.world, it) }
@@ -102,7 +97,7 @@ internal fun EditPanel(
                 EditTab.CHOSEN -> ChosenPanel(editor)
                 EditTab.THINGS -> ElementsPanel(editor) { onTab(EditTab.CHOSEN) }
                 EditTab.GOALS -> GoalsPanel(editor) { onTab(EditTab.CHOSEN) }
-                EditTab.WORLD -> WorldPanel(editor, newTitle)
+                EditTab.WORLD -> WorldPanel(editor)
             }
         }
     }

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
+import robotran.ui.editing.CarriedItem
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.pushedBy
 import robotran.ui.sheet.transform

@@ -20,8 +20,10 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.editing.WorldEditorTexts
+import robotran.ui.editing.EditIcons
+import robotran.ui.editing.HelpText
 import robotran.ui.language.spoken
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.Shapes

@@ -7,10 +7,14 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.editing.WorldEditorTexts
+import robotran.ui.editing.EditIcons
+import robotran.ui.editing.HelpText
+import robotran.ui.editing.IconWord
+import robotran.ui.editing.MenuRow
 import robotran.ui.language.spoken
 import robotran.ui.parts.Icon
 import robotran.ui.texts.Label
-import robotran.ui.texts.WorldEditorTexts
 import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure
@@ -22,6 +26,7 @@ import robotran.worldediting.GoalGroup
 import robotran.worldediting.GoalMove
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.allGoals
+import robotran.worldediting.goalTitle
 import robotran.worldediting.named
 import robotran.worldediting.newGoals
 import robotran.worldediting.uniqueName

@@ -34,11 +34,11 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
+import robotran.ui.editing.CarriedSign
 import robotran.ui.language.spoken
 import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.texts.WorldEditorTexts
 import robotran.ui.theme.LocalRobotranColours
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
@@ -59,7 +59,6 @@ internal fun WorldEditPane(
     val view = remember { EditView() }
     val focus = remember { FocusRequester() }
     val title = ScreenTexts.editWorld(spoken)
-    val newTitle = WorldEditorTexts.newTitle(spoken)
     var corner by remember { mutableStateOf(Offset.Zero) }
     BoxWithConstraints(
         modifier
@@ -90,19 +89,18 @@ internal fun WorldEditPane(
             val columns = if (width >= TWO_COLUMNS * scale) 2 else 1
             val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
             when {
-                isUpright && width < TWO_COLUMNS -> Under(making, view, newTitle, put, height, sheet)
+                isUpright && width < TWO_COLUMNS -> Under(making, view, put, height, sheet)
 
                 width >= WIDE + PANEL_WIDTH * (scale - 1) -> Beside(
                     making,
                     view,
-                    newTitle,
                     put,
                     panelWidth(scale),
                     columns,
                     sheet,
                 )
 
-                else -> Below(making, view, newTitle, put, height, sheet)
+                else -> Below(making, view, put, height, sheet)
             }
         }
         view.carried?.let { CarriedSign(it, corner) }
@@ -114,7 +112,6 @@ internal fun WorldEditPane(
 private fun Beside(
     editor: EditorScope,
     view: EditView,
-    newTitle: String,
     onPut: () -> Unit,
     panel: Dp,
     columns: Int,
@@ -130,7 +127,7 @@ private fun Beside(
         VerticalDivider(color = colours.line)
         Column(Modifier.width(panel)) {
             EditTabs(tab) { tab = it }
-            EditPanel(editor, tab, { tab = it }, newTitle)
+            EditPanel(editor, tab, { tab = it })
         }
     }
 }
@@ -140,7 +137,6 @@ private fun Beside(
 private fun Under(
     editor: EditorScope,
     view: EditView,
-    newTitle: String,
     onPut: () -> Unit,
     height: Dp,
     sheet: @Composable (Modifier) -> Unit,
@@ -156,7 +152,7 @@ private fun Under(
         }
         HorizontalDivider(color = colours.line)
         EditTabs(tab) { tab = it }
-        EditPanel(editor, tab, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE_UPRIGHT))
+        EditPanel(editor, tab, { tab = it }, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
 }
 
@@ -165,7 +161,6 @@ private fun Under(
 private fun Below(
     editor: EditorScope,
     view: EditView,
-    newTitle: String,
     onPut: () -> Unit,
     height: Dp,
     sheet: @Composable (Modifier) -> Unit,
@@ -179,7 +174,7 @@ private fun Below(
         PaletteStrip(editor, view, columns = null, onPut, Modifier.fillMaxWidth().background(colours.pane))
         HorizontalDivider(color = colours.line)
         EditTabs(tab) { tab = if (tab == it) null else it }
-        tab?.let { open -> EditPanel(editor, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
+        tab?.let { open -> EditPanel(editor, open, { tab = it }, Modifier.height(height * PANEL_SHARE)) }
     }
 }
 

@@ -9,6 +9,7 @@ import androidx.compose.ui.window.FrameWindowScope
 import androidx.compose.ui.window.MenuBar
 import androidx.compose.ui.window.MenuScope
 import robotran.brick.program.StepKind
+import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
@@ -21,7 +22,6 @@ import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.OTHER_BRICKS
-import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.SendTexts

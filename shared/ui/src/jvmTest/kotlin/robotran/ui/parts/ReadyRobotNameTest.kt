@@ -1,5 +1,6 @@
 package robotran.ui.parts
 
+import robotran.editing.READY_ROBOT_WORDS
 import robotran.language.Language
 import robotran.world.ReadyRobots
 import java.io.File

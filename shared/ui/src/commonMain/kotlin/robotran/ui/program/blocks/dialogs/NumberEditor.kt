@@ -39,6 +39,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
+import robotran.editing.written
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueUse
 import robotran.ui.language.spoken
@@ -46,7 +47,6 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
 import robotran.ui.theme.Dimensions
 import robotran.ui.theme.LocalRobotranColours
-import robotran.worldediting.written
 import kotlin.math.round
 
 /**

@@ -1,6 +1,7 @@
 package robotran.ui.program.blocks.dialogs
 
 import androidx.compose.runtime.Composable
+import robotran.editing.written
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
@@ -8,7 +9,6 @@ import robotran.ui.texts.BlockTexts
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.previewOf
 import robotran.world.geometry.Pose
-import robotran.worldediting.written
 import kotlin.math.abs
 
 /** What the number at [part] does, in words, as the sheet of paper shows it; null if it shows nothing. */

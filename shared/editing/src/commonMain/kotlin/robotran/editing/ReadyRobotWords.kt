@@ -1,0 +1,10 @@
+package robotran.editing
+
+/** What the ready robots are called, by their keys. */
+val READY_ROBOT_WORDS: Map<String, Words> = mapOf(
+    "rcx-penbot" to RobotTexts::readyRcxPenbot,
+    "nxt-penbot" to RobotTexts::readyNxtPenbot,
+    "line-follower" to RobotTexts::readyLineFollower,
+    "sumo" to RobotTexts::readySumo,
+    "both-sides" to RobotTexts::readyBothSides,
+)

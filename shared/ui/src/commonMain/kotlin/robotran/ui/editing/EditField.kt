@@ -1,0 +1,120 @@
+package robotran.ui.editing
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.onFocusChanged
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.error
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.input.KeyboardType
+import androidx.compose.ui.text.style.TextAlign
+import androidx.compose.ui.unit.dp
+import robotran.ui.theme.Corners
+import robotran.ui.theme.Dimensions
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+import robotran.ui.theme.focusRing
+
+/** The box around [field]. */
+@Composable
+internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composable () -> Unit) {
+    val colours = LocalRobotranColours.current
+    Box(
+        modifier
+            .defaultMinSize(minHeight = Dimensions.TARGET)
+            .focusRing(FIELD_CORNER)
+            .background(if (colours.isDark) colours.desk else colours.paper, RoundedCornerShape(FIELD_CORNER))
+            .border(
+                if (isWrong) 2.dp else 1.dp,
+                if (isWrong) colours.error else colours.quiet,
+                RoundedCornerShape(FIELD_CORNER),
+            ),
+        Alignment.Center,
+    ) { field() }
+}
+
+/**
+ * A text field.
+ *
+ * @param wrong the error in [text], for screen readers; null if there is none.
+ * @param onLeft called when it loses the focus.
+ * @param number whether an on-screen keyboard should show digits only.
+ * @param tall whether it may have several lines.
+ * @param hint the placeholder for empty text.
+ */
+@Composable
+internal fun EditField(
+    text: String,
+    label: String,
+    tag: String,
+    wrong: String?,
+    onText: (String) -> Unit,
+    onLeft: () -> Unit,
+    number: Boolean = false,
+    tall: Boolean = false,
+    hint: String = "",
+) {
+    val colours = LocalRobotranColours.current
+    var focused by remember { mutableStateOf(false) }
+    BasicTextField(
+        value = text,
+        onValueChange = onText,
+        modifier = Modifier
+            .fillMaxWidth()
+            .padding(horizontal = 8.dp, vertical = 10.dp)
+            .testTag(tag)
+            .onFocusChanged {
+                if (focused && !it.isFocused) onLeft()
+                focused = it.isFocused
+            }
+            .semantics {
+                contentDescription = label
+                if (wrong != null) error(wrong)
+            },
+        textStyle = TextStyle(
+            colours.onPane,
+            fontSize = TextSizes.BODY,
+            textAlign = if (number) TextAlign.Center else TextAlign.Start,
+        ),
+        keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
+        singleLine = !tall,
+        minLines = if (tall) TALL_LINES else 1,
+        cursorBrush = SolidColor(colours.onPane),
+        decorationBox = { inner ->
+            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = TextSizes.BODY)
+            inner()
+        },
+    )
+}
+
+/** The error below a field. */
+@Composable
+internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
+    text,
+    modifier.semantics { liveRegion = LiveRegionMode.Polite },
+    color = LocalRobotranColours.current.error,
+    fontSize = TextSizes.SMALL,
+)
+
+private val FIELD_CORNER = Corners.SMALL
+private const val TALL_LINES = 4

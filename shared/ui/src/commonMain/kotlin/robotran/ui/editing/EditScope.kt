@@ -1,0 +1,31 @@
+package robotran.ui.editing
+
+import androidx.compose.runtime.Immutable
+import robotran.workshop.event.WorkshopEvent
+
+/**
+ * How the parts of an editor send edits.
+ *
+ * @param finish ends a longer change, such as typing a name.
+ * @param eventOf the event of an edit.
+ */
+@Immutable
+internal abstract class EditScope<T : Any>(
+    private val finish: T,
+    private val eventOf: (T) -> WorkshopEvent,
+    private val onEvent: (WorkshopEvent) -> Unit,
+) {
+    /** Sends one edit, or a part of a longer change; [settle] ends it. */
+    fun make(edit: T) = onEvent(eventOf(edit))
+
+    /** Sends an edit as a step of its own. */
+    fun makeAtOnce(edit: T) {
+        settle()
+        make(edit)
+        settle()
+    }
+
+    fun settle() = make(finish)
+
+    fun perform(event: WorkshopEvent) = onEvent(event)
+}

@@ -1,0 +1,131 @@
+package robotran.ui.editing
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.key
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import robotran.editing.ChoiceLook
+import robotran.editing.Field
+import robotran.editing.TextKind
+import robotran.ui.language.LocalLanguage
+import robotran.ui.language.spoken
+import robotran.ui.settings.SwitchRow
+
+/**
+ * Draws [fields]. What their changes make is sent to [scope].
+ *
+ * @param refusal why the last edit was refused; null if it was not.
+ */
+@Composable
+internal fun <T : Any> Form(fields: List<Field<T>>, scope: EditScope<T>, refusal: String? = null) {
+    for (field in fields) key(field.tag) { FormRow(field, scope, refusal) }
+}
+
+@Composable
+private fun <T : Any> FormRow(field: Field<T>, scope: EditScope<T>, refusal: String?) {
+    when (field) {
+        is Field.Heading -> RowHeading(field.label(spoken))
+        is Field.Help -> HelpText(field.label(spoken))
+        is Field.Wrong -> Wrong(field.label(spoken))
+        is Field.Flag -> FlagField(field, scope)
+        is Field.Number -> NumberField(field, scope)
+
+        is Field.OptionalNumber -> {
+            FlagField(field.switch, scope)
+            field.number?.let { NumberField(it, scope) }
+        }
+
+        is Field.Text -> TextField(field, scope, refusal)
+        is Field.Choice<*, T> -> ChoiceField(field, scope)
+        is Field.Group -> Column(Modifier.fillMaxWidth()) { Form(field.fields, scope, refusal) }
+        is Field.OneOf -> OneOfField(field, scope)
+        is Field.Buttons -> Buttons(field, scope)
+    }
+}
+
+@Composable
+private fun <T : Any> FlagField(field: Field.Flag<T>, scope: EditScope<T>) =
+    SwitchRow(field.label(spoken), field.isOn, field.tag) { on -> field.with(on)?.let(scope::makeAtOnce) }
+
+@Composable
+private fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) {
+    val spec = field.spec
+    val factor = if (spec.isPercent) PERCENT else 1.0
+    NumberRow(
+        field.label(spoken),
+        field.value * factor,
+        spec.range.start * factor..spec.range.endInclusive * factor,
+        field.tag,
+        { number -> field.with(number / factor)?.let(scope::make) },
+        scope::settle,
+        step = spec.step,
+        unit = spec.unit,
+        slider = spec.slider?.let { it.start.toFloat()..it.endInclusive.toFloat() },
+        isWhole = spec.isWhole,
+    )
+}
+
+@Composable
+private fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refusal: String?) = TextRow(
+    field.label(spoken),
+    field.text,
+    field.spec.maximum,
+    field.tag,
+    { text -> field.with(text)?.let(scope::make) },
+    scope::settle,
+    mayBeBlank = field.spec.mayBeBlank,
+    tall = field.spec.kind == TextKind.PROGRAM,
+    isProse = field.spec.kind == TextKind.PROSE,
+    hint = field.hint?.invoke(spoken).orEmpty(),
+    error = refusal.takeIf { field.isRefused },
+)
+
+@Composable
+private fun <V, T : Any> ChoiceField(field: Field.Choice<V, T>, scope: EditScope<T>) {
+    val language = LocalLanguage.current
+    val title = field.label(spoken)
+    val choices = field.options.map { it.value to it.label(spoken) }
+    val choose = { value: V -> field.with(value, language)?.let(scope::makeAtOnce) ?: Unit }
+    when (field.look) {
+        ChoiceLook.CHIPS -> ChipRow(title, choices, field.chosen, field.tag, choose)
+        ChoiceLook.MENU -> MenuRow(title, choices, field.shown(spoken), field.tag, choose)
+        ChoiceLook.SWATCHES -> Swatches(title, choices, field.chosen, field.tag, choose)
+    }
+}
+
+@Composable
+private fun <T : Any> OneOfField(field: Field.OneOf<T>, scope: EditScope<T>) {
+    var chosen by remember { mutableIntStateOf(0) }
+    val number = chosen.coerceIn(field.names.indices)
+    Column(Modifier.fillMaxWidth()) {
+        val choices = field.names.mapIndexed { one, name -> one to name(spoken) }
+        MenuRow(field.label(spoken), choices, choices[number].second, field.tag) { chosen = it }
+        Form(field.fields(number), scope)
+    }
+}
+
+/** A single one stands by itself, so it has more room above it. */
+@Composable
+private fun <T : Any> Buttons(field: Field.Buttons<T>, scope: EditScope<T>) {
+    val only = field.buttons.singleOrNull()
+    if (only != null) {
+        WordButton(only.label(spoken), only.tag, { scope.make(only.value) }, Modifier.padding(top = 8.dp))
+    } else {
+        Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
+            for (button in field.buttons) {
+                WordButton(button.label(spoken), button.tag, { scope.make(button.value) }, Modifier.weight(1f))
+            }
+        }
+    }
+}
+
+private const val PERCENT = 100.0

@@ -1,0 +1,31 @@
+package robotran.ui.editing
+
+import androidx.compose.foundation.layout.padding
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import robotran.ui.theme.LocalRobotranColours
+import robotran.ui.theme.TextSizes
+
+/** A heading between rows. */
+@Composable
+internal fun RowHeading(text: String) = Text(
+    text,
+    Modifier.padding(top = 12.dp, bottom = 2.dp).semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.BODY,
+    fontWeight = FontWeight.SemiBold,
+)
+
+/** A sentence of help or a placeholder for an empty list. */
+@Composable
+internal fun HelpText(text: String, modifier: Modifier = Modifier) = Text(
+    text,
+    modifier.padding(vertical = 6.dp),
+    color = LocalRobotranColours.current.quiet,
+    fontSize = TextSizes.COMPACT,
+)
