@@ -31,6 +31,7 @@ import robotran.ui.theme.LineHeights
 import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.ui.theme.focusRing
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 
 /**
@@ -51,7 +52,7 @@ internal fun TaskAndGoals(
     howFar: String = "",
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (hasTask) TaskChip(taskShown, howFar) { onEvent(WorkshopEvent.TaskShown(it)) }
+        if (hasTask) TaskChip(taskShown, howFar) { onEvent(ScreenEvent.TaskShown(it)) }
         GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }

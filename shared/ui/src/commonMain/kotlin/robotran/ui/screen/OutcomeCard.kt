@@ -54,6 +54,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningPage
@@ -101,7 +102,7 @@ internal fun OutcomeCard(
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
                 SecondButton(LearningTexts.hint(spoken), "missing-hint", {
-                    onEvent(WorkshopEvent.TaskShown(true))
+                    onEvent(ScreenEvent.TaskShown(true))
                 })
             }
         }

@@ -55,6 +55,7 @@ import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranColours
 import robotran.ui.theme.TextSizes
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
@@ -106,7 +107,7 @@ internal fun TaskCard(
                 val change = !isFolded
                 onEvent(
                     if (assignment == null) {
-                        WorkshopEvent.TaskFolded(change)
+                        ScreenEvent.TaskFolded(change)
                     } else {
                         AssignmentEvent.TaskFolded(change)
                     },
@@ -133,7 +134,7 @@ internal fun TaskCard(
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
     IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
-        onEvent(WorkshopEvent.TaskShown(false))
+        onEvent(ScreenEvent.TaskShown(false))
     })
 
 @Composable
