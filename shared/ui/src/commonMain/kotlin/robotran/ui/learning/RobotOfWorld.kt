@@ -1,10 +1,10 @@
 package robotran.ui.learning
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
 import robotran.ui.parts.readyRobotName
 import robotran.ui.parts.readyRobotWithBrick
 import robotran.ui.texts.RobotTexts
+import robotran.uikit.*
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World

@@ -1,9 +1,8 @@
 package robotran.ui.parts
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.RobotTexts
+import robotran.uikit.*
 import robotran.world.ReadyRobots
 
 /** The name of the ready robot with the key [base] of [ReadyRobots.all]. */

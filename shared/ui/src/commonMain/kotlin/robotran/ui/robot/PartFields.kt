@@ -8,10 +8,9 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.portsOf
 import robotran.robotediting.thingsOn
-import robotran.ui.language.spoken
 import robotran.ui.texts.RobotTexts
-import robotran.ui.worldedit.ChipRow
 import robotran.ui.worldedit.NumberRow
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.Facing

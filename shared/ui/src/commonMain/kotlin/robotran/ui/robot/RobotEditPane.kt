@@ -35,12 +35,10 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
-import robotran.ui.language.spoken
-import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.texts.RobotTexts
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.CarriedSign
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.RobotEditState

@@ -12,16 +12,11 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.placeOf
-import robotran.ui.language.spoken
-import robotran.ui.settings.SwitchRow
-import robotran.ui.texts.Label
 import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.WorldEditorTexts
-import robotran.ui.worldedit.ChipRow
-import robotran.ui.worldedit.EditIcons
 import robotran.ui.worldedit.HelpText
-import robotran.ui.worldedit.IconWord
 import robotran.ui.worldedit.NumberRow
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.Chassis
 import robotran.world.Drive

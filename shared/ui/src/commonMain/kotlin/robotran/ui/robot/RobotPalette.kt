@@ -32,15 +32,9 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
-import robotran.ui.language.spoken
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
 import robotran.ui.worldedit.CarriedItem
 import robotran.ui.worldedit.PALETTE_SIGN
-import robotran.ui.worldedit.SIGN_PADDING
-import robotran.ui.worldedit.SignLettering
-import robotran.ui.worldedit.SignWord
-import robotran.ui.worldedit.signLettering
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import kotlin.math.abs
 

@@ -9,10 +9,8 @@ import robotran.robotediting.RobotItem
 import robotran.robotediting.elementOf
 import robotran.robotediting.placeOf
 import robotran.robotediting.portsOf
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.RobotTexts
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.RobotDescription

@@ -28,15 +28,8 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.AppDialog
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
@@ -129,29 +122,6 @@ private fun Section(name: Label, content: @Composable () -> Unit) {
         SectionName(name(spoken))
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) { content() }
     }
-}
-
-@Composable
-internal fun SectionName(name: String) {
-    Text(
-        name,
-        Modifier.padding(bottom = 4.dp).semantics { heading() },
-        color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        fontWeight = FontWeight.Medium,
-    )
-}
-
-/** One of several choices; the selected one has a tick. */
-@Composable
-internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
-    FilterChip(
-        selected = selected,
-        onClick = onClick,
-        label = { Text(name, fontSize = TextSizes.BODY) },
-        leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
-        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-    )
 }
 
 @Composable

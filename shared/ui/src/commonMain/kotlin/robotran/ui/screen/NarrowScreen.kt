@@ -33,16 +33,14 @@ import robotran.ui.documents.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
-import robotran.ui.language.spoken
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
-import robotran.ui.parts.IconTouch
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.runbar.RunBar
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.world.MiniSheet
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent

@@ -2,18 +2,16 @@ package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
 import robotran.ui.assignment.worldName
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.learning.robotTitle
 import robotran.ui.program.portNumbers
 import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.world.messages.sentence

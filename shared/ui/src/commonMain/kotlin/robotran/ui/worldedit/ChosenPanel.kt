@@ -14,12 +14,8 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.worldediting.AlignSide
 import robotran.worldediting.ElementKind
 import robotran.worldediting.StackOrder
@@ -114,7 +110,7 @@ private fun AlignRow(editor: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
-            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
+            IconWord(alignIcon(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
         }
     }
 }

@@ -11,10 +11,9 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.rotate
 import androidx.compose.ui.unit.dp
-import robotran.ui.parts.Icon
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
 import robotran.worldediting.SelectionFrame

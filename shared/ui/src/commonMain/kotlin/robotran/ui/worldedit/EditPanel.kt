@@ -25,15 +25,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.broughtIntoSight
-import robotran.ui.parts.scrollHint
-import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The tabs of the editor's panel. */
 internal enum class EditTab(val title: Label) {

@@ -1,9 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
-import robotran.ui.settings.SwitchRow
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.Lamp
 import robotran.world.MarkFigure
 import robotran.world.MovableBlock

@@ -12,8 +12,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.WorldLimits
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose

@@ -4,8 +4,8 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.HasActor

@@ -1,7 +1,7 @@
 package robotran.ui.worldedit
 
-import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.GoalCondition
 import robotran.worldediting.GoalFieldName
 

@@ -7,10 +7,8 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure

@@ -27,10 +27,8 @@ import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.WorldEditorTexts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool

@@ -6,16 +6,13 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.nxt.words
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.parts.readyRobotName
-import robotran.ui.settings.SwitchRow
 import robotran.ui.sheet.RobotColours
-import robotran.ui.texts.Label
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RobotTexts
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.LightFacing
 import robotran.world.PortSensor
 import robotran.world.ReadyRobots

@@ -1,8 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
 import robotran.ui.texts.WorldEditorTexts
+import robotran.uikit.*
 import robotran.world.WorldLimits
 import robotran.worldediting.SheetProperties
 import robotran.worldediting.WorldEdit

@@ -15,7 +15,7 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.swipeUp
 import robotran.projects.ProgramView
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ScreenEvent

@@ -9,7 +9,7 @@ import robotran.textediting.EditKind
 import robotran.ui.learning.ExamplePictures
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent

@@ -6,7 +6,7 @@ import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
 import robotran.ui.pictures.pngOf
 import robotran.ui.sheet.SheetScenes
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.World
 import robotran.world.geometry.Point
 import java.io.File

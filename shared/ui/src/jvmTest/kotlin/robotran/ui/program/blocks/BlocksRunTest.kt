@@ -15,7 +15,7 @@ import robotran.ui.program.write
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent

@@ -41,11 +41,9 @@ import robotran.blockediting.NumberScale
 import robotran.blockediting.scale
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueUse
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.worldediting.written
 import kotlin.math.round
 
