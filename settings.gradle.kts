@@ -61,6 +61,7 @@ if (providers.systemProperty("robotran.targets").get().contains("wasm")) {
 }
 if (providers.systemProperty("robotran.targets").get().contains("compose")) {
     include(":shared:workshop")
+    include(":shared:uikit")
     include(":shared:ui")
     if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
         include(":desktopApp")

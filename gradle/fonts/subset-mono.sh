@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes shared/ui/src/commonMain/composeResources/font/jetbrains_mono_regular.ttf of JetBrains Mono's own file
+# Makes shared/uikit/src/commonMain/composeResources/font/jetbrains_mono_regular.ttf of JetBrains Mono's own file
 # (docs/third-party.md says from where): letters, marks and signs stay; instructions for screens with few pixels, signs of
 # terminals and names of glyphs go. Needs fontTools 4.
 # usage: subset-mono.sh JetBrainsMono-Regular.ttf jetbrains_mono_regular.ttf

@@ -17,8 +17,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalView
 import robotran.ui.RobotranApp
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
+import robotran.uikit.*
 import robotran.workshop.Workshop
 
 /**

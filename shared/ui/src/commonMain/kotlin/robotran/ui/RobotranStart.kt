@@ -17,12 +17,10 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.programs.Program
-import robotran.ui.language.spoken
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform

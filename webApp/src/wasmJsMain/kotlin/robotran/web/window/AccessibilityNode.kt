@@ -9,8 +9,7 @@ import androidx.compose.ui.semantics.SemanticsOwner
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.state.ToggleableState
-import robotran.ui.parts.IsTreeKey
-import robotran.ui.parts.TreePlaceKey
+import robotran.uikit.*
 
 /**
  * A semantics node as HTML.

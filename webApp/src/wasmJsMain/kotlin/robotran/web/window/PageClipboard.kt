@@ -4,7 +4,7 @@ package robotran.web.window
 
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.text.AnnotatedString
-import robotran.ui.parts.ClipboardReader
+import robotran.uikit.*
 
 /**
  * The browser's clipboard. Keys use the browser's clipboard events, which need no permission. Buttons use the clipboard

@@ -38,11 +38,7 @@ import kotlinx.coroutines.Dispatchers
 import org.jetbrains.skiko.SkiaLayer
 import org.w3c.dom.HTMLCanvasElement
 import org.w3c.dom.HTMLElement
-import robotran.ui.parts.BackHandlers
-import robotran.ui.parts.LocalClipboardReader
-import robotran.ui.parts.LocalKeyboardHeight
-import robotran.ui.theme.LocalAddedFonts
-import robotran.ui.theme.WithAddedFonts
+import robotran.uikit.*
 
 /**
  * Compose in a canvas, with features that its own browser window lacks: multi-touch, input methods and dead keys, the

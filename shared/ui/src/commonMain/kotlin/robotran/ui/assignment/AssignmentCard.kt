@@ -22,16 +22,9 @@ import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.drawer.iconFor
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.runbar.RunIconView
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.WorkshopEvent

@@ -20,12 +20,9 @@ import org.jetbrains.compose.resources.decodeToImageBitmap
 import robotran.assignments.doing.bytesToShow
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
-import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** The text of [assignment] in paragraphs, with its pictures where it mentions them. */
 @Composable

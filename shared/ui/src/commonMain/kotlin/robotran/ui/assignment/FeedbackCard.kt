@@ -11,11 +11,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.projects.Feedback
 import robotran.projects.HandIn
-import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 
 /**
  * The teacher's comment and the results in each world.

@@ -17,15 +17,11 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.documents.Explanation
 import robotran.ui.documents.LinkAsQrCode
-import robotran.ui.language.spoken
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
 import robotran.ui.runbar.secondsText
 import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep

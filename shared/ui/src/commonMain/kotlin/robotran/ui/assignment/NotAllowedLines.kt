@@ -21,13 +21,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.assignments.doing.NotAllowed
-import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * What the programs have that the assignment does not allow, a warning each.

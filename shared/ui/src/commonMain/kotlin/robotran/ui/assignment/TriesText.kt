@@ -2,9 +2,9 @@ package robotran.ui.assignment
 
 import androidx.compose.runtime.Composable
 import robotran.projects.AssignmentTries
-import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.state.AssignmentState
 
 /** How far the pupil is: the number of tries and the best of them. */

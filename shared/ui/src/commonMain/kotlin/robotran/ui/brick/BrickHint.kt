@@ -19,16 +19,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * A message that the display cannot show, and the button that helps; null if there is none.

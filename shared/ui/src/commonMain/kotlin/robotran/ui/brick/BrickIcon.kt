@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.painter.Painter
 import robotran.ui.brick.rcx.BrickColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /** The app icon: a brick with its display and the four buttons, simplified for a task bar. */
 class BrickIcon : Painter() {

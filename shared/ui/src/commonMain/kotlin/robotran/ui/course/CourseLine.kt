@@ -10,12 +10,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.QuietButton
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.OpenCourseTask

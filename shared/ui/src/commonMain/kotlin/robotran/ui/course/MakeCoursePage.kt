@@ -20,13 +20,9 @@ import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Field
 import robotran.ui.assignment.making.PupilLinkView
 import robotran.ui.assignment.making.Section
-import robotran.ui.documents.Explanation
 import robotran.ui.documents.wordsFor
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CourseError

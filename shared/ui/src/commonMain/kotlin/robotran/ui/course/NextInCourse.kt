@@ -7,10 +7,8 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.OpenCourseTask

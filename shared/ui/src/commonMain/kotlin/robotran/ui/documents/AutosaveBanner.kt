@@ -22,16 +22,9 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.AutosaveError
 import robotran.workshop.state.DocumentState

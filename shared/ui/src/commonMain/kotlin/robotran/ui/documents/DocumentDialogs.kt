@@ -4,8 +4,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import robotran.documents.OpenFilesError
-import robotran.ui.language.spoken
 import robotran.ui.texts.DocumentTexts
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentAnswer
 import robotran.workshop.state.DocumentDialog

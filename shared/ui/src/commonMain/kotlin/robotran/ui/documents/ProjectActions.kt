@@ -22,12 +22,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.MenuItem
 import robotran.ui.texts.DocumentTexts
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.ProjectListEntry
 

@@ -10,11 +10,10 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.language.spoken
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.OTHER_BRICKS
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice

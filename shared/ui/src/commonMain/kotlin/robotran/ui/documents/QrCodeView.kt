@@ -36,14 +36,9 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import robotran.qrcode.QrCode
-import robotran.ui.language.spoken
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.AppDialog
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import kotlin.math.floor
 
 /**

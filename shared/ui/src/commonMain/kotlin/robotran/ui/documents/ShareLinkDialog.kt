@@ -10,11 +10,8 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.projects.localSite
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.DocumentTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 

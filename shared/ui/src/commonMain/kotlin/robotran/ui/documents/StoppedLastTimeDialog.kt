@@ -3,8 +3,8 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import robotran.ui.language.spoken
 import robotran.ui.texts.DocumentTexts
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.StoppedWork

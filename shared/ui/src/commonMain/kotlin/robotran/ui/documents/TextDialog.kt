@@ -26,9 +26,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.DocumentTexts
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
 

@@ -36,12 +36,8 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.PowerUnit
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
-import robotran.ui.language.spoken
 import robotran.ui.texts.NxtTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * One lane of the chart with its [name] and its value at the time [at].

@@ -26,15 +26,10 @@ import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.language.spoken
-import robotran.ui.runbar.Chip
-import robotran.ui.runbar.RunIcon
-import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.secondsText
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 

@@ -22,13 +22,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.legofirmware.device.DatalogEntry
-import robotran.ui.language.spoken
 import robotran.ui.texts.NqcTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.run.origin
 
 /** The last values in the datalog of LEGO's firmware, and a button that saves all as a table. Empty without values. */

@@ -27,20 +27,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.SteadySize
-import robotran.ui.parts.broughtIntoSight
-import robotran.ui.parts.scrollHint
-import robotran.ui.runbar.RunIcon
-import robotran.ui.runbar.RunIconButton
 import robotran.ui.runbar.word
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.state.DrawerTab
 
 /** The tabs over the drawer's content on a whole pane. The [open] one is underlined, and a touch on it closes it. */

@@ -4,8 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
+import robotran.uikit.*
 
 /** Explains how to get content for this tab. */
 @Composable

@@ -24,15 +24,8 @@ import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.runbar.RunIcon
-import robotran.ui.runbar.RunIconView
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ShortfallMark
 

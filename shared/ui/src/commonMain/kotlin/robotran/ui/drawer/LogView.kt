@@ -38,18 +38,10 @@ import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.language.spoken
-import robotran.ui.parts.scrollHint
-import robotran.ui.runbar.Chip
 import robotran.ui.texts.BrickLabels
-import robotran.ui.texts.Label
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LogState
 

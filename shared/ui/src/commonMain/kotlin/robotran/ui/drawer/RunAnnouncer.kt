@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.RunTexts
+import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt
 

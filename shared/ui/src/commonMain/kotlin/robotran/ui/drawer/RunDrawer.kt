@@ -42,13 +42,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Motion
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab

@@ -23,14 +23,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
-import robotran.ui.language.spoken
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 
 /**
@@ -51,7 +46,7 @@ internal fun TaskAndGoals(
     howFar: String = "",
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (hasTask) TaskChip(taskShown, howFar) { onEvent(WorkshopEvent.TaskShown(it)) }
+        if (hasTask) TaskChip(taskShown, howFar) { onEvent(ScreenEvent.TaskShown(it)) }
         GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }

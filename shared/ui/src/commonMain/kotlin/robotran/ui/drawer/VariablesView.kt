@@ -32,19 +32,9 @@ import robotran.brick.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.language.spoken
-import robotran.ui.runbar.Chip
-import robotran.ui.runbar.SectionName
-import robotran.ui.texts.Label
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.VariablesState
 

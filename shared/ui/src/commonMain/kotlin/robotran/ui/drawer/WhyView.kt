@@ -11,14 +11,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.language.spoken
 import robotran.ui.program.PlugInButton
-import robotran.ui.runbar.SectionName
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.RunPaneState

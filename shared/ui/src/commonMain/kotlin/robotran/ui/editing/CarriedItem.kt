@@ -16,7 +16,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import kotlin.math.roundToInt
 
 /**

@@ -29,11 +29,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.Corners
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The box around [field]. */
 @Composable

@@ -21,7 +21,7 @@ import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /**
  * A panel that scrolls, and what is [wrong] at its lower end: a mistake comes and goes under a finger that taps a

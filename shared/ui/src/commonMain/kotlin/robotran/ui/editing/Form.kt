@@ -16,9 +16,7 @@ import androidx.compose.ui.unit.dp
 import robotran.editing.ChoiceLook
 import robotran.editing.Field
 import robotran.editing.TextKind
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.settings.SwitchRow
+import robotran.uikit.*
 
 /**
  * Draws [fields]. What their changes make is sent to [scope].

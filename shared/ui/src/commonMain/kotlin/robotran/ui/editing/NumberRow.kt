@@ -24,12 +24,7 @@ import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.editing.parseDecimal
 import robotran.editing.written
-import robotran.ui.language.spoken
-import robotran.ui.parts.IconTouch
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * A number field with step buttons and, if there is a range for it, a slider.

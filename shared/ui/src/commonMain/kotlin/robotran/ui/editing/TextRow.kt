@@ -14,9 +14,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.editing.isValidText
-import robotran.ui.language.spoken
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * A line of text, or several if it is [tall] or [isProse].

@@ -18,8 +18,7 @@ import androidx.compose.ui.graphics.drawscope.scale
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /**
  * The pictures of places where nothing is yet: a penbot looks at the thing that is missing. Decorative, because the

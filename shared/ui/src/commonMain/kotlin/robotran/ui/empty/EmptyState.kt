@@ -14,10 +14,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * What a place shows while it has no content: a picture, and [label] that say how to get some. The picture is above the

@@ -17,7 +17,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.World
 
 /** The pupil's sheet, to be drawn small. */

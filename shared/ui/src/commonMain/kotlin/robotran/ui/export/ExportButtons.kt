@@ -2,12 +2,8 @@ package robotran.ui.export
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import robotran.ui.documents.MainButton
-import robotran.ui.documents.OtherButton
-import robotran.ui.language.spoken
-import robotran.ui.parts.ButtonRows
 import robotran.ui.texts.ExportTexts
-import robotran.ui.texts.Label
+import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.state.ExportState
 import robotran.workshop.state.ShowStep

@@ -35,16 +35,8 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.ExportTexts
-import robotran.ui.texts.Label
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.WorkshopEvent

@@ -20,13 +20,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.texts.ExportTexts
-import robotran.ui.theme.AppDialog
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ExportState

@@ -26,16 +26,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
-import robotran.ui.parts.RadioMark
 import robotran.ui.texts.ExportTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.state.MovingKind
 import robotran.workshop.state.ShowError

@@ -27,16 +27,9 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
-import robotran.ui.parts.scrollHint
 import robotran.ui.poster.DrawnPoster
-import robotran.ui.settings.SwitchRow
 import robotran.ui.texts.ExportTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.state.Poster
 import robotran.workshop.state.ShowStep

@@ -13,12 +13,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import robotran.projects.AssignmentLimits
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 

@@ -26,9 +26,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.renderSheet
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.Space
+import robotran.uikit.*
 import robotran.world.World
 import kotlin.math.sqrt
 

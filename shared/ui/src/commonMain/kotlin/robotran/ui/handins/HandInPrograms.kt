@@ -18,16 +18,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import robotran.projects.ProjectProgram
-import robotran.ui.language.spoken
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.RadioMark
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInsState

@@ -23,16 +23,8 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInsState

@@ -8,11 +8,10 @@ import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.ui.assignment.worldName
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.HandInsMessage

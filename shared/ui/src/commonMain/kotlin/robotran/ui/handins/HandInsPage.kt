@@ -9,11 +9,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Space
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInsState
 
@@ -29,7 +26,7 @@ internal fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(if (row == null) HandInsEvent.Closed else HandInsEvent.HandInChosen(null)) }
     val list = rememberLazyGridState()
     val ofOne = rememberScrollState()
-    val words = if (row == null) ScreenTexts::pageClose else SchoolTexts::handInGoBack
+    val words = if (row == null) KitTexts::pageClose else SchoolTexts::handInGoBack
     Page(title, "hand-ins", close, if (row == null) list else ofOne, MAX_WIDTH, words) {
         state.message?.let { HandInsMessageText(it, onEvent) }
         BoxWithConstraints(Modifier.weight(1f)) {

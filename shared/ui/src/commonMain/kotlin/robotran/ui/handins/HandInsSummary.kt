@@ -21,16 +21,9 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
-import robotran.ui.language.spoken
-import robotran.ui.parts.RadioMark
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.GradingProgress
 import robotran.workshop.state.HandInOrder

@@ -26,10 +26,8 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.language.spoken
-import robotran.ui.parts.scrolledByReaders
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.Space
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInTask

@@ -33,12 +33,7 @@ import robotran.programs.support
 import robotran.projects.ProjectProgram
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 import robotran.workshop.handins.equalLines
 
 /**

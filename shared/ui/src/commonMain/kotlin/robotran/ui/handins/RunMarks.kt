@@ -23,11 +23,7 @@ import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
 import robotran.ui.assignment.worldName
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * A mark for each run, a row for each world with its name, and a column for each seed: a tick on a filled square where

@@ -20,14 +20,8 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradedRun
-import robotran.ui.language.spoken
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun

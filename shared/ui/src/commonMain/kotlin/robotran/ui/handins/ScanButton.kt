@@ -1,9 +1,8 @@
 package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.state.QrScannerKind

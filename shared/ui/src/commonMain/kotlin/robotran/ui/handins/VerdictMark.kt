@@ -12,18 +12,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.learning.DONE_ICON
-import robotran.ui.parts.Icon
-import robotran.ui.parts.SmallIcon
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.state.HandInVerdict
 
 /** A verdict with its sign and its word. @param count how many have it; null for the verdict of one hand-in. */

@@ -2,10 +2,9 @@ package robotran.ui.language
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
-import androidx.compose.runtime.ReadOnlyComposable
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.staticCompositionLocalOf
 import robotran.language.Language
+import robotran.uikit.*
 import robotran.workshop.platform.appLanguage
 
 /** Sets the language of [content] to [language], or to the system language if null. */
@@ -14,14 +13,6 @@ internal fun InLanguage(language: Language?, content: @Composable () -> Unit) {
     remember(language) { speak(language?.tag) }
     CompositionLocalProvider(LocalLanguage provides appLanguage(language), content)
 }
-
-val LocalLanguage = staticCompositionLocalOf { Language.ENGLISH }
-
-/** The language of what the screen says. */
-val spoken: Language
-    @Composable
-    @ReadOnlyComposable
-    get() = LocalLanguage.current
 
 /** Tells the platform's own dialogs and screen readers the language [tag], such as `de`, or the initial one if null. */
 internal expect fun speak(tag: String?)

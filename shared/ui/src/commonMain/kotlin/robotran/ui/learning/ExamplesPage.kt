@@ -21,14 +21,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
-import robotran.ui.parts.scrolledByReaders
 import robotran.ui.programlanguages.ExampleSet
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 
 /**

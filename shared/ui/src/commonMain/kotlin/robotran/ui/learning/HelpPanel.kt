@@ -34,17 +34,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.WordHelp
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.QuietButton
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 

@@ -17,13 +17,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Hint
 import robotran.learning.HintStage
-import robotran.ui.language.spoken
-import robotran.ui.parts.broughtIntoSight
-import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * The visible [hints]. They are told to screen readers, also the one that comes by itself after a try.

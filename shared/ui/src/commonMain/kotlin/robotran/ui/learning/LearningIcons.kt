@@ -1,6 +1,6 @@
 package robotran.ui.learning
 
-import robotran.ui.parts.Icon
+import robotran.uikit.*
 
 /** A check mark. */
 internal val DONE_ICON = Icon.strokes("M5 13L10 18L19 7")

@@ -17,13 +17,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
 import robotran.learning.Strand
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
-import robotran.ui.parts.scrolledByReaders
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState

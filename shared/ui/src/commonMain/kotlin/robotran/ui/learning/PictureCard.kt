@@ -30,9 +30,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** Provides the pictures of cards. */
 internal interface CardPictures<T> {

@@ -2,9 +2,9 @@ package robotran.ui.learning
 
 import androidx.compose.runtime.Composable
 import robotran.editing.RobotTexts
-import robotran.ui.language.spoken
 import robotran.ui.parts.readyRobotName
 import robotran.ui.parts.readyRobotWithBrick
+import robotran.uikit.*
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World

@@ -7,10 +7,8 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
-import robotran.ui.parts.QuietButton
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SavedOwnCourse

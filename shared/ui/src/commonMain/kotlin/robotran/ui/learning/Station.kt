@@ -27,13 +27,8 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.SmallIcon
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * A stop on a path: a lesson, or an assignment of a course.

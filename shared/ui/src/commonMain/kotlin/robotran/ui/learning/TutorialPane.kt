@@ -22,12 +22,8 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState

@@ -29,16 +29,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
-import robotran.ui.language.spoken
-import robotran.ui.parts.RadioMark
 import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * Chooses between blocks and text.

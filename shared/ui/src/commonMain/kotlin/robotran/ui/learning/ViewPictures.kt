@@ -32,8 +32,7 @@ import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 
 /** A short program in blocks. */
 @Composable

@@ -36,11 +36,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.paperGrain
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.Space
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 import robotran.world.Paper
 import robotran.world.RobotPlacement
 import robotran.world.World

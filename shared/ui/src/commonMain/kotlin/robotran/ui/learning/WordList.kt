@@ -26,15 +26,8 @@ import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.programs.support
-import robotran.ui.language.spoken
-import robotran.ui.parts.RadioMark
 import robotran.ui.programlanguages.texts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
 

@@ -13,14 +13,8 @@ import androidx.compose.ui.unit.dp
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
-import robotran.ui.language.spoken
-import robotran.ui.parts.SecondButton
-import robotran.ui.parts.SmallIcon
-import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * A world of the gallery: its picture, title, difficulty, robot and task, and its harder variations.

@@ -38,16 +38,8 @@ import robotran.brick.kind.BrickKind
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.Page
-import robotran.ui.parts.scrolledByReaders
-import robotran.ui.runbar.Chip
 import robotran.ui.texts.LearningTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState

@@ -3,7 +3,7 @@ package robotran.ui.parts
 import androidx.compose.runtime.Composable
 import robotran.editing.READY_ROBOT_WORDS
 import robotran.editing.RobotTexts
-import robotran.ui.language.spoken
+import robotran.uikit.*
 import robotran.world.ReadyRobots
 
 /** The name of the ready robot with the key [base] of [ReadyRobots.all]. */

@@ -23,7 +23,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.Poster
 import kotlin.math.roundToInt
 

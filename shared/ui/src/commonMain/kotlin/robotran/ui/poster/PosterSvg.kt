@@ -4,7 +4,7 @@ import robotran.ui.sheet.svg.SheetSvg
 import robotran.ui.sheet.svg.SvgWriter
 import robotran.ui.sheet.svg.figure
 import robotran.ui.sheet.svg.hex
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.Poster
 
 /** [poster] as SVG text, the same on every platform; a unit is a millimetre. */

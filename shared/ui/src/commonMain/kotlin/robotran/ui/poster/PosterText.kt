@@ -7,7 +7,7 @@ import robotran.languagesupport.TextLines
 import robotran.programs.Program
 import robotran.programs.support
 import robotran.ui.program.editor.codeColoursFor
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /** The lines of [program] in the colours of the editor; a program of several files has their names between them. */
 internal fun codeLines(program: Program): List<List<PosterRun>> = program.files.flatMapIndexed { index, file ->

@@ -20,16 +20,10 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.parts.Plus
-import robotran.ui.parts.RoundButton
 import robotran.ui.programlanguages.texts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent

@@ -35,8 +35,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.source.Diagnostic
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.AddBar
 import robotran.ui.program.blocks.AddRail
 import robotran.ui.program.blocks.BlockDragging
@@ -59,9 +57,7 @@ import robotran.ui.program.blocks.dialogs.SheetPlace
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlocksState
 import robotran.workshop.blocks.blocksIntroducedBy

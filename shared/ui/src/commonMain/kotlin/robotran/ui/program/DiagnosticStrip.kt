@@ -20,14 +20,10 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.language.source.Diagnostic
 import robotran.programs.Program
-import robotran.ui.language.spoken
 import robotran.ui.program.editor.FixButton
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * Below the text: the number of errors, with a button that jumps to the next, and the errors without a line in the

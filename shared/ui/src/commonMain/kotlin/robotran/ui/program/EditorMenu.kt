@@ -17,17 +17,10 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.parts.RoundButton
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.Label
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * The menu of the program's tools.

@@ -15,15 +15,11 @@ import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.projects.ProgramView
-import robotran.ui.language.spoken
-import robotran.ui.parts.RoundButton
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.ProgramsState
 
 /** A slim row above the program: frequent actions, and a menu with the rest and with what has no room in the row. */

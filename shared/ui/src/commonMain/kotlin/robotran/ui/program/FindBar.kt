@@ -39,18 +39,9 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.language.source.SourceSpan
 import robotran.textediting.find.Search
-import robotran.ui.language.spoken
-import robotran.ui.parts.BackGesture
-import robotran.ui.parts.Cross
-import robotran.ui.parts.RoundButton
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The state of the search. */
 @Stable

@@ -17,12 +17,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
-import robotran.ui.language.spoken
 import robotran.ui.texts.BrickLabels
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** Says that the program is for the other [brick] than the robot [robot] has, with a button that changes the robot. */
 @Composable

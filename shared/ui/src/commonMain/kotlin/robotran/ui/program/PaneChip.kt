@@ -7,11 +7,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.ui.parts.SteadySize
 import robotran.ui.program.editor.codeColours
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * A chip that is on or off, or one of several choices.

@@ -1,8 +1,8 @@
 package robotran.ui.program
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
+import robotran.uikit.*
 
 /** The numbers of one to three [ports], as in `1, 2 and 3`. */
 @Composable

@@ -5,7 +5,7 @@ import androidx.compose.runtime.remember
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.CompletionHelp
-import robotran.ui.language.LocalLanguage
+import robotran.uikit.*
 
 /** Help on the words of a program in [language] for a [brick], in the app language. */
 @Composable

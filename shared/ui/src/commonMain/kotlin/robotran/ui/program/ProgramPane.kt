@@ -25,7 +25,6 @@ import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.textediting.text.TextDocument
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.FoundLines
 import robotran.ui.program.blocks.dialogs.PaneHeight
 import robotran.ui.program.blocks.helpKey
@@ -37,7 +36,7 @@ import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorView
 import robotran.ui.program.editor.KeyRow
 import robotran.ui.programlanguages.texts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent

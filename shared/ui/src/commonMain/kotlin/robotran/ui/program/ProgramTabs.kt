@@ -22,14 +22,8 @@ import androidx.compose.ui.layout.onPlaced
 import androidx.compose.ui.layout.positionInParent
 import androidx.compose.ui.platform.LocalDensity
 import robotran.languagesupport.SourceFile
-import robotran.ui.language.spoken
-import robotran.ui.parts.Cross
-import robotran.ui.parts.RoundButton
-import robotran.ui.parts.SCROLL_HINT_DEPTH
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ProgramsState

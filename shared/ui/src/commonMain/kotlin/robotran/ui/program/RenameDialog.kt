@@ -20,16 +20,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
-import robotran.ui.documents.DialogFrame
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.programlanguages.texts
 import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.Label
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.programs.NameError
 import robotran.workshop.programs.endingOf
 import robotran.workshop.programs.nameError

@@ -2,12 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.RoundButton
-import robotran.ui.parts.SignPicture
-import robotran.ui.parts.StrokeIcons
-import robotran.ui.texts.Label
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /**
  * Sends the shown program to a real robot, or, for a brick to which Robotran cannot send, saves a kit for it.

@@ -14,7 +14,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /**
  * What [view] shows of a program.

@@ -6,10 +6,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** Where the button that sends is, from a wide row to a narrow one. */
 internal enum class SendPlace { WORDS, SIGN, MENU }

@@ -20,14 +20,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
 import robotran.programs.TranslationNote
-import robotran.ui.language.spoken
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** What is lost or changed in a translation, above it; a tap leads to the line of the program. Empty without notes. */
 @Composable

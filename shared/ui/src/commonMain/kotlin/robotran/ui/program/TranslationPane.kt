@@ -36,7 +36,6 @@ import robotran.programs.ProgramTranslation
 import robotran.programs.TranslationNote
 import robotran.programs.support
 import robotran.textediting.text.TextDocument
-import robotran.ui.language.spoken
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
 import robotran.ui.program.editor.EditorSurface
@@ -48,10 +47,7 @@ import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
 import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * A program as another text.

@@ -8,14 +8,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.parts.MenuItem
-import robotran.ui.parts.SignPicture
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.texts.BlockTexts
-import robotran.ui.texts.Label
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /** Chooses between blocks, text, and both. It shows what the program is shown as now. */
 @Composable

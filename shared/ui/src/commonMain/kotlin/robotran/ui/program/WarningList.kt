@@ -21,13 +21,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * Warnings of a run, such as where the brick's results differ from Java's; empty if there are none. It covers the

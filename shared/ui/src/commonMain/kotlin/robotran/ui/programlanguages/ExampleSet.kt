@@ -3,10 +3,10 @@ package robotran.ui.programlanguages
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
-import robotran.ui.texts.Label
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.workshop.examples.examplesFor
 
 /**

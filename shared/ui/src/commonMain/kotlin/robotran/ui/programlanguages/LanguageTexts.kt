@@ -4,11 +4,11 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 
 /**
  * What the screens say about one programming language.

@@ -11,8 +11,8 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.SensorBody
 import robotran.robotediting.placeOf
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.theme.RobotranColours
 import robotran.ui.worldedit.EditingColours
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.RobotDescription
 import robotran.world.SensorPart

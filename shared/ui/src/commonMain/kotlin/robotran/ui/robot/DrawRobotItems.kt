@@ -8,10 +8,9 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.robotediting.RobotItem
-import robotran.ui.parts.Icon
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /** Draws a palette item as it looks on the plan; [ink] is the colour of lines. */
 internal fun DrawScope.drawRobotItem(item: RobotItem, ink: Color) {

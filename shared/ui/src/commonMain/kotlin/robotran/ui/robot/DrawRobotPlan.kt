@@ -28,8 +28,7 @@ import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.drawRobot
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.world.RobotColour
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement

@@ -24,16 +24,7 @@ import androidx.compose.ui.unit.dp
 import robotran.editing.RobotTexts
 import robotran.editing.WorldEditorTexts
 import robotran.robotediting.RobotEdit
-import robotran.ui.editing.EditIcons
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
 
 /** The top of the workbench: undo, the view, and the button that closes it. */

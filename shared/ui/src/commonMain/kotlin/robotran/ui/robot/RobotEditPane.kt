@@ -37,10 +37,8 @@ import robotran.editing.RobotTexts
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.editing.CarriedSign
-import robotran.ui.language.spoken
-import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.RobotEditState

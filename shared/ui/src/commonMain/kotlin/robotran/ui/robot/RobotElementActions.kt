@@ -11,9 +11,7 @@ import robotran.editing.WorldEditorTexts
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
-import robotran.ui.editing.EditIcons
-import robotran.ui.editing.IconWord
-import robotran.ui.language.spoken
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.Chassis
 import robotran.world.Facing

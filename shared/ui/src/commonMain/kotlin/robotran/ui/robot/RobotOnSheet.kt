@@ -14,14 +14,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import robotran.editing.RobotTexts
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
 import robotran.ui.sheet.transform
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.initialStateOf
+import robotran.uikit.*
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.SheetCamera
 import robotran.world.World

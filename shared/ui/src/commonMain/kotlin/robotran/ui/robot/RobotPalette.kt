@@ -34,13 +34,7 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
 import robotran.ui.editing.CarriedItem
 import robotran.ui.editing.PALETTE_SIGN
-import robotran.ui.editing.SIGN_PADDING
-import robotran.ui.editing.SignLettering
-import robotran.ui.editing.SignWord
-import robotran.ui.editing.signLettering
-import robotran.ui.language.spoken
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import kotlin.math.abs
 

@@ -23,10 +23,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import robotran.editing.RobotTexts
-import robotran.ui.language.spoken
 import robotran.ui.sheet.RobotPlan
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.world.RobotColour
 
 /** The robot from above, to be changed by touch, mouse and keys. Screen readers announce what is chosen. */

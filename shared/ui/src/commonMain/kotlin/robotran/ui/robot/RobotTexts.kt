@@ -10,9 +10,7 @@ import robotran.robotediting.RobotItem
 import robotran.robotediting.elementOf
 import robotran.robotediting.placeOf
 import robotran.robotediting.robotElementWords
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
+import robotran.uikit.*
 import robotran.world.Facing
 import robotran.world.RobotDescription
 import robotran.world.SensorPart

@@ -11,7 +11,7 @@ import androidx.compose.ui.unit.dp
 import robotran.runcontrol.CallCountLine
 import robotran.runcontrol.MarkKind
 import robotran.runcontrol.TimelineMark
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToLong
 

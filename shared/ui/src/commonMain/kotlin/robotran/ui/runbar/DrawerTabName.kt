@@ -4,8 +4,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.compositionLocalOf
 import robotran.brick.kind.BrickKind
 import robotran.ui.texts.BrickLabels
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
+import robotran.uikit.*
 import robotran.workshop.state.DrawerTab
 
 /** The kind of brick of the watched robot. */

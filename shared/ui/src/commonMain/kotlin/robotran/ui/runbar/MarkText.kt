@@ -3,8 +3,8 @@ package robotran.ui.runbar
 import androidx.compose.runtime.Composable
 import robotran.runcontrol.MarkKind
 import robotran.runcontrol.TimelineMark
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
+import robotran.uikit.*
 
 /** The text of a mark. */
 @Composable

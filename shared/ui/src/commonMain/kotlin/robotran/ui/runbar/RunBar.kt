@@ -17,9 +17,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.simulation.Breakpoint
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.RunPaneState

@@ -30,14 +30,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.Motion
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The only primary action. While [pulsing], a few soft rings show where to start, unless motion is reduced. */
 @Composable

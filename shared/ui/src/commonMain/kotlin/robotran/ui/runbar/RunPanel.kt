@@ -7,13 +7,11 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.FilterChip
 import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
@@ -28,15 +26,8 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.AppDialog
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.RunPaneState
@@ -129,29 +120,6 @@ private fun Section(name: Label, content: @Composable () -> Unit) {
         SectionName(name(spoken))
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) { content() }
     }
-}
-
-@Composable
-internal fun SectionName(name: String) {
-    Text(
-        name,
-        Modifier.padding(bottom = 4.dp).semantics { heading() },
-        color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        fontWeight = FontWeight.Medium,
-    )
-}
-
-/** One of several choices; the selected one has a tick. */
-@Composable
-internal fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
-    FilterChip(
-        selected = selected,
-        onClick = onClick,
-        label = { Text(name, fontSize = TextSizes.BODY) },
-        leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
-        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-    )
 }
 
 @Composable

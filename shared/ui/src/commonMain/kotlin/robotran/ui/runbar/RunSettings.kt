@@ -31,15 +31,9 @@ import androidx.compose.ui.unit.dp
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
-import robotran.ui.language.spoken
 import robotran.ui.texts.BrickLabels
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.RunPaneState
 import kotlin.math.roundToInt

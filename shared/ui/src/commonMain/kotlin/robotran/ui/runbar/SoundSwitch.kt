@@ -21,11 +21,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** Turns the brick's sound on or off: a loudspeaker with waves, or crossed out. */
 @Composable

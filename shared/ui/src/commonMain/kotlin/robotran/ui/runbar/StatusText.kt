@@ -2,10 +2,9 @@ package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
 import robotran.language.decimal
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.messages.sentence

@@ -18,14 +18,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 
 /** A button for one step of the program, with a menu of other steps. */

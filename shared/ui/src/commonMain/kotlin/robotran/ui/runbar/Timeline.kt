@@ -27,11 +27,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
 import robotran.runcontrol.TimelineMark
-import robotran.ui.language.spoken
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
 import kotlin.math.abs
 import kotlin.math.roundToLong

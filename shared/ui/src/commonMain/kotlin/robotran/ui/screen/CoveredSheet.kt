@@ -21,14 +21,13 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.documents.AutosaveBanner
-import robotran.ui.language.spoken
-import robotran.ui.parts.IconTouch
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
 import robotran.ui.world.hasZoomButtons
 import robotran.ui.world.sheetButtonColumns
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
 import robotran.workshop.state.RunPaneState

@@ -38,22 +38,12 @@ import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
 import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.parts.scrollHint
 import robotran.ui.sheet.SheetColours
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.RunTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningPage
@@ -101,7 +91,7 @@ internal fun OutcomeCard(
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
                 SecondButton(LearningTexts.hint(spoken), "missing-hint", {
-                    onEvent(WorkshopEvent.TaskShown(true))
+                    onEvent(ScreenEvent.TaskShown(true))
                 })
             }
         }

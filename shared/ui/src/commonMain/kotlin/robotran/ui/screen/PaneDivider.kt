@@ -38,10 +38,8 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The room that two panes share, and what both must keep. */
 internal class SharedRoom(val pixels: Float, val shares: ClosedFloatingPointRange<Float>)

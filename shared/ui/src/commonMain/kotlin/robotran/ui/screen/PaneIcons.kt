@@ -1,6 +1,6 @@
 package robotran.ui.screen
 
-import robotran.ui.parts.Icon
+import robotran.uikit.*
 
 /** The icons of the buttons that change the sizes of panes. */
 internal object PaneIcons {

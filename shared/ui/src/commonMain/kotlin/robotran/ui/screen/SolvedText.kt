@@ -1,9 +1,9 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
 import robotran.ui.runbar.secondsText
 import robotran.ui.texts.RunTexts
+import robotran.uikit.*
 import robotran.workshop.state.SolvedTask
 
 /** What was learned, and time and length of the program beside the pupil's own best, a line each. */

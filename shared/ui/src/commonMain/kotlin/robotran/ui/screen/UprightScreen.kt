@@ -16,9 +16,8 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
-import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.program.ProgramPane
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm

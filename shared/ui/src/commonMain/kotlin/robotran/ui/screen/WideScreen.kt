@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.width
 import androidx.compose.material3.HorizontalDivider
@@ -21,7 +20,7 @@ import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.ProgramPane
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm

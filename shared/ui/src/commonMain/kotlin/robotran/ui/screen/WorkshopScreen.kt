@@ -30,8 +30,6 @@ import robotran.ui.documents.documentShortcut
 import robotran.ui.export.ExportDialog
 import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
-import robotran.ui.parts.BackGesture
-import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.LocalAllowedLanguages
 import robotran.ui.program.LocalProgramWarning
@@ -43,8 +41,8 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.worldedit.WorldEditPane
+import robotran.uikit.*
 import robotran.workshop.blocks.allowedBlocks
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent

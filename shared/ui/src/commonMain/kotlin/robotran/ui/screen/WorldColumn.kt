@@ -26,8 +26,7 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.drawer.RunDrawer
-import robotran.ui.parts.scrollHint
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent

@@ -18,10 +18,8 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.howFar
 import robotran.ui.drawer.FootTabs
 import robotran.ui.drawer.TaskAndGoals
-import robotran.ui.language.spoken
-import robotran.ui.parts.IconTouch
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorkshopState

@@ -9,10 +9,8 @@ import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.device.DatalogSource
 import robotran.legofirmware.device.source
 import robotran.legofirmware.device.sourceNumber
-import robotran.ui.language.spoken
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** The first entries of a datalog, a line each. The saved table has all. */
 @Composable

@@ -5,8 +5,8 @@ import robotran.tower.Remains
 import robotran.tower.firmware.FirmwareFile
 import robotran.tower.firmware.FirmwareImage
 import robotran.tower.firmware.FirmwareKind
-import robotran.ui.language.spoken
 import robotran.ui.texts.SendTexts
+import robotran.uikit.*
 import robotran.workshop.state.ChosenFirmware
 
 /** What the file [chosen] is, where LEGO's own firmware is needed, or else leJOS. */

@@ -6,11 +6,9 @@ import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import robotran.tower.ReceivedMessage
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.state.RobotMessage
 
 /** What the robot has sent, the newest first. */

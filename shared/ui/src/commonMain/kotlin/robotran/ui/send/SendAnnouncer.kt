@@ -10,8 +10,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.SendTexts
+import robotran.uikit.*
 import robotran.workshop.state.SendStep
 
 /** Tells screen readers each new step, and a quarter of a transfer at a time. */

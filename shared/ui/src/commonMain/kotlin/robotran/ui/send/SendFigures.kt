@@ -3,10 +3,10 @@ package robotran.ui.send
 import androidx.compose.runtime.Composable
 import robotran.language.source.Diagnostic
 import robotran.tower.TransferProgress
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.SendTexts
+import robotran.uikit.*
 
 /** [millivolts] as volts with one decimal. */
 internal fun voltsOf(millivolts: Int): String = oneDecimal(millivolts / 1_000.0)

@@ -10,8 +10,7 @@ import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.platform.testTag
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 

@@ -4,9 +4,8 @@ import androidx.compose.runtime.Composable
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.TowerKind
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.SendTexts
+import robotran.uikit.*
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
 import robotran.workshop.state.Transfer

@@ -18,10 +18,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
-import robotran.ui.documents.Explanation
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
 

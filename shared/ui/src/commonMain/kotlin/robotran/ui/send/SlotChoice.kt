@@ -17,12 +17,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.tower.LegoLimits
-import robotran.ui.language.spoken
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
 

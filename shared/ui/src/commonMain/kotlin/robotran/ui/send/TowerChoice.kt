@@ -13,13 +13,8 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
 

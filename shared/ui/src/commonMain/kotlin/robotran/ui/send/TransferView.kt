@@ -12,12 +12,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
 import robotran.tower.TransferProgress
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
 import robotran.ui.texts.SendTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /**
  * How far a transfer is; null before its first block.

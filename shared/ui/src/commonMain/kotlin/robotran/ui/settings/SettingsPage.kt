@@ -9,11 +9,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
-import robotran.ui.texts.Label
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalLessMotion
+import robotran.uikit.*
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings

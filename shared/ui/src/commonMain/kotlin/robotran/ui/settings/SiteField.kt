@@ -19,11 +19,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.KeyboardType
 import robotran.projects.siteAddress
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** The base URL of links. Passes only valid URLs, or an empty text, to [onSite]. */
 @Composable

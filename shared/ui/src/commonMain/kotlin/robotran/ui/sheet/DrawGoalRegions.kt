@@ -11,7 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.text.TextMeasurer
 import robotran.simulation.state.GoalProgress
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.RegionRole
 import robotran.world.geometry.Shape
 import kotlin.math.max

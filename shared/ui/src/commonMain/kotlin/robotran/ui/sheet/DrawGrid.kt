@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.text.TextMeasurer
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.world.Paper
 
 /** A line across the paper every ten centimetres, and finer ones every one, two or five if there is room. */

@@ -14,7 +14,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.Facing

@@ -14,7 +14,7 @@ import robotran.simulation.state.InkShortfall
 import robotran.simulation.state.LineShortfall
 import robotran.simulation.state.PlaceShortfall
 import robotran.simulation.state.TemplateStretch
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.ShortfallMark
 import robotran.world.geometry.Point
 

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.StrayedRobot
 import robotran.world.World
 import kotlin.math.PI

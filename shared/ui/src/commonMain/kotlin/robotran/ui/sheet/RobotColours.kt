@@ -1,7 +1,7 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.Color
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.RobotColour
 import robotran.world.RobotPlacement
 

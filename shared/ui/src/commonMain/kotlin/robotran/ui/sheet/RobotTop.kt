@@ -6,7 +6,7 @@ import androidx.compose.ui.graphics.Color
 import robotran.brick.sensors.SensorCase
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotState
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.RobotPlacement
 
 /** Draws or writes the plates and discs of which a robot from above consists, in centimetres. */

@@ -24,8 +24,7 @@ import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.simulation.state.SessionState
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetLayer
 import robotran.world.World

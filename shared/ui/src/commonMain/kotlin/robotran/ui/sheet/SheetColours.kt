@@ -2,7 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.runtime.Immutable
 import androidx.compose.ui.graphics.Color
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /**
  * The colours of the sheet; only desk, paper and shadows change with the theme.

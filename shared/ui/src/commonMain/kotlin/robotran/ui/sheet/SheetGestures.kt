@@ -19,7 +19,7 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.launch
-import robotran.ui.parts.wheelNotches
+import robotran.uikit.*
 import kotlin.math.abs
 import kotlin.math.pow
 

@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 
 /** A ring on the paper around the selected element at [middle]. */

@@ -12,7 +12,7 @@ import robotran.ui.sheet.drawReading
 import robotran.ui.sheet.drawRobotName
 import robotran.ui.sheet.namedElements
 import robotran.ui.sheet.readings
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import robotran.world.geometry.Point
 

@@ -14,7 +14,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.addLine
 import robotran.ui.sheet.drawReading
 import robotran.ui.sheet.towards
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.geometry.Point
 import robotran.world.geometry.RADIANS_PER_DEGREE

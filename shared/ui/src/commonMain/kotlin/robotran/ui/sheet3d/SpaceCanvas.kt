@@ -24,8 +24,7 @@ import robotran.scene3d.camera.PictureWindow
 import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.SpaceCamera

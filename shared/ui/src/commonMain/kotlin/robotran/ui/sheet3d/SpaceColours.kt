@@ -8,7 +8,7 @@ import robotran.scene3d.model.RobotPalette
 import robotran.scene3d.model.SceneColours
 import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.RobotPlacement
 
 /**

@@ -21,13 +21,13 @@ import androidx.compose.ui.input.pointer.positionChanged
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.launch
-import robotran.ui.parts.wheelNotches
 import robotran.ui.sheet.DOUBLE_TAP_DISTANCE
 import robotran.ui.sheet.DOUBLE_TAP_ZOOM
 import robotran.ui.sheet.MAX_WHEEL
 import robotran.ui.sheet.SheetTouch
 import robotran.ui.sheet.WHEEL_ZOOM
 import robotran.ui.sheet.toleranceOf
+import robotran.uikit.*
 import kotlin.math.abs
 import kotlin.math.pow
 

@@ -2,6 +2,7 @@ package robotran.ui.texts
 
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.uikit.*
 
 /**
  * What the screens call a kind of brick and what it has.

@@ -21,14 +21,9 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
 import robotran.simulation.state.AmbientConditions
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
 import robotran.ui.sheet.has
-import robotran.ui.texts.Label
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.world.World
 import robotran.world.WorldLimits
 import kotlin.math.max

@@ -15,9 +15,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
 import robotran.ui.texts.SheetTexts
+import robotran.uikit.*
 import robotran.world.TouchKind
 import robotran.world.World
 

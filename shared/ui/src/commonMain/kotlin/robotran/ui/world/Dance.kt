@@ -7,8 +7,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
 import robotran.simulation.state.SessionState
-import robotran.ui.theme.LocalLessMotion
-import robotran.ui.theme.Motion
+import robotran.uikit.*
 import kotlin.math.PI
 import kotlin.math.sin
 

@@ -2,10 +2,10 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.SheetTexts
+import robotran.uikit.*
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.World

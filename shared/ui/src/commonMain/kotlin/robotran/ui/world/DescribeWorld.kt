@@ -3,12 +3,12 @@ package robotran.ui.world
 import androidx.compose.runtime.Composable
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.goalRegions
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.SheetTexts
+import robotran.uikit.*
 import robotran.world.RegionRole
 import robotran.world.World
 import robotran.world.geometry.centre

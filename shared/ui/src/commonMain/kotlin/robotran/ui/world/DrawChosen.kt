@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.SheetElement
 import robotran.world.World
 

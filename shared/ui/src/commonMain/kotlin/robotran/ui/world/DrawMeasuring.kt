@@ -18,7 +18,7 @@ import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringEnd
 import kotlin.math.PI

@@ -29,10 +29,8 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.max
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.world.World

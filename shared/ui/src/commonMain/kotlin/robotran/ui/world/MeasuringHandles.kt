@@ -29,11 +29,9 @@ import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringEnd
 import robotran.workshop.measuring.SnappedPlace

@@ -2,11 +2,10 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import robotran.language.Language
-import robotran.ui.language.spoken
 import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.distance
-import robotran.ui.texts.Label
 import robotran.ui.texts.SheetTexts
+import robotran.uikit.*
 import robotran.workshop.measuring.MeasuredThing
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringEnd

@@ -17,8 +17,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawSheet
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.World
 

@@ -26,8 +26,7 @@ import androidx.compose.ui.semantics.testTag
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.numberFor
 import robotran.world.geometry.Point

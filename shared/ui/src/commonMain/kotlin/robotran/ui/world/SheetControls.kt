@@ -9,12 +9,11 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
 import robotran.ui.texts.ExportTexts
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.Dimensions
+import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent

@@ -3,7 +3,7 @@ package robotran.ui.world
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.ui.parts.Icon
+import robotran.uikit.*
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin

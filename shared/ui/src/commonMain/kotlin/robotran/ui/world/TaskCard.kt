@@ -41,20 +41,13 @@ import robotran.ui.assignment.HandedInLine
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
 import robotran.ui.course.CourseLine
-import robotran.ui.language.spoken
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
@@ -106,7 +99,7 @@ internal fun TaskCard(
                 val change = !isFolded
                 onEvent(
                     if (assignment == null) {
-                        WorkshopEvent.TaskFolded(change)
+                        ScreenEvent.TaskFolded(change)
                     } else {
                         AssignmentEvent.TaskFolded(change)
                     },
@@ -133,7 +126,7 @@ internal fun TaskCard(
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
     IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
-        onEvent(WorkshopEvent.TaskShown(false))
+        onEvent(ScreenEvent.TaskShown(false))
     })
 
 @Composable

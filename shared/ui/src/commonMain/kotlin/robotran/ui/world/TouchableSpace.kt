@@ -19,7 +19,6 @@ import androidx.compose.ui.unit.dp
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.sheet.drawShortfallLines
 import robotran.ui.sheet.drawShortfallPins
 import robotran.ui.sheet3d.SpaceCanvas
@@ -28,8 +27,7 @@ import robotran.ui.sheet3d.drawHandleLine
 import robotran.ui.sheet3d.drawPreview3D
 import robotran.ui.sheet3d.previewEnd3D
 import robotran.ui.sheet3d.toOffset
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.SheetEvent

@@ -22,14 +22,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.AppMenu
-import robotran.ui.parts.RadioMark
-import robotran.ui.texts.Label
 import robotran.ui.texts.SheetTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetLayer

@@ -21,8 +21,7 @@ import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
 import robotran.ui.sheet.drawStrayed
 import robotran.ui.sheet.previewEnd
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent

@@ -6,10 +6,9 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.learning.TaskHelps
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.LearningTexts
+import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.WorldTaskState

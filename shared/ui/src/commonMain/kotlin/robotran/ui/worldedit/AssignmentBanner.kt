@@ -16,11 +16,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
-import robotran.ui.language.spoken
-import robotran.ui.parts.SecondButton
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.EditOrigin

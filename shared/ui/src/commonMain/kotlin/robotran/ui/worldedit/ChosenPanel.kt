@@ -18,18 +18,11 @@ import robotran.brick.sensors.SensorKind
 import robotran.editing.RobotTexts
 import robotran.editing.WorldEditorTexts
 import robotran.ui.brick.nxt.words
-import robotran.ui.editing.EditIcons
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
-import robotran.ui.editing.IconWord
 import robotran.ui.editing.RowHeading
-import robotran.ui.editing.WordButton
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.texts.Label
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
 import robotran.worldediting.AlignSide
 import robotran.worldediting.Element
@@ -147,7 +140,7 @@ private fun AlignRow(editor: EditorScope) {
     FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
         for (side in AlignSide.entries) {
             val tag = "align-${side.name.lowercase()}"
-            IconWord(EditIcons.align(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
+            IconWord(alignIcon(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
         }
     }
 }

@@ -2,7 +2,6 @@ package robotran.ui.worldedit
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.PathEffect
 import androidx.compose.ui.graphics.StrokeCap
@@ -11,10 +10,9 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.rotate
 import androidx.compose.ui.unit.dp
-import robotran.ui.parts.Icon
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.worldediting.DragHandle
 import robotran.worldediting.SelectionFrame

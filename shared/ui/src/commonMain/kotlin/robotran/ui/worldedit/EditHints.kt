@@ -20,15 +20,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
-import robotran.ui.editing.WordButton
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.scrollHint
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.WorldEditState
 import robotran.worldediting.WorldEdit

@@ -8,6 +8,7 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
+import robotran.uikit.*
 import robotran.worldediting.Tool
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing

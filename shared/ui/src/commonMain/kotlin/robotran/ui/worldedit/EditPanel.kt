@@ -27,14 +27,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.FieldPanel
-import robotran.ui.language.spoken
-import robotran.ui.parts.broughtIntoSight
-import robotran.ui.parts.scrollHint
-import robotran.ui.texts.Label
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** The tabs of the editor's panel. */
 internal enum class EditTab(val title: Label) {

@@ -24,13 +24,11 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
 import robotran.editing.WorldEditorTexts
 import robotran.simulation.state.SessionState
-import robotran.ui.language.spoken
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import robotran.worldediting.ElementKind
 

@@ -2,7 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
 import robotran.editing.WorldEditorTexts
-import robotran.ui.language.spoken
+import robotran.uikit.*
 import robotran.world.World
 import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing

@@ -21,14 +21,8 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
-import robotran.ui.editing.EditIcons
 import robotran.ui.editing.HelpText
-import robotran.ui.language.spoken
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEdit

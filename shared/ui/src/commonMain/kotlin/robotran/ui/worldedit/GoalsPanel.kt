@@ -8,13 +8,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
-import robotran.ui.editing.EditIcons
 import robotran.ui.editing.HelpText
-import robotran.ui.editing.IconWord
-import robotran.ui.editing.MenuRow
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.texts.Label
+import robotran.uikit.*
 import robotran.world.Goal
 import robotran.world.HasLine
 import robotran.world.MarkFigure

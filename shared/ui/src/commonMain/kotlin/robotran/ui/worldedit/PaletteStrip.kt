@@ -29,14 +29,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.CarriedItem
-import robotran.ui.editing.EditIcons
-import robotran.ui.editing.IconWord
 import robotran.ui.editing.PALETTE_SIGN
-import robotran.ui.editing.SignWord
-import robotran.ui.editing.drawPaletteItem
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool

@@ -2,9 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.runtime.Composable
 import robotran.editing.WorldEditorTexts
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.texts.Label
+import robotran.uikit.*
 import robotran.world.World
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ValidationError

@@ -35,11 +35,9 @@ import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.editing.CarriedSign
-import robotran.ui.language.spoken
-import robotran.ui.parts.LocalKeyboardHeight
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.WorldEditState

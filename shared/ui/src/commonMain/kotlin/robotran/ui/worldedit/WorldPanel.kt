@@ -6,8 +6,7 @@ import robotran.editing.making
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
-import robotran.ui.editing.WordButton
-import robotran.ui.language.spoken
+import robotran.uikit.*
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.fieldsOf
 import robotran.worldediting.parameters

@@ -1,7 +1,7 @@
 package robotran.ui.desktop
 
 import androidx.compose.ui.graphics.toArgb
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import java.awt.Color
 import java.awt.Component
 import java.awt.Container

@@ -13,12 +13,10 @@ import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
-import robotran.ui.language.spoken
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.ExportTexts
-import robotran.ui.texts.Label
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.OTHER_BRICKS
@@ -26,6 +24,7 @@ import robotran.ui.texts.RunTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.ui.texts.SendTexts
 import robotran.ui.theme.coloursOf
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent

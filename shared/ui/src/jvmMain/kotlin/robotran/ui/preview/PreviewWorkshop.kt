@@ -13,8 +13,8 @@ import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.learning.WorldGallery
 import robotran.ui.language.InLanguage
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent

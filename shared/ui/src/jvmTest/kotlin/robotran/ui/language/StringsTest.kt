@@ -80,8 +80,8 @@ class StringsTest {
 
     private companion object {
         /** The messages of each catalogue of the screens, each with its heading and all its languages. */
-        val catalogues: Map<String, List<String>> = listOf(".", "../editing")
-            .flatMap { checkNotNull(File("$it/src/commonMain/messages").listFiles()).toList() }
+        val catalogues: Map<String, List<String>> = listOf("src", "../editing/src", "../uikit/src")
+            .flatMap { checkNotNull(File("$it/commonMain/messages").listFiles()).asList() }
             .filter { "# object" in it.readText() }
             .associate { it.name to it.readText().split("\n## ").drop(1) }
         val ARGUMENT = Regex("""\{\w+\}""")

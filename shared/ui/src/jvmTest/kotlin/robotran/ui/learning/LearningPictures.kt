@@ -8,7 +8,7 @@ import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent

@@ -14,8 +14,8 @@ import robotran.ui.language.InLanguage
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.sceneOf
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
+import robotran.uikit.*
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.SendState
 import robotran.workshop.state.SendStep

@@ -11,7 +11,7 @@ import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.toPixelMap
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Paper

@@ -12,7 +12,7 @@ import robotran.ui.golden.GoldenPicture
 import robotran.ui.pictures.labelsWith
 import robotran.ui.pictures.pictureFonts
 import robotran.ui.sheet3d.renderSpace
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import robotran.world.BumperPart
 import robotran.world.Facing

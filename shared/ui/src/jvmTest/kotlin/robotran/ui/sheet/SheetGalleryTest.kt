@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.ImageBitmap
 import robotran.ui.pictures.pngOf
 import robotran.ui.pictures.sheetPng
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 import java.io.File

@@ -3,7 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.graphics.PixelMap
 import androidx.compose.ui.graphics.luminance
 import androidx.compose.ui.graphics.toPixelMap
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.world.Template
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point

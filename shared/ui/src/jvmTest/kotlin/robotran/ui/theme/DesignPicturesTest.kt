@@ -25,6 +25,7 @@ import org.jetbrains.skia.Image
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
 import robotran.ui.screen.sceneOf
+import robotran.uikit.*
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,5 +1,6 @@
 package robotran.ui.theme
 
+import robotran.uikit.*
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -7,25 +8,27 @@ import kotlin.test.assertTrue
 
 /** Components take colours, sizes, shapes and times from the design's tokens, and do not invent their own. */
 class DesignTokensTest {
-    private val sources = File("src/commonMain/kotlin/robotran/ui").let { root ->
-        root.walk().filter { it.extension == "kt" }.associate { it.relativeTo(root).path to it.readLines() }
-    }
+    private val sources = listOf("src/commonMain/kotlin/robotran/ui", "../uikit/src/commonMain/kotlin/robotran/uikit")
+        .flatMap { folder -> File(folder).walk().filter { it.extension == "kt" } }
+        .associate { it.path to it.readLines() }
 
     @Test
     fun `colours are written in the theme and in files of colours only`() =
         assertNone(Regex("""\bColor\(0x|\bColor\.(White|Black|Gray|Red|Green|Blue|Yellow)\b""")) {
-            !it.startsWith("theme/") && !it.endsWith("Colours.kt")
+            !it.endsWith("Colours.kt") && it.isNot("FocusRings")
         }
 
     @Test
-    fun `text has the sizes of the theme`() = assertNone(Regex("""\b\d+(\.\d+)?\.sp\b""")) { !it.startsWith("theme/") }
+    fun `text has the sizes of the theme`() = assertNone(Regex("""\b\d+(\.\d+)?\.sp\b""")) {
+        it.isNot("TextSizes", "Dimensions")
+    }
 
     @Test
     fun `corners have the radii of the theme`() =
-        assertNone(Regex("""RoundedCornerShape\(\d|CORNER = \d+\.dp""")) { !it.startsWith("theme/") }
+        assertNone(Regex("""RoundedCornerShape\(\d|CORNER = \d+\.dp""")) { it.isNot("Corners") }
 
     @Test
-    fun `movements take the times of the theme`() = assertNone(Regex("""tween\(\d""")) { !it.startsWith("theme/") }
+    fun `movements take the times of the theme`() = assertNone(Regex("""tween\(\d"""))
 
     @Test
     fun `paddings and gaps are whole steps`() {
@@ -51,9 +54,9 @@ class DesignTokensTest {
         assertTrue(TextSizes.SMALL.value >= 14)
     }
 
-    private fun assertNone(wrong: Regex, isChecked: (String) -> Boolean) {
+    private fun assertNone(wrong: Regex, isChecked: (String) -> Boolean = { true }) {
         val found = linesWith(wrong, isChecked).map { it.first }
-        assertTrue(found.isEmpty(), "Take a token from ui/theme:\n" + found.joinToString("\n"))
+        assertTrue(found.isEmpty(), "Take a token of the kit:\n" + found.joinToString("\n"))
     }
 
     /** Lines that contain [wanted] with their place, and what matched. */
@@ -63,6 +66,8 @@ class DesignTokensTest {
                 wanted.find(line)?.let { "$file:${number + 1}: ${line.trim()}" to it.value }
             }
         }
+
+    private fun String.isNot(vararg names: String) = names.none { endsWith("/$it.kt") }
 
     private companion object {
         val STEP = Regex("""\b(\d+(?:\.\d+)?)\.dp\b""")

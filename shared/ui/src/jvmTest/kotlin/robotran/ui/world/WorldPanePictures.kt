@@ -18,7 +18,7 @@ import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.renderSheet
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent

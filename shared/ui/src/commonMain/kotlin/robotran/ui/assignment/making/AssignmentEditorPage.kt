@@ -22,15 +22,8 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
-import robotran.ui.parts.Page
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentEditorState

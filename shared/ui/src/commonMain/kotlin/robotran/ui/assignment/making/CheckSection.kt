@@ -8,11 +8,8 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.worldName
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
-import robotran.ui.parts.SecondButton
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentEditorState

@@ -1,8 +1,8 @@
 package robotran.ui.assignment.making
 
 import androidx.compose.runtime.Composable
-import robotran.ui.language.spoken
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 
 /** What went wrong, in the author's language; the phrase itself for a condition that the page does not offer. */
 @Composable

@@ -13,15 +13,10 @@ import robotran.assignments.packaging.ScormVersion
 import robotran.ui.assignment.LinkOrError
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
-import robotran.ui.documents.Explanation
 import robotran.ui.documents.LocalLinkNote
-import robotran.ui.language.spoken
-import robotran.ui.parts.PrimaryButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.parts.fieldColours
 import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentEditorState

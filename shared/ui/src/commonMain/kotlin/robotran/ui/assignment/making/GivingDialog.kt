@@ -1,13 +1,9 @@
 package robotran.ui.assignment.making
 
 import androidx.compose.runtime.Composable
-import robotran.ui.documents.DialogFrame
-import robotran.ui.documents.Explanation
-import robotran.ui.documents.MainButton
-import robotran.ui.documents.OtherButton
-import robotran.ui.language.spoken
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 

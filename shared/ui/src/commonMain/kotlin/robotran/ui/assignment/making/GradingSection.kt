@@ -25,14 +25,8 @@ import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.ui.assignment.Quiet
-import robotran.ui.documents.Explanation
-import robotran.ui.language.spoken
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.runbar.Chip
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.world.WorldLimits

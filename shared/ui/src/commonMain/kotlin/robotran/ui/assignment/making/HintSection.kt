@@ -24,15 +24,8 @@ import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.Quiet
-import robotran.ui.editing.MenuRow
-import robotran.ui.language.spoken
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.SecondButton
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.world.WorldLimits
 
 /** The hints, in the order in which they are tried. */

@@ -1,6 +1,6 @@
 package robotran.ui.assignment.making
 
-import robotran.ui.parts.Icon
+import robotran.uikit.*
 
 /** Fewer and more. */
 internal object MakeIcons {

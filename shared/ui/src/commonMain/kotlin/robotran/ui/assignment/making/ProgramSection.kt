@@ -19,14 +19,8 @@ import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.robolang.words.BlockGroup
 import robotran.ui.assignment.Quiet
-import robotran.ui.documents.Explanation
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.runbar.Chip
-import robotran.ui.settings.SwitchRow
 import robotran.ui.texts.SchoolTexts
+import robotran.uikit.*
 import robotran.workshop.blocks.wordsOf
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent

@@ -19,16 +19,9 @@ import robotran.projects.Assignment
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.AssignmentText
 import robotran.ui.assignment.Quiet
-import robotran.ui.documents.Explanation
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.learning.MarkedText
-import robotran.ui.parts.QuietButton
-import robotran.ui.parts.SecondButton
-import robotran.ui.texts.Label
 import robotran.ui.texts.SchoolTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentEditorState

@@ -9,12 +9,8 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.FailureFrame
 import robotran.nxt.state.ExceptionView
-import robotran.ui.language.spoken
 import robotran.ui.texts.NxtTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 
 /** In words, the calls of which the exception screen of an NXT shows only numbers; empty if there are none. */
 @Composable

@@ -27,12 +27,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
-import robotran.ui.language.spoken
-import robotran.ui.parts.holdable
-import robotran.ui.texts.Label
 import robotran.ui.texts.NxtTexts
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** A button of an NXT, drawn pressed while [down]. A click by a screen reader presses and releases it. */
 @Composable

@@ -19,9 +19,9 @@ import androidx.compose.ui.unit.Dp
 import kotlinx.coroutines.delay
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
-import robotran.ui.language.spoken
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 
 /**
  * The display, dot by dot. Screen readers announce the marked entry of a menu and its lines when they change, but not more often than every

@@ -17,8 +17,8 @@ import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.nxt.state.NxtState
-import robotran.ui.language.spoken
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.world.FingerTouchPart
 import robotran.world.RobotDescription
 import robotran.world.RobotPart

@@ -25,13 +25,11 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SensorPortState
-import robotran.ui.language.spoken
-import robotran.ui.parts.holdable
 import robotran.ui.sheet.valueText
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.world.FingerTouchPart
 import robotran.world.RobotPart
 

@@ -10,10 +10,10 @@ import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.ColourKind
-import robotran.ui.texts.Label
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 
 /** The name of a sensor. */
 internal val SensorKind.words: Label

@@ -17,7 +17,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 
 /**
  * A compact NXT where room is scarce: four rows of its display, and ENTER.

@@ -24,12 +24,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
-import robotran.ui.language.spoken
-import robotran.ui.parts.holdable
-import robotran.ui.texts.Label
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** A button of the brick, drawn pressed while [down]. A click by a screen reader presses and releases it. */
 @Composable

@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /**
  * The yellow case with its studs, the infrared window and the grey plate below the display and the buttons.

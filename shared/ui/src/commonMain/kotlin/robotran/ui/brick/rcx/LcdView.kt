@@ -11,9 +11,8 @@ import androidx.compose.ui.semantics.semantics
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 
 /** The display, segment by segment. Screen readers announce its text and icons on every change. */
 @Composable

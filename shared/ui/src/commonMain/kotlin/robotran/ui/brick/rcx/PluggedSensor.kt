@@ -7,9 +7,9 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import robotran.rcxrom.sensors.SensorState
-import robotran.ui.texts.Label
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.world.PortSensor
 
 /**

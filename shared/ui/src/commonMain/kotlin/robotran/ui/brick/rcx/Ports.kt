@@ -27,11 +27,8 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
-import robotran.ui.language.spoken
-import robotran.ui.parts.holdable
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /**
  * A grey input port with its sensor and value. It is lit while it is powered or its bumper is pressed.

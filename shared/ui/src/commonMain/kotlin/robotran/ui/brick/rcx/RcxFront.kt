@@ -15,8 +15,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
 import robotran.rcxrom.state.RcxState
-import robotran.ui.language.spoken
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 import robotran.world.PortSensor
 
 /**

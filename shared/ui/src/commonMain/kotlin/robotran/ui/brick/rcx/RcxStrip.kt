@@ -11,8 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
 import robotran.rcxrom.state.RcxState
-import robotran.ui.theme.RobotranColours
-import robotran.ui.theme.Shapes
+import robotran.uikit.*
 
 /**
  * A compact RCX where room is scarce: the digits of its display, and Run.

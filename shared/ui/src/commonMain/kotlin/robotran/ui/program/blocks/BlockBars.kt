@@ -36,20 +36,9 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
-import robotran.ui.parts.Plus
-import robotran.ui.parts.SignPicture
 import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.ScreenTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.Space
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent
 

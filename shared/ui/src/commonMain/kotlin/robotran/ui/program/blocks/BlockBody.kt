@@ -25,12 +25,8 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
-import robotran.ui.language.spoken
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Corners
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 
 /** The coloured block of a row. A touch puts the cursor there. */

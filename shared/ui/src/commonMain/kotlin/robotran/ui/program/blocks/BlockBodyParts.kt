@@ -23,10 +23,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
-import robotran.ui.language.spoken
-import robotran.ui.parts.Icon
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Corners
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.group

@@ -24,12 +24,9 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.ui.language.spoken
 import robotran.ui.program.editor.codeColours
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 
 /** The line number of [row], the same as in the text. A touch sets a breakpoint, or takes it away. */

@@ -42,9 +42,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.parts.isTree
-import robotran.ui.parts.scrolledByReaders
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.DragPayload
 import robotran.workshop.blocks.blocksIn

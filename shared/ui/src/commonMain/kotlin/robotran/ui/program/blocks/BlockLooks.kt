@@ -7,8 +7,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.lerp
 import robotran.blockediting.Block
 import robotran.robolang.words.BlockGroup
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.group
 
 /**

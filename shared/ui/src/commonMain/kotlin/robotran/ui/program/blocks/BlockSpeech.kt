@@ -20,10 +20,8 @@ import robotran.blockediting.BlockEdit
 import robotran.blockediting.describe.BlockDescription
 import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.place
-import robotran.ui.language.spoken
-import robotran.ui.parts.TreePlace
-import robotran.ui.parts.treePlace
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockRow

@@ -17,11 +17,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
-import robotran.ui.language.spoken
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 

@@ -8,7 +8,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
-import robotran.ui.parts.Icon
+import robotran.uikit.*
 
 /** The sign of each group, so that groups differ by more than colour. */
 internal object GroupSigns {

@@ -3,8 +3,8 @@ package robotran.ui.program.blocks
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.staticCompositionLocalOf
-import robotran.ui.language.spoken
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** What all rows say to a screen reader. It is looked up once: a row that scrolls into sight should cost little. */
 @Immutable

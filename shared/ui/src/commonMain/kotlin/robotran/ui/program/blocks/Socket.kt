@@ -29,11 +29,8 @@ import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
-import robotran.ui.parts.SignPicture
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.program.editor.editorStyle
-import robotran.ui.theme.Corners
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 
 /**

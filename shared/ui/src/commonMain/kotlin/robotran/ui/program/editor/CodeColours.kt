@@ -6,8 +6,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
 import robotran.languagesupport.CodeTokenKind
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /** The syntax colours; each has a contrast of at least 4.5 to 1 with the pane. */
 @Immutable

@@ -29,7 +29,7 @@ import robotran.languagesupport.CodeTokens
 import robotran.languagesupport.TextLines
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import robotran.workshop.state.InlineDiagnostic
 
 /**

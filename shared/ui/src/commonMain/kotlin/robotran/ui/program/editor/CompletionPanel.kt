@@ -33,13 +33,8 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.languagesupport.Completion
 import robotran.languagesupport.CompletionList
-import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** The completions at the caret, below it or, if there is more room, above it. */
 @Composable

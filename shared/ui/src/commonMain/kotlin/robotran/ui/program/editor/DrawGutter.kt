@@ -11,7 +11,7 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 
 /** The layouts of the line numbers, cached. */
 internal class NumberLayouts(private val measurer: TextMeasurer, private val style: TextStyle) {

@@ -15,7 +15,7 @@ import androidx.compose.ui.input.pointer.PointerType
 import androidx.compose.ui.input.pointer.isCtrlPressed
 import androidx.compose.ui.input.pointer.isShiftPressed
 import androidx.compose.ui.unit.dp
-import robotran.ui.parts.wheelNotches
+import robotran.uikit.*
 import kotlin.math.abs
 import kotlin.math.pow
 

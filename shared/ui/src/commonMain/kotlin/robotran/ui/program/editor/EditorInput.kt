@@ -19,9 +19,9 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import robotran.textediting.text.TextDocument
-import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
 import robotran.ui.texts.ScreenTexts
+import robotran.uikit.*
 
 /** Keyboard input and semantics of an editor. */
 @Composable

@@ -12,7 +12,7 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
 import robotran.languagesupport.CodeTokens
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /**
  * The visible lines of a text with their numbers, and with [notes] between them.

@@ -19,10 +19,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import robotran.programs.support
 import robotran.textediting.CaretMove
-import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 
 /** The characters on the second page of on-screen keyboards, for touch typing. */
 @Composable

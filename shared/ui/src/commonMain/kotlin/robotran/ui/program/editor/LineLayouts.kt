@@ -15,7 +15,7 @@ import androidx.compose.ui.unit.sp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
-import robotran.ui.theme.codeStyle
+import robotran.uikit.*
 import kotlin.math.ceil
 
 /** The layouts of code lines, created on demand and cached. */

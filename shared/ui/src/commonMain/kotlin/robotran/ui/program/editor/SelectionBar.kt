@@ -27,13 +27,8 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
 import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.Label
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** The buttons for a selection by touch, above it or, at the top edge, below it. */
 @Composable

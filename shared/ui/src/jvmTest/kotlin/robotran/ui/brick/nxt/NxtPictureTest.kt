@@ -22,8 +22,8 @@ import robotran.ui.language.InLanguage
 import robotran.ui.screen.WorkshopScreen
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.sceneOf
-import robotran.ui.theme.LocalRobotranColours
 import robotran.ui.theme.RobotranTheme
+import robotran.uikit.*
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import robotran.world.ReadyRobots

@@ -3,7 +3,7 @@ package robotran.ui.program.blocks
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
 import robotran.robolang.words.BlockGroup
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -15,7 +15,7 @@ import robotran.ui.program.write
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf
-import robotran.ui.theme.RobotranColours
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
@@ -24,7 +24,6 @@ import robotran.workshop.state.DrawerTab
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
-import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
 /** Tests how a run is shown in blocks, in the text beside them, and in Java. */

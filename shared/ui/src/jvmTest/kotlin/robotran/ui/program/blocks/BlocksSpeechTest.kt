@@ -9,10 +9,9 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performSemanticsAction
-import robotran.ui.parts.TreePlace
-import robotran.ui.parts.TreePlaceKey
 import robotran.ui.program.keys
 import robotran.ui.screen.pass
+import robotran.uikit.*
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.text
 import kotlin.test.Test

@@ -18,16 +18,13 @@ import robotran.blockediting.formsFor
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
-import robotran.ui.language.spoken
-import robotran.ui.parts.ClipboardReader
-import robotran.ui.parts.clipboardReader
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
 import robotran.ui.program.blocks.doNow
 import robotran.ui.program.blocks.paste
 import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.Label
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.DragPayload

@@ -44,15 +44,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.BackGesture
-import robotran.ui.parts.Icon
-import robotran.ui.parts.IconTouch
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.areKeysInUse
+import robotran.uikit.*
 
 /**
  * A sheet over the blocks. If it was opened by a key, its first button has the focus unless something else takes it;

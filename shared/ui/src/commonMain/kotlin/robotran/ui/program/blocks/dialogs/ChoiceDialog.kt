@@ -6,9 +6,9 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** The words that may stand at [part]. */
 @OptIn(ExperimentalLayoutApi::class)

@@ -18,15 +18,11 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockEdit
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
 import robotran.ui.texts.BlockTexts
 import robotran.ui.texts.EditorTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
 
 /** How many blocks are chosen, and what can be done to all of them. */

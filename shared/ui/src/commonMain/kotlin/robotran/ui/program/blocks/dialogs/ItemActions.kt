@@ -10,9 +10,9 @@ import robotran.blockediting.nameAt
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** Adds and deletes elements at the end of the list at [part]; nothing if no list is written there. */
 @OptIn(ExperimentalLayoutApi::class)

@@ -14,9 +14,9 @@ import robotran.blockediting.nameAt
 import robotran.blockediting.namesFor
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** Where a name is declared, it can be renamed everywhere; elsewhere another one can be chosen, or a new one made. */
 @OptIn(ExperimentalLayoutApi::class)

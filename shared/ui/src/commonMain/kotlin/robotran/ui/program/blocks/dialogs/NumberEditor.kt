@@ -42,11 +42,9 @@ import robotran.blockediting.scale
 import robotran.editing.written
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueUse
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.LocalRobotranColours
+import robotran.uikit.*
 import kotlin.math.round
 
 /**

@@ -8,10 +8,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.language.spoken
-import robotran.ui.parts.StrokeIcon
-import robotran.ui.parts.StrokeIcons
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /**
  * A number pad, so that no on-screen keyboard is needed.

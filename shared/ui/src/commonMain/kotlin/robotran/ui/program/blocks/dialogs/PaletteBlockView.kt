@@ -26,9 +26,7 @@ import robotran.ui.program.blocks.BlockSizes
 import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.drawBlock
-import robotran.ui.theme.Corners
-import robotran.ui.theme.Dimensions
-import robotran.ui.theme.TextSizes
+import robotran.uikit.*
 
 /** A block of the palette as it will look in the program: with room inside if it has an `end`, round if it is a value. */
 @Composable

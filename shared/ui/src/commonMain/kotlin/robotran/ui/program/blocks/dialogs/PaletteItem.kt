@@ -23,18 +23,12 @@ import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.learning.WordHelp
 import robotran.programs.blockLanguage
-import robotran.ui.language.LocalLanguage
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.carry
 import robotran.ui.texts.BlockTexts
-import robotran.ui.theme.LineHeights
-import robotran.ui.theme.LocalRobotranColours
-import robotran.ui.theme.Shapes
-import robotran.ui.theme.TextSizes
-import robotran.ui.theme.focusRing
+import robotran.uikit.*
 
 /** A block of the palette, with a sentence about what it does. */
 @Composable

@@ -3,9 +3,9 @@ package robotran.ui.program.blocks.dialogs
 import androidx.compose.runtime.Composable
 import robotran.editing.written
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.previewOf
 import robotran.world.geometry.Pose

@@ -18,10 +18,9 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.language.spoken
-import robotran.ui.parts.fieldColours
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** The comment of the line [line]. */
 @Composable

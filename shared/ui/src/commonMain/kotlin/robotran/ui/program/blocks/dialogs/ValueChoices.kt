@@ -9,9 +9,9 @@ import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.robolang.outline.PhrasePart
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** The names and the values of the palette that fit at [part]. */
 @Composable

@@ -5,9 +5,9 @@ import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
 import robotran.robolang.words.ValueUse
-import robotran.ui.language.spoken
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.texts.BlockTexts
+import robotran.uikit.*
 
 /** What may stand at [part]: a number, a name, or another value. */
 @Composable

@@ -1,8 +1,0 @@
-package robotran.ui.parts
-
-import androidx.compose.runtime.compositionLocalOf
-import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
-
-/** The height that an on-screen keyboard covers. The screen keeps the layout from before the keyboard appeared. */
-val LocalKeyboardHeight = compositionLocalOf<Dp> { 0.dp }

@@ -1,9 +1,0 @@
-package robotran.ui.parts
-
-import androidx.compose.ui.input.pointer.PointerEvent
-
-/** Java and Android count in notches. */
-internal actual fun PointerEvent.wheelNotches(density: Float): Float = changes.fold(0f) { sum, change ->
-    sum +
-        change.scrollDelta.y
-}

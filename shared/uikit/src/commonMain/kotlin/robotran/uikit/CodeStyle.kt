@@ -1,0 +1,21 @@
+package robotran.uikit
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.text.style.LineHeightStyle
+import org.jetbrains.compose.resources.Font
+import robotran.uikit.resources.*
+
+/** The style of program text: the bundled monospaced font with a fixed line height. */
+@Composable
+fun codeStyle(colour: Color = LocalRobotranColours.current.onPane): TextStyle = TextStyle(
+    color = colour,
+    fontFamily = FontFamily(Font(Res.font.jetbrains_mono_regular)),
+    // Disables the font's ligatures such as !=: a beginner has to see each character.
+    fontFeatureSettings = "liga 0, calt 0",
+    fontSize = Dimensions.CODE_SIZE,
+    lineHeight = Dimensions.CODE_LINE_HEIGHT,
+    lineHeightStyle = LineHeightStyle(LineHeightStyle.Alignment.Center, LineHeightStyle.Trim.None),
+)

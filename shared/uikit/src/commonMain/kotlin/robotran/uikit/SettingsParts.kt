@@ -1,0 +1,154 @@
+package robotran.uikit
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.selection.toggleable
+import androidx.compose.material3.Slider
+import androidx.compose.material3.SliderDefaults
+import androidx.compose.material3.Switch
+import androidx.compose.material3.SwitchDefaults
+import androidx.compose.material3.Text
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.semantics.stateDescription
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+
+/** A choice of one of [choices], each with its label. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Column(Modifier.selectableGroup().testTag(tag)) {
+        Heading(title)
+        FlowRow(horizontalArrangement = Arrangement.spacedBy(16.dp)) {
+            choices.forEachIndexed { place, (value, words) ->
+                val selected = value == chosen
+                Row(
+                    Modifier
+                        .testTag("$tag-$place")
+                        .defaultMinSize(minHeight = Dimensions.TARGET)
+                        .focusRing()
+                        .selectable(selected, role = Role.RadioButton) { onChoose(value) }
+                        .padding(end = 12.dp),
+                    verticalAlignment = Alignment.CenterVertically,
+                ) {
+                    RadioMark(selected, Modifier.padding(12.dp))
+                    Text(words, color = colours.onPane, fontSize = TextSizes.BODY)
+                }
+            }
+        }
+    }
+}
+
+/**
+ * A slider for a size in [range]; [words] is its text. A finger chooses the size when it is lifted: the page would grow
+ * under it, and the slider with it.
+ */
+@Composable
+fun SizeSlider(
+    title: String,
+    value: Float,
+    range: ClosedFloatingPointRange<Float>,
+    steps: Int,
+    words: (Float) -> String,
+    tag: String,
+    onChange: (Float) -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    var held by remember { mutableStateOf<Float?>(null) }
+    val shown = held ?: value
+    Column {
+        Heading(title)
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            Slider(
+                shown,
+                { held = it },
+                Modifier.weight(1f).testTag(tag).focusRing().semantics {
+                    contentDescription = title
+                    stateDescription = words(shown)
+                },
+                onValueChangeFinished = {
+                    held?.let(onChange)
+                    held = null
+                },
+                valueRange = range,
+                steps = steps,
+                colors = SliderDefaults.colors(
+                    thumbColor = colours.onPane,
+                    activeTrackColor = colours.onPane,
+                    inactiveTrackColor = colours.line,
+                    activeTickColor = colours.pane,
+                    inactiveTickColor = colours.quiet,
+                ),
+            )
+            Text(
+                words(shown),
+                Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
+                color = colours.onPane,
+                fontSize = TextSizes.BODY,
+            )
+        }
+    }
+}
+
+/** A switch with a title. */
+@Composable
+fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .testTag(tag)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
+            .focusRing()
+            .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            title,
+            Modifier.weight(1f),
+            color = colours.onPane,
+            fontSize = TextSizes.LEAD,
+            fontWeight = FontWeight.Medium,
+        )
+        Switch(
+            on,
+            onCheckedChange = null,
+            colors = SwitchDefaults.colors(
+                checkedThumbColor = colours.pane,
+                checkedTrackColor = RobotranColours.RUN_GREEN,
+                uncheckedThumbColor = colours.quiet,
+                uncheckedBorderColor = colours.quiet,
+                uncheckedTrackColor = colours.pane,
+            ),
+        )
+    }
+}
+
+@Composable
+private fun Heading(text: String) = Text(
+    text,
+    Modifier.padding(bottom = 4.dp).semantics { heading() },
+    color = LocalRobotranColours.current.onPane,
+    fontSize = TextSizes.LEAD,
+    fontWeight = FontWeight.Medium,
+)
