@@ -1,5 +1,6 @@
 package robotran.robotediting
 
+import robotran.editing.CommonEdits
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 
@@ -57,4 +58,8 @@ sealed interface RobotEdit {
     data object Undo : RobotEdit
 
     data object Redo : RobotEdit
+
+    companion object {
+        val COMMON: CommonEdits<RobotEdit> = CommonEdits(Undo, Redo, FinishChange, Drop, CancelDrag)
+    }
 }

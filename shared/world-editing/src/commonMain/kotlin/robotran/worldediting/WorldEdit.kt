@@ -1,5 +1,6 @@
 package robotran.worldediting
 
+import robotran.editing.CommonEdits
 import robotran.world.Goal
 import robotran.world.GoalCondition
 import robotran.world.geometry.Bounds
@@ -121,6 +122,10 @@ sealed interface WorldEdit {
     data object Undo : WorldEdit
 
     data object Redo : WorldEdit
+
+    companion object {
+        val COMMON: CommonEdits<WorldEdit> = CommonEdits(Undo, Redo, FinishChange, Drop, CancelDrag)
+    }
 }
 
 enum class AlignSide { LEFT, CENTRE, RIGHT, TOP, MIDDLE, BOTTOM }

@@ -1,17 +1,17 @@
 package robotran.ui.editing
 
 import androidx.compose.runtime.Immutable
+import robotran.editing.CommonEdits
 import robotran.workshop.event.WorkshopEvent
 
 /**
  * How the parts of an editor send edits.
  *
- * @param finish ends a longer change, such as typing a name.
  * @param eventOf the event of an edit.
  */
 @Immutable
 internal abstract class EditScope<T : Any>(
-    private val finish: T,
+    val edits: CommonEdits<T>,
     private val eventOf: (T) -> WorkshopEvent,
     private val onEvent: (WorkshopEvent) -> Unit,
 ) {
@@ -25,7 +25,7 @@ internal abstract class EditScope<T : Any>(
         settle()
     }
 
-    fun settle() = make(finish)
+    fun settle() = make(edits.finish)
 
     fun perform(event: WorkshopEvent) = onEvent(event)
 }

@@ -7,7 +7,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.robotediting.elements
 import robotran.robotediting.placeOf
-import robotran.ui.editing.CarriedItem
+import robotran.ui.editing.EditorView
 import robotran.ui.sheet.SheetTransform
 import robotran.world.RobotDescription
 import robotran.world.geometry.Bounds
@@ -16,27 +16,19 @@ import robotran.world.robot.box
 import kotlin.math.min
 
 /**
- * The view state of the plan: where the robot is on the screen, and what is carried there. The front is up. The scale
- * follows the robot only on request, so that nothing moves under a finger.
+ * The view state of the plan: where the robot is on the screen. The front is up. The scale follows the robot only on
+ * request, so that nothing moves under a finger.
  */
-internal class PlanView(robot: RobotDescription) {
+internal class PlanView(robot: RobotDescription) : EditorView() {
     private var frame by mutableStateOf(frameOf(robot))
     private var zoom by mutableStateOf(1f)
     private var push by mutableStateOf(Offset.Zero)
-
-    /** The bounds of the plan's pane on the screen. */
-    var window by mutableStateOf(Rect.Zero)
-
-    /** The item that is dragged from the palette. */
-    var carried by mutableStateOf<CarriedItem?>(null)
-
-    val pane: Rect get() = Rect(Offset.Zero, window.size)
 
     /**
      * Maps the plan to pixels as if the robot stood on a sheet with its middle at the lower left corner of the paper
      * and looked up.
      */
-    val transform: SheetTransform
+    override val transform: SheetTransform
         get() {
             val across = (frame.top - frame.bottom).toFloat()
             val along = (frame.right - frame.left).toFloat()
@@ -52,14 +44,14 @@ internal class PlanView(robot: RobotDescription) {
         push = Offset.Zero
     }
 
-    fun zoomBy(factor: Float, about: Offset) {
-        val next = (zoom * factor).coerceIn(MIN_ZOOM, MAX_ZOOM)
+    override fun zoomBy(factor: Double, about: Offset) {
+        val next = (zoom * factor.toFloat()).coerceIn(MIN_ZOOM, MAX_ZOOM)
         val from = transform.paper.topLeft
         push += (from - about) * (next / zoom - 1)
         zoom = next
     }
 
-    fun pushBy(offset: Offset) {
+    override fun pushBy(offset: Offset) {
         val reach = min(window.width, window.height)
         push = Offset((push.x + offset.x).coerceIn(-reach, reach), (push.y + offset.y).coerceIn(-reach, reach))
     }

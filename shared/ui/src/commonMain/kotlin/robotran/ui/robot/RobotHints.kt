@@ -1,33 +1,17 @@
 package robotran.ui.robot
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.border
-import androidx.compose.foundation.gestures.Orientation
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.input.pointer.pointerInput
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.unit.dp
 import robotran.editing.RobotTexts
-import robotran.editing.WorldEditorTexts
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.partWord
 import robotran.robotediting.portsOf
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.editing.EditorHints
+import robotran.ui.editing.HintAction
+import robotran.ui.editing.MAX_HINTS
 import robotran.ui.worldedit.validationErrorText
 import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
@@ -40,7 +24,7 @@ import robotran.worldediting.ElementRef
 
 /**
  * Why an edit was refused, what is impossible about the robot, whether it has no room where it stands, and what is not
- * plugged in. It covers the plan, which does not move, until it is closed or replaced.
+ * plugged in.
  */
 @Composable
 internal fun RobotHints(
@@ -57,42 +41,19 @@ internal fun RobotHints(
         state.fileError,
         editing.error?.let { robotEditErrorText(it)(spoken) },
         RobotTexts.saveRefused(spoken).takeIf { state.isSavingRefused },
-    ) + editing.errors.take(MAX_ERRORS).map { it.sentence(language) } +
+    ) + editing.errors.take(MAX_HINTS).map { it.sentence(language) } +
         world.editing.errors.filter { it.thing == here }.take(1).map { validationErrorText(world.world, it) }
     val warnings = listOfNotNull(unpluggedHint(editing))
     if ((sentences.isEmpty() && warnings.isEmpty()) || !state.hintsShown || editing.gesture != null) return
-    val pane = if (sentences.isEmpty()) colours.pane else colours.errorPane
-    val scroll = rememberScrollState()
-    Row(
-        modifier
-            .widthIn(max = MAX_WIDTH)
-            .background(pane, Shapes.MEDIUM)
-            .border(1.dp, colours.line, Shapes.MEDIUM)
-            // Blocks touches on the content below.
-            .pointerInput(Unit) { },
-    ) {
-        Column(
-            Modifier
-                .weight(1f, fill = false)
-                .testTag("robot-hints")
-                .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
-                .verticalScroll(scroll)
-                .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
-            Arrangement.spacedBy(4.dp),
-        ) {
-            for (sentence in sentences + warnings) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
-            val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
-            if (element != null && element != editing.chosen) {
-                WordButton(WorldEditorTexts.showTrouble(spoken), "robot-show-trouble", {
-                    scope.make(RobotEdit.Choose(element))
-                })
-            }
-        }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close", {
-            scope.perform(RobotEditEvent.HintsClosed)
-        })
-    }
+    val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)?.takeIf { it != editing.chosen }
+    EditorHints(
+        "robot-hints",
+        sentences + warnings,
+        if (sentences.isEmpty()) colours.pane else colours.errorPane,
+        element?.let { HintAction("robot-show-trouble") { scope.make(RobotEdit.Choose(it)) } },
+        { scope.perform(RobotEditEvent.HintsClosed) },
+        modifier,
+    )
 }
 
 /** What is chosen and has no cable; null if it has one, or needs none. */
@@ -103,6 +64,3 @@ private fun unpluggedHint(editing: RobotEditing): String? {
     val name = editing.robot.things.getOrNull(part.number)?.let { partWord(it)(spoken) } ?: return null
     return RobotTexts.hintUnplugged(spoken, name)
 }
-
-private val MAX_WIDTH = 560.dp
-private const val MAX_ERRORS = 2

@@ -13,11 +13,13 @@ import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.robotediting.elements
+import robotran.ui.editing.FINE_STEP
+import robotran.ui.editing.editForCommand
 
 /** The edit for a key on the plan, on which the front is up; null for none. */
 internal fun robotEditForKey(event: KeyEvent, editing: RobotEditing): RobotEdit? {
     if (event.type != KeyEventType.KeyDown) return null
-    if (event.isCtrlPressed || event.isMetaPressed) return robotEditForCommand(event)
+    if (event.isCtrlPressed || event.isMetaPressed) return editForCommand(event, RobotEdit.COMMON)
     val shift = event.isShiftPressed
     val step = if (shift) FINE_STEP else RobotSnapping.CENTIMETRES
     return when (event.key) {
@@ -29,16 +31,6 @@ internal fun robotEditForKey(event: KeyEvent, editing: RobotEditing): RobotEdit?
         Key.R -> RobotEdit.TurnBy(if (shift) -RobotSnapping.DEGREES else RobotSnapping.DEGREES)
         Key.Delete, Key.Backspace -> RobotEdit.Remove
         Key.Escape -> escapedRobot(editing)
-        else -> null
-    }
-}
-
-/** The edit for Ctrl and a key, if the focused element has not consumed it. */
-internal fun robotEditForCommand(event: KeyEvent): RobotEdit? {
-    if (event.type != KeyEventType.KeyDown || !(event.isCtrlPressed || event.isMetaPressed)) return null
-    return when (event.key) {
-        Key.Z -> if (event.isShiftPressed) RobotEdit.Redo else RobotEdit.Undo
-        Key.Y -> RobotEdit.Redo
         else -> null
     }
 }
@@ -58,5 +50,3 @@ private fun tabbed(editing: RobotEditing, backwards: Boolean): RobotEdit? {
         (backwards && editing.chosen == null)
     return if (isAtEnd) null else RobotEdit.ChooseNext(backwards)
 }
-
-private const val FINE_STEP = 0.1

@@ -1,36 +1,11 @@
 package robotran.ui.robot
 
-import androidx.compose.foundation.Canvas
-import androidx.compose.foundation.background
-import androidx.compose.foundation.gestures.Orientation
-import androidx.compose.foundation.horizontalScroll
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.IntrinsicSize
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.layout.size
-import androidx.compose.foundation.layout.width
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.selection.selectable
-import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.clip
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
@@ -39,6 +14,9 @@ import robotran.robotediting.elementOf
 import robotran.robotediting.elements
 import robotran.robotediting.fieldsOf
 import robotran.robotediting.wholeFields
+import robotran.ui.editing.ChoosingRow
+import robotran.ui.editing.ChosenName
+import robotran.ui.editing.EditorTab
 import robotran.ui.editing.FieldPanel
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
@@ -50,53 +28,13 @@ import robotran.world.ReadyRobots
 import robotran.world.messages.sentence
 
 /** The tabs of the workbench's panel. */
-internal enum class RobotTab(val title: Label) {
+internal enum class RobotTab(override val title: Label) : EditorTab {
     CHOSEN(RobotTexts::tabChosen),
     PARTS(RobotTexts::tabParts),
     ROBOT(RobotTexts::tabRobot),
-}
+    ;
 
-/** @param tab null if none is open. */
-@Composable
-internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
-    val colours = LocalRobotranColours.current
-    val scroll = rememberScrollState()
-    Row(
-        Modifier
-            .fillMaxWidth()
-            .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
-            .horizontalScroll(scroll)
-            .selectableGroup(),
-        Arrangement.spacedBy(4.dp),
-    ) {
-        for (each in RobotTab.entries) {
-            val isOpen = each == tab
-            Column(
-                Modifier
-                    .testTag("tab-robot-${each.name.lowercase()}")
-                    .defaultMinSize(88.dp, Dimensions.TARGET)
-                    .broughtIntoSight(isOpen)
-                    .focusRing()
-                    .selectable(isOpen, role = Role.Tab) { onChoose(each) }
-                    .width(IntrinsicSize.Max)
-                    .padding(horizontal = 12.dp),
-                Arrangement.Center,
-                Alignment.CenterHorizontally,
-            ) {
-                Text(
-                    each.title(spoken),
-                    Modifier.padding(top = 12.dp, bottom = 8.dp),
-                    color = if (isOpen) colours.onPane else colours.quiet,
-                    fontSize = TextSizes.COMPACT,
-                    fontWeight = FontWeight.SemiBold,
-                    maxLines = 1,
-                )
-                Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
-            }
-        }
-    }
-    HorizontalDivider(color = colours.line)
+    override val tag get() = "tab-robot-${name.lowercase()}"
 }
 
 @Composable
@@ -122,50 +60,25 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 
 @Composable
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
-    Text(
-        robotElementText(scope.robot, chosen),
-        Modifier.testTag("robot-chosen-name").semantics { heading() },
-        color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.LEAD,
-        fontWeight = FontWeight.SemiBold,
-    )
+    ChosenName(robotElementText(scope.robot, chosen), "robot-chosen-name")
     RobotElementActions(scope, chosen)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     Form(scope.robot.fieldsOf(chosen), scope)
 }
 
-/** A list of all elements, for choosing without seeing or pointing. */
+/** A list of all elements. */
 @Composable
 private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
-    val colours = LocalRobotranColours.current
     HelpText(RobotTexts.partsHelp(spoken))
     scope.robot.elements().forEachIndexed { row, element ->
-        val isChosen = element == scope.editing.chosen
-        Row(
-            Modifier
-                .fillMaxWidth()
-                .testTag("robot-element-$row")
-                .defaultMinSize(minHeight = Dimensions.TARGET)
-                .focusRing()
-                .clip(Shapes.MEDIUM)
-                .background(if (isChosen) colours.runningLine else Color.Transparent)
-                .selectable(isChosen, role = Role.Button) {
-                    scope.make(RobotEdit.Choose(element))
-                    onChosen()
-                }
-                .padding(horizontal = 12.dp),
-            Arrangement.spacedBy(8.dp),
-            Alignment.CenterVertically,
+        ChoosingRow(
+            robotElementText(scope.robot, element),
+            "robot-element-$row",
+            isChosen = element == scope.editing.chosen,
+            isWrong = scope.editing.errors.any { scope.robot.elementOf(it) == element },
         ) {
-            Text(
-                robotElementText(scope.robot, element),
-                Modifier.weight(1f),
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-            )
-            if (scope.editing.errors.any { scope.robot.elementOf(it) == element }) {
-                Canvas(Modifier.size(22.dp)) { with(EditIcons.WARNING) { draw(colours.error) } }
-            }
+            scope.make(RobotEdit.Choose(element))
+            onChosen()
         }
     }
 }

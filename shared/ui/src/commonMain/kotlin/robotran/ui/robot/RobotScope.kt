@@ -11,6 +11,6 @@ import robotran.world.RobotDescription
 /** What the parts of the workbench read, and how they send edits. */
 @Immutable
 internal class RobotScope(val editing: RobotEditing, onEvent: (WorkshopEvent) -> Unit) :
-    EditScope<RobotEdit>(RobotEdit.FinishChange, RobotEditEvent::Edited, onEvent) {
+    EditScope<RobotEdit>(RobotEdit.COMMON, RobotEditEvent::Edited, onEvent) {
     val robot: RobotDescription get() = editing.robot
 }

@@ -6,18 +6,14 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.sensors.SensorKind
 import robotran.editing.RobotTexts
 import robotran.editing.WorldEditorTexts
 import robotran.ui.brick.nxt.words
+import robotran.ui.editing.ChosenName
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
@@ -45,13 +41,7 @@ internal fun ChosenPanel(editor: EditorScope) {
         return
     }
     val only = editing.only
-    Text(
-        chosenTitle(editing),
-        Modifier.testTag("chosen-name").semantics { heading() },
-        color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.LEAD,
-        fontWeight = FontWeight.SemiBold,
-    )
+    ChosenName(chosenTitle(editing), "chosen-name")
     Actions(editor)
     HorizontalDivider(color = LocalRobotranColours.current.line)
     val piece = only?.let { editing.world.piece(it) }

@@ -1,34 +1,19 @@
 package robotran.ui.worldedit
 
-import androidx.compose.foundation.background
-import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.draw.alpha
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.disabled
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.toggleableState
-import androidx.compose.ui.state.ToggleableState
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.editing.written
+import robotran.ui.editing.BarToggle
+import robotran.ui.editing.BarTool
+import robotran.ui.editing.EditorBar
 import robotran.uikit.*
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
@@ -36,106 +21,37 @@ import robotran.worldediting.Snapping
 import robotran.worldediting.WorldEdit
 
 /**
- * The top of the editor: undo, help, and the button that closes it.
+ * The top of the world editor.
  *
  * @param canTry whether robots can drive in this world; false in a variation of an assignment.
  */
 @Composable
 internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
-    val colours = LocalRobotranColours.current
     val editing = editor.editing
-    Row(
-        Modifier.fillMaxWidth().background(colours.pane).padding(4.dp),
-        verticalAlignment = Alignment.CenterVertically,
+    EditorBar(
+        "edit",
+        editor,
+        editing.history,
+        withWords,
+        onDone = { editor.perform(WorldEditEvent.EditorClosed) },
+        beforeDone = { if (canTry) TryButton(editor, withWords) },
     ) {
-        Row(
-            Modifier.weight(1f).horizontalScroll(rememberScrollState()),
-            verticalAlignment = Alignment.CenterVertically,
-        ) {
-            Step(
-                EditIcons.UNDO,
-                WorldEditorTexts.undo(spoken),
-                "edit-undo",
-                editing.history.canUndo,
-                withWords,
-            ) {
-                editor.make(WorldEdit.Undo)
-            }
-            Step(
-                EditIcons.REDO,
-                WorldEditorTexts.redo(spoken),
-                "edit-redo",
-                editing.history.canRedo,
-                withWords,
-            ) {
-                editor.make(WorldEdit.Redo)
-            }
-            Toggle(
-                EditIcons.SEVERAL,
-                WorldEditorTexts.several(spoken),
-                "edit-several",
-                editing.isMultiSelect,
-                withWords,
-            ) {
-                editor.make(WorldEdit.SetMultiSelect(!editing.isMultiSelect))
-            }
-            EditMenu(editor, view, withWords)
+        val several = WorldEditorTexts.several(spoken)
+        BarToggle(EditIcons.SEVERAL, several, "edit-several", editing.isMultiSelect, withWords) {
+            editor.make(WorldEdit.SetMultiSelect(!editing.isMultiSelect))
         }
-        if (canTry) {
-            IconTouch(
-                EditIcons.PLAY,
-                WorldEditorTexts.tryHelp(spoken),
-                "edit-try",
-                {
-                    editor.perform(WorldEditEvent.TriedOut)
-                },
-                label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
-            )
-        }
-        Button(
-            { editor.perform(WorldEditEvent.EditorClosed) },
-            Modifier.padding(
-                start = 4.dp,
-            ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+        EditMenu(editor, view, withWords)
     }
 }
 
 @Composable
-private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
-        icon,
-        words,
-        tag,
-        { if (enabled) onClick() },
-        Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
-        label = words.takeIf { withWords },
-    )
-
-@Composable
-private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
-        icon,
-        words,
-        tag,
-        onClick,
-        Modifier
-            .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
-            .background(
-                if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane,
-                Shapes.MEDIUM,
-            ),
-        label = words.takeIf { withWords },
-    )
+private fun TryButton(editor: EditorScope, withWords: Boolean) = IconTouch(
+    EditIcons.PLAY,
+    WorldEditorTexts.tryHelp(spoken),
+    "edit-try",
+    { editor.perform(WorldEditEvent.TriedOut) },
+    label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
+)
 
 /** Rare actions. */
 @Composable
@@ -147,31 +63,23 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
     }
     val snapping = editor.editing.snapping
     Box {
-        IconTouch(
-            Icon.MORE,
-            WorldEditorTexts.moreMenu(spoken),
-            "edit-menu",
-            { open = true },
-            label = WorldEditorTexts.moreMenu(spoken).takeIf { withWords },
-        )
+        BarTool(Icon.MORE, WorldEditorTexts.moreMenu(spoken), "edit-menu", withWords) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
                 choose { editor.make(WorldEdit.SelectAll) }
             }
             MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { editor.make(WorldEdit.Copy) } }
             MenuItem(WorldEditorTexts.paste(spoken), "menu-paste") {
-                choose { editor.make(WorldEdit.Paste(view.middle(editor.world.paper))) }
+                choose { editor.make(WorldEdit.Paste(view.middle)) }
             }
             MenuItem(WorldEditorTexts.wholeSheet(spoken), "menu-fit") {
-                choose {
-                    view.camera = SheetCamera.FITTING
-                }
+                choose { view.camera = SheetCamera.FITTING }
             }
             MenuItem(WorldEditorTexts.zoomIn(spoken), "menu-zoom-in") {
-                choose { view.zoomBy(ZOOM, view.pane.center, editor.world.paper) }
+                choose { view.zoomBy(ZOOM, view.pane.center) }
             }
             MenuItem(WorldEditorTexts.zoomOut(spoken), "menu-zoom-out") {
-                choose { view.zoomBy(1 / ZOOM, view.pane.center, editor.world.paper) }
+                choose { view.zoomBy(1 / ZOOM, view.pane.center) }
             }
             MenuDivider()
             for (grid in GRIDS) {
@@ -185,19 +93,8 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
                 }
             }
             MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), "menu-angle") {
-                choose {
-                    editor.make(
-                        WorldEdit.Snap(
-                            snapping.copy(
-                                angle = if (snapping.angle > 0) {
-                                    0.0
-                                } else {
-                                    Snapping().angle
-                                },
-                            ),
-                        ),
-                    )
-                }
+                val angle = if (snapping.angle > 0) 0.0 else Snapping().angle
+                choose { editor.make(WorldEdit.Snap(snapping.copy(angle = angle))) }
             }
             MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), "menu-others") {
                 choose { editor.make(WorldEdit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
@@ -214,4 +111,3 @@ private fun checked(label: String, on: Boolean) = if (on) "✓ $label" else "   
 
 private val GRIDS = listOf(1.0, 0.5, 0.0)
 private const val ZOOM = 1.5
-private const val FAINT = 0.38f

@@ -8,6 +8,8 @@ import androidx.compose.ui.input.key.isMetaPressed
 import androidx.compose.ui.input.key.isShiftPressed
 import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
+import robotran.ui.editing.FINE_STEP
+import robotran.ui.editing.editForCommand
 import robotran.uikit.*
 import robotran.worldediting.Tool
 import robotran.worldediting.WorldEdit
@@ -37,11 +39,8 @@ internal fun editForKey(event: KeyEvent, editing: WorldEditing): WorldEdit? {
 }
 
 /** The edit for Ctrl and a key, if the focused element has not consumed it. */
-internal fun editForCommand(event: KeyEvent): WorldEdit? {
-    if (event.type != KeyEventType.KeyDown || !(event.isCtrlPressed || event.isMetaPressed)) return null
-    return when (event.key) {
-        Key.Z -> if (event.isShiftPressed) WorldEdit.Redo else WorldEdit.Undo
-        Key.Y -> WorldEdit.Redo
+internal fun editForCommand(event: KeyEvent): WorldEdit? = editForCommand(event, WorldEdit.COMMON) { key ->
+    when (key) {
         Key.C -> WorldEdit.Copy
         Key.V -> WorldEdit.Paste()
         Key.D -> WorldEdit.Duplicate
@@ -73,4 +72,3 @@ internal fun escaped(editing: WorldEditing): WorldEdit? = when {
 }
 
 internal const val GROWTH = 1.1
-private const val FINE_STEP = 0.1

@@ -5,7 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import robotran.ui.editing.CarriedItem
+import robotran.ui.editing.EditorView
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.pushedBy
 import robotran.ui.sheet.transform
@@ -15,14 +15,13 @@ import robotran.world.Paper
 import robotran.world.geometry.Point
 
 /**
- * The view state of the editor: the position of the sheet on the screen and the current gesture. It is not part of a
- * world.
+ * The view state of the world editor: the position of the sheet on the screen and the current gesture. It is not part
+ * of a world.
+ *
+ * @param paper the edited paper.
  */
-internal class EditView {
+internal class EditView(private val paper: () -> Paper) : EditorView() {
     var camera by mutableStateOf(SheetCamera.FITTING)
-
-    /** The bounds of the sheet's pane on the screen. */
-    var window by mutableStateOf(Rect.Zero)
 
     /** The selection box being drawn, in pixels of the pane. */
     var box by mutableStateOf<Rect?>(null)
@@ -30,25 +29,20 @@ internal class EditView {
     /** The line being drawn, in pixels of the pane. */
     var line by mutableStateOf<List<Offset>>(emptyList())
 
-    /** The item that is dragged from the palette. */
-    var carried by mutableStateOf<CarriedItem?>(null)
-
-    /** The bounds of the pane in its own pixels. */
-    val pane: Rect get() = Rect(Offset.Zero, window.size)
-
-    fun transform(paper: Paper): SheetTransform = camera.transform(paper, pane)
+    override val transform: SheetTransform get() = camera.transform(paper(), pane)
 
     /** The centre of the visible part of the paper. */
-    fun middle(paper: Paper): Point {
-        val place = transform(paper).toCentimetres(pane.center)
-        return Point(place.x.coerceIn(0.0, paper.width), place.y.coerceIn(0.0, paper.height))
+    val middle: Point
+        get() {
+            val place = transform.toCentimetres(pane.center)
+            return Point(place.x.coerceIn(0.0, paper().width), place.y.coerceIn(0.0, paper().height))
+        }
+
+    override fun zoomBy(factor: Double, about: Offset) {
+        camera = camera.zoomedBy(factor, about, paper(), pane)
     }
 
-    fun zoomBy(factor: Double, about: Offset, paper: Paper) {
-        camera = camera.zoomedBy(factor, about, paper, pane)
-    }
-
-    fun pushBy(offset: Offset, paper: Paper) {
-        camera = camera.pushedBy(offset, paper, pane)
+    override fun pushBy(offset: Offset) {
+        camera = camera.pushedBy(offset, paper(), pane)
     }
 }

@@ -10,6 +10,6 @@ import robotran.worldediting.WorldEditing
 /** What the parts of the editor read, and how they send edits. */
 @Immutable
 internal class EditorScope(val editing: WorldEditing, onEvent: (WorkshopEvent) -> Unit) :
-    EditScope<WorldEdit>(WorldEdit.FinishChange, WorldEditEvent::Edited, onEvent) {
+    EditScope<WorldEdit>(WorldEdit.COMMON, WorldEditEvent::Edited, onEvent) {
     val world get() = editing.world
 }
