@@ -5,7 +5,7 @@ plugins {
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            api(project(":shared:language"))
+            api(project(":shared:world"))
             implementation(project(":shared:json"))
         }
     }

@@ -6,7 +6,6 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:editing"))
-            api(project(":shared:world"))
             implementation(project(":shared:json"))
         }
     }

@@ -1,5 +1,10 @@
 package robotran.robotediting
 
+import robotran.editing.Gesture
+import robotran.editing.dropped
+import robotran.editing.letGo
+import robotran.editing.redone
+import robotran.editing.undone
 import robotran.language.history.History
 import robotran.world.RobotDescription
 import robotran.world.RobotLimits
@@ -143,41 +148,10 @@ private fun RobotEditing.nextChosen(backwards: Boolean): RobotEditing {
     return copy(chosen = next)
 }
 
-private fun RobotEditing.taken(edit: RobotEdit.StartDrag) = copy(gesture = RobotGesture(edit.handle, edit.at, snapshot))
+private fun RobotEditing.taken(edit: RobotEdit.StartDrag) = copy(gesture = Gesture(edit.handle, edit.at, snapshot))
 
 private fun RobotEditing.draggedTo(at: Point): RobotEditing {
     val gesture = gesture ?: return this
     val dragged = gesture.dragged(at)?.inRange(gesture.before.robot) ?: return this
     return if (dragged == robot) this else copy(robot = dragged, errors = robotErrors(dragged))
 }
-
-private fun RobotEditing.dropped(): RobotEditing {
-    val gesture = gesture ?: return this
-    val isChanged = robot != gesture.before.robot
-    return copy(
-        gesture = null,
-        history = if (isChanged) history.recorded(gesture.before) else history,
-    )
-}
-
-private fun RobotEditing.letGo(): RobotEditing = gesture?.let { back(it.before, history) } ?: this
-
-private fun RobotEditing.undone(): RobotEditing {
-    if (gesture != null) return letGo()
-    val (before, rest) = history.undone { snapshot } ?: return this
-    return back(before, rest)
-}
-
-private fun RobotEditing.redone(): RobotEditing {
-    if (gesture != null) return letGo()
-    val (next, rest) = history.redone { snapshot } ?: return this
-    return back(next, rest)
-}
-
-private fun RobotEditing.back(to: RobotSnapshot, history: History<RobotSnapshot>): RobotEditing = copy(
-    robot = to.robot,
-    chosen = to.chosen,
-    history = history,
-    gesture = null,
-    errors = robotErrors(to.robot),
-)

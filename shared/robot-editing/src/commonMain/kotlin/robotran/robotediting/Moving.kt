@@ -1,5 +1,6 @@
 package robotran.robotediting
 
+import robotran.editing.Gesture
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.RobotDescription
@@ -79,7 +80,7 @@ private fun RobotPart.turnedTo(direction: Double): RobotPart = when (this) {
 }
 
 /** The robot of [gesture] with its handle at [to]; null if it cannot be there. */
-internal fun RobotGesture.dragged(to: Point): RobotDescription? {
+internal fun Gesture<RobotSnapshot, RobotHandle>.dragged(to: Point): RobotDescription? {
     val robot = before.robot
     return when (val handle = handle) {
         is RobotHandle.Body -> dragBody(robot, handle.element, to)
@@ -114,7 +115,11 @@ internal fun RobotGesture.dragged(to: Point): RobotDescription? {
 
 private fun snappedHalf(length: Double) = RobotSnapping.length(length, RobotSnapping.CENTIMETRES / 2)
 
-private fun RobotGesture.dragBody(robot: RobotDescription, element: RobotElement, to: Point): RobotDescription? {
+private fun Gesture<RobotSnapshot, RobotHandle>.dragBody(
+    robot: RobotDescription,
+    element: RobotElement,
+    to: Point,
+): RobotDescription? {
     if (element == RobotElement.Wheels) {
         // Either wheel moves away from the middle.
         val outwards = if (from.y < 0) from.y - to.y else to.y - from.y

@@ -1,8 +1,9 @@
 package robotran.robotediting
 
+import robotran.editing.Editor
+import robotran.editing.Gesture
 import robotran.language.history.History
 import robotran.world.RobotDescription
-import robotran.world.geometry.Point
 import robotran.world.robot.RobotError
 import robotran.world.robot.robotErrors
 
@@ -11,29 +12,37 @@ import robotran.world.robot.robotErrors
  * ranges; the robot may still be impossible, see [errors].
  *
  * @property chosen the chosen element of [robot]; null for none.
- * @property gesture the current drag.
  * @property error why the last edit did nothing; null if it was not refused.
  * @property errors what is impossible about the robot.
  */
 data class RobotEditing(
     val robot: RobotDescription,
     val chosen: RobotElement? = null,
-    val history: History<RobotSnapshot> = History(),
-    val gesture: RobotGesture? = null,
+    override val history: History<RobotSnapshot> = History(),
+    override val gesture: Gesture<RobotSnapshot, RobotHandle>? = null,
     val error: RobotEditError? = null,
     val errors: List<RobotError> = emptyList(),
-) {
+) : Editor<RobotSnapshot, RobotHandle, RobotEditing> {
     val isPossible: Boolean get() = errors.isEmpty()
 
-    internal val snapshot: RobotSnapshot get() = RobotSnapshot(robot, chosen)
+    override val snapshot: RobotSnapshot get() = RobotSnapshot(robot, chosen)
+
+    override fun isAsIn(snapshot: RobotSnapshot): Boolean = robot == snapshot.robot
+
+    override fun released(history: History<RobotSnapshot>): RobotEditing = copy(gesture = null, history = history)
+
+    override fun restored(snapshot: RobotSnapshot, history: History<RobotSnapshot>): RobotEditing = copy(
+        robot = snapshot.robot,
+        chosen = snapshot.chosen,
+        history = history,
+        gesture = null,
+        errors = robotErrors(snapshot.robot),
+    )
 
     companion object {
         fun of(robot: RobotDescription) = RobotEditing(robot, errors = robotErrors(robot))
     }
 }
-
-/** The user drags [handle] from [from]; [before] is the state at the start. */
-data class RobotGesture(val handle: RobotHandle, val from: Point, val before: RobotSnapshot)
 
 /** Why an edit does nothing. */
 enum class RobotEditError {

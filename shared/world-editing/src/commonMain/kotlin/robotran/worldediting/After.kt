@@ -1,6 +1,9 @@
 package robotran.worldediting
 
-import robotran.language.history.History
+import robotran.editing.dropped
+import robotran.editing.letGo
+import robotran.editing.redone
+import robotran.editing.undone
 import robotran.world.World
 
 /**
@@ -97,27 +100,6 @@ private fun WorldEditing.together(edits: List<WorldEdit>): WorldEditing {
     val isSameWorld = done.world == begun.world && done.groups == begun.groups
     return done.copy(history = if (isSameWorld) begun.history else begun.history.recorded(begun.snapshot))
 }
-
-private fun WorldEditing.undone(): WorldEditing {
-    if (gesture != null) return letGo()
-    val (before, rest) = history.undone { snapshot } ?: return this
-    return back(before, rest)
-}
-
-private fun WorldEditing.redone(): WorldEditing {
-    val (next, rest) = history.redone { snapshot } ?: return this
-    return letGo().back(next, rest)
-}
-
-internal fun WorldEditing.back(to: WorldSnapshot, history: History<WorldSnapshot>): WorldEditing = copy(
-    world = to.world,
-    selection = to.selection,
-    groups = to.groups,
-    history = history,
-    gesture = null,
-    guides = emptyList(),
-    errors = validationErrorsOf(to.world),
-)
 
 /**
  * The references to [things] after the goals' order has changed from [before] to [after]; goals keep their identity.

@@ -1,5 +1,7 @@
 package robotran.worldediting
 
+import robotran.editing.Gesture
+import robotran.editing.dropped
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 
@@ -12,7 +14,7 @@ internal fun WorldEditing.grabbed(edit: WorldEdit.StartDrag): WorldEditing {
 internal fun WorldEditing.dragged(edit: WorldEdit.DragTo): WorldEditing {
     val held = gesture ?: return this
     val drag = Drag(held, snapping, edit)
-    val (pieces, guides) = when (val grip = held.grip) {
+    val (pieces, guides) = when (val grip = held.handle) {
         DragHandle.Body -> drag.moved()
         DragHandle.Turn -> drag.turned()
         is DragHandle.Size -> drag.resized(grip.side)
@@ -25,20 +27,12 @@ internal fun WorldEditing.dragged(edit: WorldEdit.DragTo): WorldEditing {
     return copy(world = moved, guides = guides, errors = quickValidationErrorsOf(moved))
 }
 
-internal fun WorldEditing.dropped(): WorldEditing {
-    val held = gesture ?: return this
-    val free = copy(gesture = null, guides = emptyList())
-    if (world == held.before.world) return free
-    return free.copy(history = history.recorded(held.before), errors = validationErrorsOf(world))
-}
-
-internal fun WorldEditing.letGo(): WorldEditing {
-    val held = gesture ?: return this
-    return back(held.before, history)
-}
-
 /** Computes a drag from the state at its start. */
-private class Drag(private val held: Gesture, private val snapping: Snapping, private val edit: WorldEdit.DragTo) {
+private class Drag(
+    private val held: Gesture<WorldSnapshot, DragHandle>,
+    private val snapping: Snapping,
+    private val edit: WorldEdit.DragTo,
+) {
     private val world = held.before.world
     private val things = held.before.selection
     private val pieces = things.mapNotNull { thing -> world.piece(thing)?.let { thing to it } }.toMap()

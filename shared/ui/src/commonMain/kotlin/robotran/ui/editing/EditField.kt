@@ -50,25 +50,27 @@ internal fun EditFieldBox(isWrong: Boolean, modifier: Modifier, field: @Composab
 }
 
 /**
- * A text field.
+ * What an input says besides its text.
  *
- * @param wrong the error in [text], for screen readers; null if there is none.
+ * @property wrong the error in the text, for screen readers; null if there is none.
+ * @property hint the placeholder for empty text.
+ */
+internal class FieldWords(val label: String, val tag: String, val wrong: String?, val hint: String = "")
+
+internal enum class EditFieldKind { LINE, TALL, NUMBER }
+
+/**
+ * An input for a text.
+ *
  * @param onLeft called when it loses the focus.
- * @param number whether an on-screen keyboard should show digits only.
- * @param tall whether it may have several lines.
- * @param hint the placeholder for empty text.
  */
 @Composable
 internal fun EditField(
     text: String,
-    label: String,
-    tag: String,
-    wrong: String?,
+    words: FieldWords,
+    kind: EditFieldKind,
     onText: (String) -> Unit,
     onLeft: () -> Unit,
-    number: Boolean = false,
-    tall: Boolean = false,
-    hint: String = "",
 ) {
     val colours = LocalRobotranColours.current
     var focused by remember { mutableStateOf(false) }
@@ -78,26 +80,32 @@ internal fun EditField(
         modifier = Modifier
             .fillMaxWidth()
             .padding(horizontal = 8.dp, vertical = 10.dp)
-            .testTag(tag)
+            .testTag(words.tag)
             .onFocusChanged {
                 if (focused && !it.isFocused) onLeft()
                 focused = it.isFocused
             }
             .semantics {
-                contentDescription = label
-                if (wrong != null) error(wrong)
+                contentDescription = words.label
+                words.wrong?.let { error(it) }
             },
         textStyle = TextStyle(
             colours.onPane,
             fontSize = TextSizes.BODY,
-            textAlign = if (number) TextAlign.Center else TextAlign.Start,
+            textAlign = if (kind == EditFieldKind.NUMBER) TextAlign.Center else TextAlign.Start,
         ),
-        keyboardOptions = KeyboardOptions(keyboardType = if (number) KeyboardType.Decimal else KeyboardType.Text),
-        singleLine = !tall,
-        minLines = if (tall) TALL_LINES else 1,
+        keyboardOptions = KeyboardOptions(
+            keyboardType = if (kind == EditFieldKind.NUMBER) KeyboardType.Decimal else KeyboardType.Text,
+        ),
+        singleLine = kind != EditFieldKind.TALL,
+        minLines = if (kind == EditFieldKind.TALL) TALL_LINES else 1,
         cursorBrush = SolidColor(colours.onPane),
         decorationBox = { inner ->
-            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = TextSizes.BODY)
+            if (text.isEmpty() &&
+                words.hint.isNotEmpty()
+            ) {
+                Text(words.hint, color = colours.quiet, fontSize = TextSizes.BODY)
+            }
             inner()
         },
     )

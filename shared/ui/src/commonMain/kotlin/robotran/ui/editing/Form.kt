@@ -15,7 +15,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.editing.ChoiceLook
 import robotran.editing.Field
-import robotran.editing.TextKind
 import robotran.uikit.*
 
 /**
@@ -55,39 +54,6 @@ private fun <T : Any> FlagField(field: Field.Flag<T>, scope: EditScope<T>) =
     SwitchRow(field.label(spoken), field.isOn, field.tag) { on -> field.with(on)?.let(scope::makeAtOnce) }
 
 @Composable
-private fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) {
-    val spec = field.spec
-    val factor = if (spec.isPercent) PERCENT else 1.0
-    NumberRow(
-        field.label(spoken),
-        field.value * factor,
-        spec.range.start * factor..spec.range.endInclusive * factor,
-        field.tag,
-        { number -> field.with(number / factor)?.let(scope::make) },
-        scope::settle,
-        step = spec.step,
-        unit = spec.unit,
-        slider = spec.slider?.let { it.start.toFloat()..it.endInclusive.toFloat() },
-        isWhole = spec.isWhole,
-    )
-}
-
-@Composable
-private fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refusal: String?) = TextRow(
-    field.label(spoken),
-    field.text,
-    field.spec.maximum,
-    field.tag,
-    { text -> field.with(text)?.let(scope::make) },
-    scope::settle,
-    mayBeBlank = field.spec.mayBeBlank,
-    tall = field.spec.kind == TextKind.PROGRAM,
-    isProse = field.spec.kind == TextKind.PROSE,
-    hint = field.hint?.invoke(spoken).orEmpty(),
-    error = refusal.takeIf { field.isRefused },
-)
-
-@Composable
 private fun <V, T : Any> ChoiceField(field: Field.Choice<V, T>, scope: EditScope<T>) {
     val language = LocalLanguage.current
     val title = field.label(spoken)
@@ -125,5 +91,3 @@ private fun <T : Any> Buttons(field: Field.Buttons<T>, scope: EditScope<T>) {
         }
     }
 }
-
-private const val PERCENT = 100.0

@@ -1,8 +1,6 @@
 package robotran.ui.robot
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
@@ -10,8 +8,8 @@ import androidx.compose.ui.unit.dp
 import robotran.robotediting.RobotElement
 import robotran.robotediting.SensorBody
 import robotran.robotediting.placeOf
+import robotran.ui.editing.drawChosenFrame
 import robotran.ui.sheet.SheetTransform
-import robotran.ui.worldedit.EditingColours
 import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.RobotDescription
@@ -25,14 +23,7 @@ import robotran.world.robot.things
 /** Lines around [element]. */
 internal fun DrawScope.drawFrame(robot: RobotDescription, element: RobotElement, transform: SheetTransform) {
     for (corners in outlinesOf(robot, element)) {
-        val path = Path().apply {
-            corners.map(transform::ofRobot).forEachIndexed { number, corner ->
-                if (number == 0) moveTo(corner.x, corner.y) else lineTo(corner.x, corner.y)
-            }
-            close()
-        }
-        drawPath(path, RobotranColours.CASING, style = Stroke(5.dp.toPx()))
-        drawPath(path, EditingColours.ACCENT, style = Stroke(2.5.dp.toPx()))
+        drawChosenFrame(corners.map(transform::ofRobot), 2.5.dp, 5.dp)
     }
 }
 
@@ -97,23 +88,8 @@ internal fun DrawScope.drawWarning(at: Offset, colours: RobotranColours) {
     drawContext.canvas.restore()
 }
 
-/** A handle; a round one turns or is a corner. */
-internal fun DrawScope.drawKnob(position: Offset, isRound: Boolean) {
-    val radius = KNOB.toPx()
-    val line = Stroke(2.dp.toPx())
-    if (isRound) {
-        drawCircle(RobotranColours.CASING, radius, position)
-        drawCircle(EditingColours.ACCENT, radius, position, style = line)
-    } else {
-        val corner = position - Offset(radius, radius)
-        drawRect(RobotranColours.CASING, corner, Size(radius * 2, radius * 2))
-        drawRect(EditingColours.ACCENT, corner, Size(radius * 2, radius * 2), style = line)
-    }
-}
-
 private const val SENSOR_MARGIN = 0.4
 private const val SMALL_FRAME = 1.1
-private val KNOB = 8.dp
 private val WARNING = 18.dp
 private const val ICON_UNITS = 24f
 private const val WARNING_STROKE = 3f

@@ -24,6 +24,8 @@ import robotran.robotediting.placeOf
 import robotran.robotediting.portsOf
 import robotran.robotediting.views
 import robotran.simulation.state.RobotState
+import robotran.ui.editing.HandleAt
+import robotran.ui.editing.drawKnob
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetTransform
@@ -61,8 +63,9 @@ internal fun DrawScope.drawPlan(
         robot.elementOf(error)?.let { drawWarning(transform.ofRobot(signPlace(robot, it)), colours) }
     }
     if (editing.gesture == null) {
-        for ((handle, place) in placedHandles(editing, transform, density)) {
-            drawKnob(place, isRound = handle is RobotHandle.Direction || handle is RobotHandle.Corner)
+        for (placed in placedHandles(editing, transform, density)) {
+            val isRound = placed.handle is RobotHandle.Direction || placed.handle is RobotHandle.Corner
+            drawKnob(placed.at, isRound, KNOB)
         }
     }
 }
@@ -72,16 +75,16 @@ internal fun placedHandles(
     editing: RobotEditing,
     transform: SheetTransform,
     density: Float,
-): List<Pair<RobotHandle, Offset>> {
+): List<HandleAt<RobotHandle>> {
     val middle = (editing.chosen as? RobotElement.Part)?.let { editing.robot.placeOf(it) }?.let(transform::ofRobot)
     return editing.handles().map { placed ->
         val place = transform.ofRobot(placed.at)
         val outwards = middle?.let { place - it } ?: Offset.Zero
         val distance = outwards.getDistance()
         if (placed.handle is RobotHandle.Direction && distance > 0f) {
-            placed.handle to (place - outwards + outwards * (TURN_DISTANCE * density / distance))
+            HandleAt(placed.handle, place - outwards + outwards * (TURN_DISTANCE * density / distance))
         } else {
-            placed.handle to place
+            HandleAt(placed.handle, place)
         }
     }
 }
@@ -226,3 +229,4 @@ private val LABEL_APART = 22.dp
 private const val TURN_DISTANCE = 56f
 private val LABEL_STYLE =
     TextStyle(color = RobotBenchColours.LABEL, fontSize = TextSizes.SIGN, fontWeight = FontWeight.Bold)
+private val KNOB = 8.dp

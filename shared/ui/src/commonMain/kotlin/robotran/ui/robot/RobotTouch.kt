@@ -9,6 +9,8 @@ import robotran.robotediting.elementsAt
 import robotran.ui.editing.FINGER_REACH
 import robotran.ui.editing.HANDLE_REACH
 import robotran.ui.editing.drag
+import robotran.ui.editing.moves
+import robotran.ui.editing.nearest
 import robotran.ui.editing.push
 
 /** Follows one finger on the plan from press to release. [scope] returns the current robot. */
@@ -20,9 +22,7 @@ private class PlanFinger(private val view: PlanView, private val scope: () -> Ro
 
     suspend fun AwaitPointerEventScope.follow(down: Offset) {
         val editing = scope().editing
-        val handle = placedHandles(editing, transform, density)
-            .filter { (it.second - down).getDistance() <= HANDLE_REACH * density }
-            .minByOrNull { (it.second - down).getDistance() }?.first
+        val handle = placedHandles(editing, transform, density).nearest(down, HANDLE_REACH * density)
         val reach = transform.toCentimetres(FINGER_REACH * density)
         val there = editing.robot.elementsAt(transform.toRobot(down), reach)
         val chosen = whole(editing.chosen)

@@ -10,6 +10,10 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.rotate
 import androidx.compose.ui.unit.dp
+import robotran.ui.editing.EditingColours
+import robotran.ui.editing.HandleAt
+import robotran.ui.editing.drawChosenFrame
+import robotran.ui.editing.drawKnob
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.addLine
 import robotran.uikit.*
@@ -54,33 +58,14 @@ private fun DrawScope.drawFrame(frame: SelectionFrame, transform: SheetTransform
     val corners = listOf(-1 to -1, 1 to -1, 1 to 1, -1 to 1).map { (across, up) ->
         transform.toPixels(frame.at(across, up))
     }
-    val path = Path().apply { addLine(corners, closed = true) }
-    drawPath(path, RobotranColours.CASING, style = Stroke((width + 2).dp.toPx()))
-    drawPath(path, EditingColours.ACCENT, style = Stroke(width.dp.toPx()))
+    drawChosenFrame(corners, width.dp, (width + 2).dp)
 }
 
-private fun DrawScope.drawHandles(handles: List<PositionedHandle>) {
-    for (handle in handles) {
-        if (handle.handle.grip is DragHandle.Edge) {
-            drawPlus(handle.place)
-        } else {
-            drawKnob(handle.place, isRound = handle.handle.grip !is DragHandle.Size)
-        }
+private fun DrawScope.drawHandles(handles: List<HandleAt<DragHandle>>) {
+    for ((handle, at) in handles.map { it.handle to it.at }) {
+        if (handle is DragHandle.Edge) drawPlus(at) else drawKnob(at, isRound = handle !is DragHandle.Size, KNOB)
     }
-    handles.firstOrNull { it.handle.grip == DragHandle.Turn }?.let { drawTurnArrow(it.place) }
-}
-
-private fun DrawScope.drawKnob(position: Offset, isRound: Boolean) {
-    val radius = KNOB.toPx()
-    val line = Stroke(2.dp.toPx())
-    if (isRound) {
-        drawCircle(RobotranColours.CASING, radius, position)
-        drawCircle(EditingColours.ACCENT, radius, position, style = line)
-    } else {
-        val corner = position - Offset(radius, radius)
-        drawRect(RobotranColours.CASING, corner, Size(radius * 2, radius * 2))
-        drawRect(EditingColours.ACCENT, corner, Size(radius * 2, radius * 2), style = line)
-    }
+    handles.firstOrNull { it.handle == DragHandle.Turn }?.let { drawTurnArrow(it.at) }
 }
 
 private fun DrawScope.drawPlus(position: Offset) {

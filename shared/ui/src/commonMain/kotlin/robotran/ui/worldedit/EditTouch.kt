@@ -37,7 +37,7 @@ private class SheetFinger(
         val isAdding = adding || editor.editing.isMultiSelect
         when {
             editor.editing.tool != Tool.SELECT -> draw(down)
-            handle != null -> dragOrTap(down, adding) { take(handle.handle.grip, at) }
+            handle != null -> dragOrTap(down, adding) { take(handle, at) }
             there.any { it in editor.editing.selection } -> dragOrTap(down, adding) { take(DragHandle.Body, at) }
 
             there.isNotEmpty() && !isAdding -> dragOrTap(down, adding = false) {

@@ -1,6 +1,8 @@
 package robotran.ui.worldedit
 
 import androidx.compose.ui.geometry.Offset
+import robotran.ui.editing.HandleAt
+import robotran.ui.editing.nearest
 import robotran.ui.sheet.SheetTransform
 import robotran.worldediting.DragHandle
 import robotran.worldediting.Handle
@@ -8,15 +10,12 @@ import robotran.worldediting.WorldEditing
 import robotran.worldediting.frameOf
 import robotran.worldediting.handlesOf
 
-/** A handle and its position in pixels of the pane. */
-internal class PositionedHandle(val handle: Handle, val place: Offset)
-
 /** The handles of the selection that are far enough apart for a finger; [density] is pixels per dp. */
 internal fun positionedHandles(
     editing: WorldEditing,
     transform: SheetTransform,
     density: Float,
-): List<PositionedHandle> {
+): List<HandleAt<DragHandle>> {
     val frame = editing.world.frameOf(editing.selection) ?: return emptyList()
     val wide = transform.toPixels(frame.width) / density
     val high = transform.toPixels(frame.height) / density
@@ -29,17 +28,16 @@ internal fun positionedHandles(
     }.map { handle ->
         val away = if (handle.grip == DragHandle.Turn) TURN_DISTANCE else SIZE_DISTANCE
         val place = transform.toPixels(handle.place)
-        PositionedHandle(
-            handle,
+        HandleAt(
+            handle.grip,
             place + Offset(handle.outwards.x.toFloat(), -handle.outwards.y.toFloat()) * (away * density),
         )
     }
 }
 
 /** The handle within [reach] of [position]; turn and corner handles have priority over edge handles. */
-internal fun handleAt(handles: List<PositionedHandle>, position: Offset, reach: Float): PositionedHandle? = handles
-    .filter { (it.place - position).getDistance() <= reach }
-    .minByOrNull { (it.place - position).getDistance() + if (it.handle.grip is DragHandle.Edge) reach / 2 else 0f }
+internal fun handleAt(handles: List<HandleAt<DragHandle>>, position: Offset, reach: Float): DragHandle? =
+    handles.nearest(position, reach) { if (it is DragHandle.Edge) reach / 2 else 0f }
 
 private fun hasRoom(grip: DragHandle.Size, wide: Float, high: Float) =
     (grip.side.across == 0 && wide >= ROOM_FOR_MIDDLE) || (grip.side.up == 0 && high >= ROOM_FOR_MIDDLE)

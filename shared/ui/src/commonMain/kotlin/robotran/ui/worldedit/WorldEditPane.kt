@@ -14,6 +14,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.editing.EditorFrame
 import robotran.ui.editing.EditorParts
+import robotran.ui.editing.editForCommand
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent

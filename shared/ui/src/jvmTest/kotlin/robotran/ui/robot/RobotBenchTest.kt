@@ -20,6 +20,7 @@ import androidx.compose.ui.test.withKeyDown
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
+import robotran.ui.editing.moves
 import robotran.ui.program.blocks.scrollAndTouch
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
@@ -217,7 +218,7 @@ class RobotBenchTest {
 
         fun handle(number: Int): Offset {
             view.window = plan
-            return placedHandles(editing, view.transform, density = 1f)[number].second
+            return placedHandles(editing, view.transform, density = 1f)[number].at
         }
 
         fun isThere(tag: String) = screen.isThere(tag)

@@ -8,31 +8,26 @@ import robotran.world.World
 import robotran.world.pluggedSensors
 import robotran.world.robot.withSensor
 import robotran.world.withPlugged
-import robotran.worldediting.Element
-import robotran.worldediting.ElementKind
-import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEdit
 
 /**
- * Missing sensors plugged into the ports of a robot, and how to take them out again.
+ * Missing sensors plugged into the ports of a robot. Taking them out restores the ports.
  *
  * @param robot the robot before the change.
  */
-internal class PlugChange(private val robot: RobotPlacement, private val missing: List<MissingSensor>) {
+internal class PlugChange(private val robot: RobotPlacement, private val missing: List<MissingSensor>) : RobotChange {
     private val ports = missing.map { it.port }.toSet()
 
-    /** Plugs the sensors in; null if [world] does not have the robot. */
-    fun editOf(world: World): WorldEdit? = edit(world) { it.plugged() }
+    override fun editOf(world: World): WorldEdit? = edit(world) { it.plugged() }
 
-    /**
-     * Restores the ports and nothing else, whatever has changed besides them; null if [world] does not have the robot
-     * or the plugged sensors any more.
-     */
-    fun undoOf(world: World): WorldEdit? {
-        val now = robotIn(world)?.value?.description ?: return null
+    override fun undoOf(world: World): WorldEdit? {
+        val now = world.robots.find { it.name == robot.name }?.description ?: return null
         if (now.plugs() != robot.description.plugged().plugs()) return null
         return edit(world) { it.unplugged() }
     }
+
+    private fun edit(world: World, change: (RobotDescription) -> RobotDescription): WorldEdit? =
+        world.withRobot(robot.name) { it.copy(description = change(it.description)) }
 
     /** With what was on the ports before. */
     private fun RobotDescription.unplugged(): RobotDescription {
@@ -49,13 +44,4 @@ internal class PlugChange(private val robot: RobotPlacement, private val missing
 
     /** What is on the ports of the missing sensors. */
     private fun RobotDescription.plugs(): List<RobotPart> = parts.filter { it.port in ports }
-
-    private fun edit(world: World, change: (RobotDescription) -> RobotDescription): WorldEdit? {
-        val (index, place) = robotIn(world) ?: return null
-        val changed = place.copy(description = change(place.description))
-        return WorldEdit.Change(ElementRef(ElementKind.ROBOT, index), Element.OfRobot(changed))
-    }
-
-    private fun robotIn(world: World): IndexedValue<RobotPlacement>? =
-        world.robots.withIndex().find { it.value.name == robot.name }
 }

@@ -14,6 +14,7 @@ import robotran.workshop.state.Notice
 import robotran.workshop.state.WorldEditState
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
+import robotran.world.RobotPlacement
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
@@ -31,7 +32,7 @@ class WorldEditStateHolder(
     private var latest: WorldEditing? = null
 
     /** The sensors that were plugged in last; null if none were or if they are out again. */
-    private var plugged: PlugChange? = null
+    private var plugged: RobotChange? = null
 
     /** The robot that was replaced last; null if none was or if it is back. */
     private var replaced: RobotChange? = null
@@ -57,8 +58,8 @@ class WorldEditStateHolder(
             is WorldEditEvent.SensorsPluggedIn -> plugIn(event.robot, event.missing)
             is WorldEditEvent.PenbotChosen -> replace(event.robot, ReadyRobots.defaultOf(event.brick))
             is WorldEditEvent.RobotReplaced -> replace(event.robot, event.description)
-            WorldEditEvent.PlugUndone -> undoPlug()
-            WorldEditEvent.RobotBroughtBack -> bringBack()
+            WorldEditEvent.PlugUndone -> if (takeBack(plugged)) plugged = null
+            WorldEditEvent.RobotBroughtBack -> if (takeBack(replaced)) replaced = null
             WorldEditEvent.EditsDiscarded -> discard()
         }
     }
@@ -77,37 +78,30 @@ class WorldEditStateHolder(
     }
 
     private fun replace(robot: String, description: RobotDescription) {
-        val place = now.world.robots.find { it.name == robot } ?: return
-        val change = RobotChange(place, description)
-        val edit = change.editOf(now.world) ?: return
-        if (!changeAtOnce(edit)) return
-        replaced = change
+        replaced = change(robot) { Replacement(it, description) } ?: return
         notices.show(Notice.RobotReplaced(robot, description))
     }
 
-    /** A step back in the history if that brings back the robot and nothing else; otherwise a new step. */
-    private fun bringBack() {
-        val edit = replaced?.undoOf(now.world) ?: return
-        replaced = null
-        val isLastStep = now.after(WorldEdit.Undo).world == now.after(edit).world
-        changeAtOnce(if (isLastStep) WorldEdit.Undo else edit)
-    }
-
     private fun plugIn(robot: String, missing: MissingSensors) {
-        val place = now.world.robots.find { it.name == robot } ?: return
-        val change = PlugChange(place, missing.sensors)
-        val edit = change.editOf(now.world) ?: return
-        if (!changeAtOnce(edit)) return
-        plugged = change
+        plugged = change(robot) { PlugChange(it, missing.sensors) } ?: return
         notices.show(Notice.SensorsPluggedIn(missing.sensors.map { it.port }))
     }
 
-    /** A step back in the history if that takes out the sensors and nothing else; otherwise a new step. */
-    private fun undoPlug() {
-        val edit = plugged?.undoOf(now.world) ?: return
+    /** Makes the change of the robot with this name; null if it changes nothing. */
+    private fun change(robot: String, changeOf: (RobotPlacement) -> RobotChange): RobotChange? {
+        val change = now.world.robots.find { it.name == robot }?.let(changeOf)
+        return change?.takeIf { it.editOf(now.world)?.let(::changeAtOnce) == true }
+    }
+
+    /**
+     * Takes back [change], by a step back in the history if that takes back nothing else, otherwise by a new step.
+     * Returns whether it was there.
+     */
+    private fun takeBack(change: RobotChange?): Boolean {
+        val edit = change?.undoOf(now.world) ?: return false
         val isLastStep = now.after(WorldEdit.Undo).world == now.after(edit).world
         changeAtOnce(if (isLastStep) WorldEdit.Undo else edit)
-        plugged = null
+        return true
     }
 
     /**

@@ -12,55 +12,45 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.editing.Field
+import robotran.editing.TextKind
 import robotran.editing.WorldEditorTexts
-import robotran.editing.isValidText
 import robotran.uikit.*
 
 /**
- * A line of text, or several if it is [tall] or [isProse].
+ * A line of text, or several.
  *
- * @param tall whether it may be any text, such as a program; [error] is its error.
- * @param maximum the max number of characters.
- * @param onChange receives valid values only.
+ * @param refusal why the last edit was refused; null if it was not.
  */
 @Composable
-internal fun TextRow(
-    title: String,
-    text: String,
-    maximum: Int,
-    tag: String,
-    onChange: (String) -> Unit,
-    onSettle: () -> Unit,
-    mayBeBlank: Boolean = false,
-    tall: Boolean = false,
-    isProse: Boolean = false,
-    hint: String = "",
-    error: String? = null,
-) {
-    var draft by remember(tag) { mutableStateOf<String?>(null) }
+internal fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refusal: String?) {
+    val spec = field.spec
+    val isProse = spec.kind == TextKind.PROSE
+    var draft by remember(field.tag) { mutableStateOf<String?>(null) }
     val typed = draft
+    val title = field.label(spoken)
     val range = if (isProse) WorldEditorTexts::proseRange else WorldEditorTexts::textRange
-    val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
-    val wrong = if (isWrong) range(spoken, maximum) else error.takeIf { typed != null && typed != text }
+    val wrong = when {
+        typed == null -> null
+        !spec.accepts(typed) -> range(spoken, spec.maximum)
+        else -> refusal.takeIf { field.isRefused && typed != field.text }
+    }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
-                text = typed ?: text,
-                label = title,
-                tag = tag,
-                wrong = wrong,
+                typed ?: field.text,
+                FieldWords(title, field.tag, wrong, field.hint?.invoke(spoken).orEmpty()),
+                if (spec.kind == TextKind.LINE) EditFieldKind.LINE else EditFieldKind.TALL,
                 onText = { new ->
                     val text = if (isProse) new.replace("\r\n", "\n").replace('\t', ' ') else new
                     draft = text
-                    if (tall || isValidText(text, maximum, mayBeBlank, isProse)) onChange(text)
+                    if (spec.accepts(text)) field.with(text)?.let(scope::make)
                 },
                 onLeft = {
                     draft = null
-                    onSettle()
+                    scope.settle()
                 },
-                tall = tall || isProse,
-                hint = hint,
             )
         }
         if (wrong != null) Wrong(wrong)

@@ -21,75 +21,62 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
+import robotran.editing.Field
 import robotran.editing.WorldEditorTexts
 import robotran.editing.parseDecimal
 import robotran.editing.written
 import robotran.uikit.*
 
-/**
- * A number field with step buttons and, if there is a range for it, a slider.
- *
- * @param unit the unit, shown after the title.
- * @param slider the usual part of [range]; null for no slider.
- */
+/** A number field with step buttons and, if there is a range for it, a slider. */
 @Composable
-internal fun NumberRow(
-    title: String,
-    value: Double,
-    range: ClosedRange<Double>,
-    tag: String,
-    onChange: (Double) -> Unit,
-    onSettle: () -> Unit,
-    step: Double = 1.0,
-    unit: String = "",
-    slider: ClosedFloatingPointRange<Float>? = null,
-    isWhole: Boolean = false,
-) {
-    var draft by remember(tag) { mutableStateOf<String?>(null) }
-    val accepted = { number: Double? -> number?.takeIf { it in range && (!isWhole || it % 1.0 == 0.0) } }
-    val isWrong = draft != null && accepted(parseDecimal(draft.orEmpty())) == null
-    val label = if (unit.isEmpty()) title else "$title ($unit)"
-    val wrong = WorldEditorTexts.range(spoken, written(range.start), written(range.endInclusive)).takeIf {
-        isWrong
-    }
-    val stepped = { by: Double ->
+internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) {
+    val spec = field.spec
+    val factor = if (spec.isPercent) PERCENT else 1.0
+    val value = field.value * factor
+    val range = spec.range.start * factor..spec.range.endInclusive * factor
+    var draft by remember(field.tag) { mutableStateOf<String?>(null) }
+    val accepted = { text: String -> parseDecimal(text)?.takeIf { it in range && (!spec.isWhole || it % 1.0 == 0.0) } }
+    val change = { number: Double -> field.with(number / factor)?.let(scope::make) }
+    val title = field.label(spoken)
+    val label = if (spec.unit.isEmpty()) title else "$title (${spec.unit})"
+    val wrong = WorldEditorTexts.range(spoken, written(range.start), written(range.endInclusive))
+        .takeIf { draft?.let(accepted) == null && draft != null }
+    val stepBy = { by: Double ->
         draft = null
-        onChange((value + by).coerceIn(range.start, range.endInclusive))
-        onSettle()
+        change((value + by).coerceIn(range))
+        scope.settle()
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
-            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less", {
-                stepped(-step)
+            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "${field.tag}-less", {
+                stepBy(-spec.step)
             })
-            EditFieldBox(isWrong, Modifier.width(figureWidth())) {
+            EditFieldBox(wrong != null, Modifier.width(figureWidth())) {
                 EditField(
-                    text = draft ?: written(value),
-                    label = label,
-                    tag = tag,
-                    wrong = wrong,
+                    draft ?: written(value),
+                    FieldWords(label, field.tag, wrong),
+                    EditFieldKind.NUMBER,
                     onText = { text ->
                         draft = text
-                        accepted(parseDecimal(text))?.let(onChange)
+                        accepted(text)?.let(change)
                     },
                     onLeft = {
                         draft = null
-                        onSettle()
+                        scope.settle()
                     },
-                    number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more", {
-                stepped(step)
+            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "${field.tag}-more", {
+                stepBy(spec.step)
             })
         }
         if (wrong != null) Wrong(wrong)
-        if (slider != null) {
-            NumberSlider(label, value, slider, step, "$tag-slider", {
+        spec.slider?.let { slider ->
+            NumberSlider(label, value, slider, spec.step, "${field.tag}-slider", {
                 draft = null
-                onChange(it)
-            }, onSettle)
+                change(it)
+            }, scope::settle)
         }
     }
 }
@@ -102,13 +89,14 @@ private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 
 private fun NumberSlider(
     label: String,
     value: Double,
-    range: ClosedFloatingPointRange<Float>,
+    usual: ClosedRange<Double>,
     step: Double,
     tag: String,
     onChange: (Double) -> Unit,
     onSettle: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
+    val range = usual.start.toFloat()..usual.endInclusive.toFloat()
     Slider(
         value.toFloat().coerceIn(range),
         { onChange(kotlin.math.round(it / step) * step) },
@@ -125,3 +113,5 @@ private fun NumberSlider(
         ),
     )
 }
+
+private const val PERCENT = 100.0
