@@ -16,7 +16,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
@@ -59,7 +58,7 @@ internal fun WideScreen(
             }
             HorizontalDivider(color = LocalRobotranColours.current.line)
             runBar()
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -93,7 +92,7 @@ private fun ProgramAndWorld(
                     }
                     ProgramPane(
                         state.programs,
-                        state.shownProgramRun,
+                        state.part { shownProgramRun },
                         state.settings,
                         MAX_DIAGNOSTICS,
                         onEvent,
