@@ -1,12 +1,12 @@
 package robotran.uikit
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -62,9 +62,8 @@ fun DialogButton(
         if (sign == null) {
             Text(
                 label,
+                style = TextStyle(fontSize = if (label.length == 1) signSize() else TextSizes.BODY, fontWeight = FontWeight.Medium),
                 color = if (isChosen) colours.pane else colours.onPane,
-                fontSize = if (label.length == 1) signSize() else TextSizes.BODY,
-                fontWeight = FontWeight.Medium,
                 textAlign = TextAlign.Center,
             )
         } else {
@@ -82,9 +81,8 @@ private fun signSize(): TextUnit = (19 * minOf(1f, MOST_SCALE / LocalDensity.cur
 fun DialogHeading(label: String) = Text(
     label,
     Modifier.padding(top = 8.dp).semantics { heading() },
+    TextStyles.compact.strong,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.COMPACT,
-    fontWeight = FontWeight.SemiBold,
 )
 
 private const val MOST_SCALE = 1.4f

@@ -15,8 +15,6 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
 import androidx.compose.material3.MaterialTheme
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
@@ -46,9 +44,6 @@ fun DialogFrame(
         Surface(
             Modifier.widthIn(max = 520.dp).testTag("document-dialog").semantics { paneTitle = title },
             Shapes.SHEET,
-            color = colours.pane,
-            contentColor = colours.onPane,
-            border = BorderStroke(1.dp, colours.line),
         ) {
             Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
                 Text(
@@ -56,9 +51,7 @@ fun DialogFrame(
                     Modifier.semantics {
                         heading()
                     },
-                    fontSize = TextSizes.HEADING,
-                    fontWeight = FontWeight.Medium,
-                    lineHeight = LineHeights.LEAD,
+                    TextStyles.dialogTitle,
                 )
                 Column(
                     Modifier.weight(1f, fill = false).verticalScroll(rememberScrollState()),
@@ -72,36 +65,9 @@ fun DialogFrame(
     }
 }
 
-/** The primary button of a dialog. */
-@Composable
-fun MainButton(label: String, tag: String, enabled: Boolean = true, onClick: () -> Unit) {
-    Button(
-        onClick,
-        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
-        enabled = enabled,
-        colors = ButtonDefaults.buttonColors(MaterialTheme.colorScheme.primary, MaterialTheme.colorScheme.onPrimary),
-    ) { Text(label, fontSize = TextSizes.BODY) }
-}
-
-/** A secondary button of a dialog. */
-@Composable
-fun OtherButton(label: String, tag: String, onClick: () -> Unit) {
-    TextButton(
-        onClick,
-        Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
-        colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    ) { Text(label, fontSize = TextSizes.BODY) }
-}
-
 /** An explanatory sentence. */
 @Composable
 fun Explanation(label: String, modifier: Modifier = Modifier, bad: Boolean = false) {
     val colours = LocalRobotranColours.current
-    Text(
-        label,
-        modifier,
-        color = if (bad) colours.error else colours.onPane,
-        fontSize = TextSizes.BODY,
-        lineHeight = LineHeights.LABEL,
-    )
+    Text(label, modifier, TextStyles.label, color = if (bad) colours.error else colours.onPane)
 }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -52,7 +51,7 @@ fun IconTouch(
     ) {
         Box(Modifier.size(24.dp)) { Canvas(Modifier.matchParentSize()) { with(icon) { draw(colour) } } }
         if (label != null) {
-            Text(label, color = colour, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium, maxLines = 1)
+            Text(label, style = TextStyles.body.medium, color = colour, maxLines = 1)
         }
     }
 }

@@ -12,8 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -54,9 +52,6 @@ private fun HandInCard(
             .testTag("hand-in-sheet")
             .semantics { paneTitle = title },
         Shapes.SHEET,
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
     ) {
         BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
             val scroll = rememberScrollState()
@@ -87,13 +82,7 @@ private fun HandInCard(
 }
 
 @Composable
-private fun Title(label: String) = Text(
-    label,
-    Modifier.semantics { heading() },
-    fontSize = TextSizes.HEADING,
-    fontWeight = FontWeight.Medium,
-    lineHeight = LineHeights.LEAD,
-)
+private fun Title(label: String) = Text(label, Modifier.semantics { heading() }, TextStyles.dialogTitle)
 
 /** @param maxHeight of what is seen at once. */
 @Composable
@@ -113,24 +102,29 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
     val back = { onEvent(AssignmentEvent.HandInBackRequested) }
     when (step) {
         is HandInStep.Asking -> {
-            OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-cancel", close)
-            MainButton(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", step.canGoOn) {
+            Button(SchoolTexts.handInCancel(spoken), "hand-in-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", ButtonKind.DIALOG_MAIN, enabled = step.canGoOn) {
                 onEvent(AssignmentEvent.HandInMade())
             }
         }
 
-        is HandInStep.Running -> OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-stop", back)
+        is HandInStep.Running -> Button(
+            SchoolTexts.handInCancel(spoken),
+            "hand-in-stop",
+            ButtonKind.DIALOG_OTHER,
+            onClick = back,
+        )
 
         is HandInStep.HasErrors -> {
-            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
-            MainButton(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway") {
+            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway", ButtonKind.DIALOG_MAIN) {
                 onEvent(AssignmentEvent.HandInMade(withErrors = true))
             }
         }
 
         is HandInStep.Ready -> {
-            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
-            MainButton(SchoolTexts.handInClose(spoken), "hand-in-close", onClick = close)
+            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(SchoolTexts.handInClose(spoken), "hand-in-close", ButtonKind.DIALOG_MAIN, onClick = close)
         }
     }
 }

@@ -15,7 +15,12 @@ internal fun AboutDialog(dialog: DocumentDialog.About, onEvent: (DocumentEvent) 
     DialogFrame(
         DocumentTexts.about(spoken),
         close,
-        buttons = { MainButton(DocumentTexts.understood(spoken), "document-done", onClick = close) },
+        buttons = { Button(
+            DocumentTexts.understood(spoken),
+            "document-done",
+            ButtonKind.DIALOG_MAIN,
+            onClick = close,
+        ) },
     ) {
         if (dialog.version.isNotEmpty()) {
             Explanation(DocumentTexts.aboutVersion(spoken, dialog.version), Modifier.testTag("version"))

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -63,17 +62,16 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                 Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics {
                     liveRegion = LiveRegionMode.Assertive
                 },
+                TextStyles.label,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.LABEL,
             )
             if (error != AutosaveError.TooLong) {
-                OtherButton(DocumentTexts.saveAs(spoken), "trouble-save-as") {
+                Button(DocumentTexts.saveAs(spoken), "trouble-save-as", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.SaveAsRequested)
                 }
             }
             if (error == AutosaveError.Full) {
-                OtherButton(DocumentTexts.myWork(spoken), "trouble-my-work") {
+                Button(DocumentTexts.myWork(spoken), "trouble-my-work", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.ProjectListRequested)
                 }
             }

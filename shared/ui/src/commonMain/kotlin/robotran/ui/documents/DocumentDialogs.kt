@@ -42,13 +42,17 @@ private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEv
         DocumentTexts.changedTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.changedTheirs(spoken), "changed-theirs") {
+            Button(DocumentTexts.changedTheirs(spoken), "changed-theirs", ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.TAKE_THEIRS)
             }
-            OtherButton(DocumentTexts.changedOver(spoken), "changed-over") {
+            Button(DocumentTexts.changedOver(spoken), "changed-over", ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.GO_ON)
             }
-            MainButton(DocumentTexts.changedAs(spoken), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
+            Button(
+                DocumentTexts.changedAs(spoken),
+                "changed-as",
+                ButtonKind.DIALOG_MAIN,
+            ) { answer(DocumentAnswer.SAVE_AS) }
         },
     ) { Explanation(DocumentTexts.changedHelp(spoken)) }
 }
@@ -59,13 +63,13 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
         DocumentTexts.lossTitle(spoken),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "document-cancel") {
+            Button(DocumentTexts.cancel(spoken), "document-cancel", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.DialogClosed)
             }
-            OtherButton(DocumentTexts.lossGoOn(spoken), "loss-go-on") {
+            Button(DocumentTexts.lossGoOn(spoken), "loss-go-on", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }
-            MainButton(DocumentTexts.saveAs(spoken), "loss-save-as") {
+            Button(DocumentTexts.saveAs(spoken), "loss-save-as", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
             }
         },
@@ -78,7 +82,12 @@ private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEv
     DialogFrame(
         DocumentTexts.refusedTitle(spoken),
         close,
-        buttons = { MainButton(DocumentTexts.understood(spoken), "document-done", onClick = close) },
+        buttons = { Button(
+            DocumentTexts.understood(spoken),
+            "document-done",
+            ButtonKind.DIALOG_MAIN,
+            onClick = close,
+        ) },
     ) {
         Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
         Explanation(DocumentTexts.refusedHelp(spoken))

@@ -15,10 +15,10 @@ internal fun NewerInMyWorkDialog(dialog: DocumentDialog.NewerInMyWork, onEvent: 
         DocumentTexts.newerTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.newerFile(spoken), "newer-file") {
+            Button(DocumentTexts.newerFile(spoken), "newer-file", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = false))
             }
-            MainButton(DocumentTexts.newerWork(spoken), "newer-work") {
+            Button(DocumentTexts.newerWork(spoken), "newer-work", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = true))
             }
         },

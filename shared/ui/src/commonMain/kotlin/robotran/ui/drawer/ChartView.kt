@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
@@ -91,8 +90,8 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     Text(
                         time?.let { "${secondsText(it)} s" }.orEmpty(),
                         Modifier.testTag("chart-time"),
+                        TextStyles.small,
                         color = LocalRobotranColours.current.quiet,
-                        fontSize = TextSizes.SMALL,
                     )
                 }
             }

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -52,9 +51,8 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
         Text(
             tab.word(spoken),
             Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
+            TextStyles.compact.strong,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = FontWeight.SemiBold,
             maxLines = 1,
         )
         if (onTwo != null) RunIconButton(RunIcon.TWO, RunTexts.drawerTwo(spoken), "drawer-two", onTwo)
@@ -139,9 +137,8 @@ private fun TabName(
         SteadySize(selected, if (isSteady) listOf(true, false) else emptyList()) {
             Text(
                 tab.word(spoken),
+                style = TextStyles.compact.strongIf(it, FontWeight.Medium),
                 color = if (it) colours.onPane else colours.quiet,
-                fontSize = TextSizes.COMPACT,
-                fontWeight = if (it) FontWeight.SemiBold else FontWeight.Medium,
                 maxLines = 1,
             )
         }

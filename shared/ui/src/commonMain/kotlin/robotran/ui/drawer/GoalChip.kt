@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -87,14 +86,7 @@ internal fun GoalChip(
             alignment = Alignment.CenterStart,
         ) {
             val semantics = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
-            Text(
-                it,
-                semantics,
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.SMALL,
-                fontWeight = FontWeight.Medium,
-            )
+            Text(it, semantics, TextStyles.tightLabel.medium, color = colours.onPane)
         }
     }
 }

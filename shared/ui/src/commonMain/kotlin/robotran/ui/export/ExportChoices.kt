@@ -20,8 +20,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -93,10 +91,7 @@ private fun ChoiceButton(
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .clickable(enabled, role = Role.Button, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
+        RoundedCornerShape(CORNER),
     ) {
         Row(
             Modifier.heightIn(min = MIN_HEIGHT).padding(12.dp).alpha(if (enabled) 1f else UNAVAILABLE),
@@ -105,19 +100,9 @@ private fun ChoiceButton(
         ) {
             Canvas(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT)) { with(choice) { draw(sheet, session, colours) } }
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
-                Text(
-                    choice.words(spoken),
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.LABEL,
-                    fontWeight = FontWeight.Medium,
-                )
+                Text(choice.words(spoken), style = TextStyles.label.medium)
                 val help = if (enabled) choice.help else ExportTexts::noRun
-                Text(
-                    help(spoken),
-                    color = colours.quiet,
-                    fontSize = TextSizes.SMALL,
-                    lineHeight = LineHeights.SMALL,
-                )
+                Text(help(spoken), style = TextStyles.remark, color = colours.quiet)
             }
         }
     }

@@ -7,8 +7,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -55,18 +53,9 @@ internal fun ShowCard(
             .testTag("show-sheet")
             .semantics { paneTitle = title },
         Shapes.SHEET,
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
     ) {
         Column(Modifier.padding(20.dp), Arrangement.spacedBy(12.dp)) {
-            Text(
-                title,
-                Modifier.semantics { heading() },
-                fontSize = TextSizes.HEADING,
-                fontWeight = FontWeight.Medium,
-                lineHeight = LineHeights.LEAD,
-            )
+            Text(title, Modifier.semantics { heading() }, TextStyles.dialogTitle)
             Box(Modifier.weight(1f).fillMaxWidth()) {
                 when (val step = state.step) {
                     ShowStep.Choosing -> ExportChoices(state, world, session, onEvent)

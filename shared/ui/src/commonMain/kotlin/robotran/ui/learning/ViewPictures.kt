@@ -1,5 +1,6 @@
 package robotran.ui.learning
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
@@ -11,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -69,9 +69,8 @@ private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
             Text(
                 word,
                 if (isSocket) ground else Modifier,
+                TextStyle(fontSize = pictureSize(), lineHeight = pictureSize()),
                 color = if (isSocket) look.socketInk else look.ink,
-                fontSize = pictureSize(),
-                lineHeight = pictureSize(),
                 maxLines = 1,
             )
         }

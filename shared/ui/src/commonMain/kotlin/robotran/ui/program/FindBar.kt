@@ -10,8 +10,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.text.BasicTextField
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.Stable
@@ -142,8 +140,8 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             Text(
                 if (state.search.text.isEmpty()) "" else countText(count, index),
                 Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
+                TextStyles.small,
                 color = colours.onPane,
-                fontSize = TextSizes.SMALL,
             )
         }
     }
@@ -158,13 +156,7 @@ private fun countText(count: Int, index: Int): String = if (count == 0) {
 
 @Composable
 private fun FindButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(
-            label,
-            color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.COMPACT,
-        )
-    }
+    Button(label, tag, ButtonKind.LINK, enabled = enabled, style = TextStyles.compact, onClick = onClick)
 }
 
 @Composable
@@ -211,7 +203,7 @@ private fun LineField(
                 ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
                 Alignment.CenterStart,
             ) {
-                if (text.isEmpty()) Text(label, color = colours.quiet, fontSize = TextSizes.COMPACT, maxLines = 1)
+                if (text.isEmpty()) Text(label, style = TextStyles.compact, color = colours.quiet, maxLines = 1)
                 inner()
             }
         },

@@ -7,9 +7,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -65,22 +62,12 @@ internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, wit
             )
         }
         Button(
-            { scope.perform(RobotEditEvent.BenchClosed) },
-            Modifier
-                .padding(start = 4.dp)
-                .testTag("robot-done")
-                .focusRing()
-                .defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+            WorldEditorTexts.done(spoken),
+            "robot-done",
+            ButtonKind.EDITOR_BAR,
+            Modifier.padding(start = 4.dp),
+            style = TextStyles.body.strong,
+        ) { scope.perform(RobotEditEvent.BenchClosed) }
     }
 }
 

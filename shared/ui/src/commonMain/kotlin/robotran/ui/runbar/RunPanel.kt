@@ -13,9 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.FilterChip
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -62,9 +59,8 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 Text(
                     RunTexts.more(spoken),
                     Modifier.weight(1f).semantics { heading() },
+                    TextStyles.heading.strong,
                     color = colours.onPane,
-                    fontSize = TextSizes.HEADING,
-                    fontWeight = FontWeight.SemiBold,
                 )
                 RunIconButton(RunIcon.CLOSE, RunTexts.close(spoken), "run-panel-close", onClose)
             }
@@ -126,11 +122,7 @@ private fun Section(name: Label, content: @Composable () -> Unit) {
 
 @Composable
 private fun PanelAction(name: Label, help: Label, tag: String, onClick: () -> Unit) {
-    TextButton(
-        onClick,
-        Modifier.testTag(tag).focusRing().fillMaxWidth(),
-        shape = Shapes.MEDIUM,
-    ) {
+    ButtonFrame(tag, ButtonKind.TOOL, Modifier.fillMaxWidth(), onClick = onClick) {
         Box(Modifier.fillMaxWidth()) { Choice(name(spoken), help(spoken)) }
     }
 }

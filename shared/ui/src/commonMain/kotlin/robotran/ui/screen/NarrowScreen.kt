@@ -17,7 +17,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.Alignment
@@ -71,7 +70,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                     perform(WorkshopEvent.PaneChosen(it))
                 }, Modifier.weight(1f))
             }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             if (isTutorialOpen) {
                 Box(Modifier.weight(1f)) {
                     TutorialPane(state.learning, perform, Modifier.fillMaxSize())

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -89,9 +88,9 @@ internal fun OutcomeCard(
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
-                SecondButton(LearningTexts.hint(spoken), "missing-hint", {
+                Button(LearningTexts.hint(spoken), "missing-hint", ButtonKind.SECOND) {
                     onEvent(WorkshopEvent.TaskShown(true))
-                })
+                }
             }
         }
     }
@@ -108,12 +107,7 @@ private fun Solved(
 ) {
     Heading(RunTexts.outcomeSolved(spoken))
     for (line in solvedText(solved)) {
-        Text(
-            line,
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
-        )
+        Text(line, style = TextStyles.sentence, color = LocalRobotranColours.current.onPane)
     }
     when {
         assignment == null -> Next(solved, onEvent)
@@ -148,19 +142,19 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         for (harder in solved.harder) {
             val title = harder.world(LocalLanguage.current).title
-            PrimaryButton(LearningTexts.harder(spoken, title), "solved-${harder.name}", {
+            Button(LearningTexts.harder(spoken, title), "solved-${harder.name}") {
                 onEvent(LearningEvent.WorldChosen(harder.name))
-            })
+            }
         }
         if (next != null) {
-            PrimaryButton(LearningTexts.next(spoken), "solved-next", {
+            Button(LearningTexts.next(spoken), "solved-next") {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
-            })
+            }
         } else if (solved.harder.isEmpty()) {
-            PrimaryButton(worlds, "solved-worlds", showWorlds)
+            Button(worlds, "solved-worlds", onClick = showWorlds)
         } else {
-            SecondButton(worlds, "solved-worlds", showWorlds)
+            Button(worlds, "solved-worlds", ButtonKind.SECOND, onClick = showWorlds)
         }
     }
 }
@@ -169,10 +163,8 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
 private fun Heading(text: String) = Text(
     text,
     Modifier.semantics { heading() },
+    TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.SemiBold,
 )
 
 /** @param bar the colour of the bar at its left side. */

@@ -6,8 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -47,17 +45,12 @@ internal fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: 
             .testTag("send-sheet")
             .semantics { paneTitle = title },
         Shapes.SHEET,
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
     ) {
         Column(Modifier.padding(20.dp), Arrangement.spacedBy(12.dp)) {
             Text(
                 title,
                 Modifier.semantics { heading() },
-                fontSize = TextSizes.HEADING,
-                fontWeight = FontWeight.Medium,
-                lineHeight = LineHeights.LEAD,
+                TextStyles.dialogTitle,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )

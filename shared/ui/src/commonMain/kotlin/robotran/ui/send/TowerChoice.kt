@@ -3,9 +3,6 @@ package robotran.ui.send
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.OutlinedButton
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -33,15 +30,8 @@ internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> U
 }
 
 @Composable
-private fun TowerButton(label: String, tag: String, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
-    OutlinedButton(
-        onClick,
-        Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
-        colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
-        border = BorderStroke(1.dp, colours.line),
-    ) { Text(label, fontSize = TextSizes.BODY, textAlign = TextAlign.Center) }
-}
+private fun TowerButton(label: String, tag: String, onClick: () -> Unit) =
+    Button(label, tag, ButtonKind.DIALOG_ANSWER, Modifier.fillMaxWidth(), onClick = onClick)
 
 @Composable
 private fun nameOf(device: TowerDevice): String {

@@ -13,7 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -186,9 +185,8 @@ private fun ColumnScope.WholeAssignment(
 private fun TaskText(world: World) = Text(
     world.task.trim(),
     Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.sentence,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.BODY,
 )
 
 @Composable
@@ -210,12 +208,10 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
 private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
     modifier.testTag("task-title").semantics { heading() },
+    TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.SemiBold,
-    overflow = TextOverflow.Ellipsis,
     maxLines = maxLines,
+    overflow = TextOverflow.Ellipsis,
 )
 
 /** Up to this font scale there is room for fixed buttons. */

@@ -9,9 +9,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -93,20 +90,12 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
             )
         }
         Button(
-            { editor.perform(WorldEditEvent.EditorClosed) },
-            Modifier.padding(
-                start = 4.dp,
-            ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+            WorldEditorTexts.done(spoken),
+            "edit-done",
+            ButtonKind.EDITOR_BAR,
+            Modifier.padding(start = 4.dp),
+            style = TextStyles.body.strong,
+        ) { editor.perform(WorldEditEvent.EditorClosed) }
     }
 }
 

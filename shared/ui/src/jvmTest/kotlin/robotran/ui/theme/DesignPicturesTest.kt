@@ -1,5 +1,6 @@
 package robotran.ui.theme
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
@@ -10,7 +11,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -138,7 +138,7 @@ class DesignPicturesTest {
 
     @Composable
     private fun Words(text: String, colours: RobotranColours, size: TextUnit = TextSizes.SMALL) =
-        Text(text, color = colours.onPane, fontSize = size, maxLines = 1)
+        Text(text, style = TextStyle(fontSize = size), color = colours.onPane, maxLines = 1)
 
     /** Draws [content] of this size as docs/pictures/[name].png, and returns what is recorded there. */
     private fun draw(name: String, width: Int, height: Int, content: @Composable () -> Unit): Bitmap {

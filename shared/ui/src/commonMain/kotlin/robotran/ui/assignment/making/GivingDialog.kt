@@ -15,10 +15,10 @@ internal fun GivingDialog(onEvent: (WorkshopEvent) -> Unit) {
         SchoolTexts.makeGivingTitle(spoken),
         cancel,
         buttons = {
-            OtherButton(SchoolTexts.makeGivingShare(spoken), "make-giving-share", {
+            Button(SchoolTexts.makeGivingShare(spoken), "make-giving-share", ButtonKind.DIALOG_OTHER) {
                 onEvent(AssignmentEvent.GivingConfirmed)
-            })
-            MainButton(DocumentTexts.cancel(spoken), "make-giving-cancel") { cancel() }
+            }
+            Button(DocumentTexts.cancel(spoken), "make-giving-cancel", ButtonKind.DIALOG_MAIN) { cancel() }
         },
     ) { Explanation(SchoolTexts.makeGivingHelp(spoken)) }
 }

@@ -1,8 +1,8 @@
 package robotran.ui.brick.nxt
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.offset
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -69,9 +69,8 @@ internal fun NxtButtonView(
             Text(
                 look.text,
                 Modifier.offset(y = unit * if (down) SUNK / 2 else -SUNK / 2).clearAndSetSemantics { },
+                TextStyle(fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() }, fontWeight = FontWeight.SemiBold),
                 color = look.label,
-                fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() },
-                fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 softWrap = false,
             )

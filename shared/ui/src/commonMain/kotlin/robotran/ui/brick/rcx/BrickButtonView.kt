@@ -1,12 +1,12 @@
 package robotran.ui.brick.rcx
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -69,9 +69,8 @@ internal fun BrickButtonView(
             Text(
                 name,
                 Modifier.clearAndSetSemantics { },
+                TextStyle(fontSize = with(LocalDensity.current) { (unit * look.labelSize).toSp() }, fontWeight = FontWeight.SemiBold),
                 color = look.label,
-                fontSize = with(LocalDensity.current) { (unit * look.labelSize).toSp() },
-                fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 softWrap = false,
             )

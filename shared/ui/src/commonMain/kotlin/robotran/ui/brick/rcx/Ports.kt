@@ -1,5 +1,6 @@
 package robotran.ui.brick.rcx
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
@@ -8,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -124,10 +124,8 @@ private fun PortBlock(colour: Color, unit: Dp, modifier: Modifier, content: @Com
 private fun PortLabel(text: String, colour: Color, unit: Dp) {
     Text(
         text,
+        style = TextStyle(fontSize = with(LocalDensity.current) { (unit * 16).toSp() }, lineHeight = with(LocalDensity.current) { (unit * 18).toSp() }, fontWeight = FontWeight.Bold),
         color = colour,
-        fontSize = with(LocalDensity.current) { (unit * 16).toSp() },
-        lineHeight = with(LocalDensity.current) { (unit * 18).toSp() },
-        fontWeight = FontWeight.Bold,
         maxLines = 1,
     )
 }

@@ -1,5 +1,6 @@
 package robotran.ui.program.blocks
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
@@ -11,7 +12,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -112,9 +112,8 @@ private fun NoteTag(comment: String, scope: BlockScope, modifier: Modifier) {
 private fun Note(comment: String, scope: BlockScope, look: BlockLook, modifier: Modifier) = Text(
     comment.trim().removePrefix("//").trim(),
     modifier.clearAndSetSemantics { },
+    TextStyle(fontStyle = FontStyle.Italic, fontSize = scope.wordSize),
     color = look.ink,
-    fontSize = scope.wordSize,
-    fontStyle = FontStyle.Italic,
 )
 
 /** An empty line and the room in a block show the pane. */

@@ -1,5 +1,6 @@
 package robotran.ui.program.blocks
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.gestures.scrollBy
 import androidx.compose.foundation.layout.Box
@@ -10,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.LaunchedEffect
@@ -151,8 +151,8 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
             .background(look.fill, shape)
             .padding(horizontal = 12.dp, vertical = 10.dp)
             .clearAndSetSemantics { },
+        TextStyle(fontSize = scope.wordSize),
         color = look.ink,
-        fontSize = scope.wordSize,
         maxLines = 1,
     )
 }

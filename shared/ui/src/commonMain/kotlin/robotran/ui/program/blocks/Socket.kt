@@ -1,5 +1,6 @@
 package robotran.ui.program.blocks
 
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
@@ -12,7 +13,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.CutCornerShape
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -86,7 +86,7 @@ internal fun Socket(
         }
         if (unit != null) {
             val place = if (inner.isEmpty()) middle() else onLine(depth + 1)
-            Text(unit, place.clearAndSetSemantics { }, color = look.socketInk, fontSize = UNIT_SIZE.sp)
+            Text(unit, place.clearAndSetSemantics { }, TextStyle(fontSize = UNIT_SIZE.sp), color = look.socketInk)
         }
     }
 }
@@ -111,7 +111,7 @@ private fun shapeOf(part: PhrasePart): Shape = when {
 private fun Written(text: String, scope: BlockScope, look: BlockLook, modifier: Modifier) = Text(
     text,
     modifier.clearAndSetSemantics { },
-    style = editorStyle(scope.codeSize).copy(color = look.socketInk),
+    editorStyle(scope.codeSize).copy(color = look.socketInk),
 )
 
 @OptIn(ExperimentalLayoutApi::class)

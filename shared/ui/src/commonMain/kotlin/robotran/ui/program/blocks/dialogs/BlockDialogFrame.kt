@@ -10,8 +10,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -96,10 +94,7 @@ internal fun BlockDialogFrame(
             .focusGroup()
             .semantics { paneTitle = title },
         Shapes.FROM_BELOW,
-        color = colours.pane,
-        contentColor = colours.onPane,
         shadowElevation = 8.dp,
-        border = BorderStroke(1.dp, colours.line),
     ) {
         val scrolling = if (scrolls) Modifier.verticalScroll(rememberScrollState()) else Modifier
         val focused = Modifier.focusRequester(inside).focusGroup()
@@ -116,8 +111,7 @@ internal fun BlockDialogFrame(
                     Text(
                         title,
                         Modifier.weight(1f).semantics { heading() },
-                        fontSize = TextSizes.BODY,
-                        fontWeight = FontWeight.Medium,
+                        TextStyles.body.medium,
                         maxLines = 2,
                         overflow = TextOverflow.Ellipsis,
                     )

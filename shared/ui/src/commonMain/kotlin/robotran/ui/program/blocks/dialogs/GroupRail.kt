@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -81,13 +80,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
         Alignment.CenterHorizontally,
     ) {
         GroupBadge(group, scope)
-        Text(
-            words,
-            color = colours.onPane,
-            fontSize = TextSizes.SIGN,
-            lineHeight = LineHeights.SIGN,
-            textAlign = TextAlign.Center,
-        )
+        Text(words, style = TextStyles.signLines, color = colours.onPane, textAlign = TextAlign.Center)
     }
 }
 
@@ -116,7 +109,7 @@ internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
         Alignment.CenterVertically,
     ) {
         GroupBadge(group, scope)
-        Text(words, color = if (isShown) colours.pane else colours.onPane, fontSize = TextSizes.BODY)
+        Text(words, style = TextStyles.body, color = if (isShown) colours.pane else colours.onPane)
     }
 }
 

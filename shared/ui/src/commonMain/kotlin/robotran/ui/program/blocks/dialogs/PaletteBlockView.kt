@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -62,13 +61,7 @@ private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier:
     Alignment.CenterVertically,
 ) {
     if (block != null) Sign(GroupSigns.of(block.group), look.ink)
-    Text(
-        label,
-        Modifier.clearAndSetSemantics { },
-        color = look.ink,
-        fontSize = TextSizes.BODY,
-        fontWeight = FontWeight.Medium,
-    )
+    Text(label, Modifier.clearAndSetSemantics { }, TextStyles.body.medium, color = look.ink)
 }
 
 private val MARGIN = 12.dp
