@@ -25,7 +25,7 @@ class BarWords(val word: String, val help: String, val others: List<String> = em
  */
 @Composable
 fun BarButton(
-    icon: RunIcon,
+    icon: Icon,
     words: BarWords,
     tag: String,
     modifier: Modifier = Modifier,
@@ -44,37 +44,10 @@ fun BarButton(
     if (room) ButtonForm.RUN_BAR.padding else PaddingValues(0.dp),
     onClick = onClick,
 ) {
-    RunIconView(icon, side = 18.dp)
+    IconView(icon, size = 18.dp)
     if (room) {
         SteadySize(words.word, words.others, Modifier.padding(start = 8.dp), Alignment.CenterStart) {
             Text(it, style = TextStyles.lead.strong, maxLines = 1)
         }
     }
 }
-/** An icon button without a frame; [name] is its accessibility text. */
-@Composable
-fun RunIconButton(
-    icon: RunIcon,
-    name: String,
-    tag: String,
-    onClick: () -> Unit,
-    modifier: Modifier = Modifier,
-    enabled: Boolean = true,
-) {
-    val colours = LocalRobotranColours.current
-    IconButton(
-        onClick = onClick,
-        enabled = enabled,
-        modifier = modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Dimensions.TARGET),
-        colors = IconButtonDefaults.iconButtonColors(
-            contentColor = colours.onPane,
-            disabledContentColor = colours.quiet.copy(alpha = 0.5f),
-        ),
-    ) {
-        RunIconView(icon)
-    }
-}
-
-val BAR_CORNER = Corners.LARGE
-val BAR_HEIGHT = 56.dp
-val BAR_PADDING = PaddingValues(horizontal = 16.dp)

@@ -16,7 +16,7 @@ fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) = Fi
     onClick,
     { Text(name, style = TextStyles.body) },
     Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-    leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
+    leadingIcon = if (selected) ({ IconView(RunIcons.DONE, size = 16.dp) }) else null,
 )
 
 /**

@@ -48,7 +48,7 @@ fun IconWord(
     chosen: Boolean = false,
 ) {
     val colour = LocalRobotranColours.current.onPane
-    SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
+    SignWord(word, tag, onClick, modifier, chosen) { IconView(icon, colour) }
 }
 
 /**
@@ -169,7 +169,7 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
                     maxLines = 2,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
+                IconView(EditIcons.DOWN, colours.onPane, size = 18.dp)
             }
             AppMenu(open, { open = false }) {
                 choices.forEachIndexed { place, (value, word) ->

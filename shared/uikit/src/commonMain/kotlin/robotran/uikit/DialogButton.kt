@@ -1,6 +1,5 @@
 package robotran.uikit
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
@@ -18,6 +17,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.TextUnit
@@ -38,7 +38,7 @@ fun DialogButton(
     modifier: Modifier = Modifier,
     spoken: String = label,
     isChosen: Boolean = false,
-    sign: StrokeIcon? = null,
+    sign: Icon? = null,
     onClick: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -62,12 +62,12 @@ fun DialogButton(
         if (sign == null) {
             Text(
                 label,
-                style = TextStyle(fontSize = if (label.length == 1) signSize() else TextSizes.BODY, fontWeight = FontWeight.Medium),
+                style = (if (label.length == 1) TextStyle(fontSize = signSize()) else TextStyles.body).medium,
                 color = if (isChosen) colours.pane else colours.onPane,
                 textAlign = TextAlign.Center,
             )
         } else {
-            SignPicture(sign, if (isChosen) colours.pane else colours.onPane, SIGN)
+            IconView(sign, if (isChosen) colours.pane else colours.onPane, size = SIGN)
         }
     }
 }

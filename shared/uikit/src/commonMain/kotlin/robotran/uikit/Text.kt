@@ -28,7 +28,10 @@ fun Text(
     maxLines: Int = Int.MAX_VALUE,
     overflow: TextOverflow = TextOverflow.Clip,
     softWrap: Boolean = true,
-) = BasicText(text, modifier, style.asWritten(color, textAlign), overflow = overflow, softWrap = softWrap, maxLines = maxLines)
+) {
+    val whole = style.asWritten(color, textAlign)
+    BasicText(text, modifier, whole, overflow = overflow, softWrap = softWrap, maxLines = maxLines)
+}
 
 /** The same with parts in other styles. */
 @Composable
@@ -41,11 +44,15 @@ fun Text(
     maxLines: Int = Int.MAX_VALUE,
     overflow: TextOverflow = TextOverflow.Clip,
     softWrap: Boolean = true,
-) = BasicText(text, modifier, style.asWritten(color, textAlign), overflow = overflow, softWrap = softWrap, maxLines = maxLines)
+) {
+    val whole = style.asWritten(color, textAlign)
+    BasicText(text, modifier, whole, overflow = overflow, softWrap = softWrap, maxLines = maxLines)
+}
 
 /** This style as a [Text] has it at this place, for measuring. */
 @Composable
 fun TextStyle.asWritten(color: Color = Color.Unspecified, textAlign: TextAlign = TextAlign.Unspecified): TextStyle {
     val whole = LocalTextStyle.current.merge(this)
-    return whole.merge(color = color.takeOrElse { whole.color.takeOrElse { LocalContentColor.current } }, textAlign = textAlign)
+    val colour = color.takeOrElse { whole.color.takeOrElse { LocalContentColor.current } }
+    return whole.merge(color = colour, textAlign = textAlign)
 }

@@ -1,8 +1,10 @@
 package robotran.uikit
 
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.TextUnit
 
 /**
@@ -50,6 +52,9 @@ object TextStyles {
 
     val heading = style(TextSizes.HEADING)
 
+    /** A sentence that greets. */
+    val headingLines = style(TextSizes.HEADING, LineHeights.HEADING)
+
     /** The title of a dialog. */
     val dialogTitle = style(TextSizes.HEADING, LineHeights.LEAD, FontWeight.Medium)
 
@@ -63,11 +68,17 @@ object TextStyles {
         @Composable
         get() = codeStyle()
 
-    private fun style(
-        size: TextUnit,
-        lines: TextUnit = TextUnit.Unspecified,
-        weight: FontWeight? = null,
-    ) = TextStyle(fontSize = size, lineHeight = lines, fontWeight = weight)
+    /** Words in a drawing of which each [unit] is so large: [size] and [lines] are units. */
+    @Composable
+    fun scaled(unit: Dp, size: Float, lines: Float = Float.NaN): TextStyle = with(LocalDensity.current) {
+        TextStyle(
+            fontSize = (unit * size).toSp(),
+            lineHeight = if (lines.isNaN()) TextUnit.Unspecified else (unit * lines).toSp(),
+        )
+    }
+
+    private fun style(size: TextUnit, lines: TextUnit = TextUnit.Unspecified, weight: FontWeight? = null) =
+        TextStyle(fontSize = size, lineHeight = lines, fontWeight = weight)
 }
 
 /** What stands out a little, such as words on buttons. */

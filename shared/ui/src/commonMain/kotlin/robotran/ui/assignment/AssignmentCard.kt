@@ -109,7 +109,7 @@ internal fun Goals(goals: List<GoalProgress>) {
             Arrangement.spacedBy(8.dp),
         ) {
             val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
-            RunIconView(iconFor(goal.status), Modifier.padding(top = 3.dp), side = 18.dp, colour = colour)
+            IconView(iconFor(goal.status), colour, Modifier.padding(top = 3.dp), size = 18.dp)
             Text(goal.sentence, style = TextStyles.sentence, color = colours.onPane)
         }
     }

@@ -21,6 +21,7 @@ import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import robotran.ui.texts.SchoolTexts
@@ -31,10 +32,10 @@ import robotran.workshop.state.HandInStep
 
 /** The sheet with which a pupil hands in. Only its buttons close it, so that no touch outside loses the hand-in. */
 @Composable
-internal fun HandInDialog(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
+internal fun HandInDialog(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = StepsDialog(
     { onEvent(AssignmentEvent.HandInClosed) },
-    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
-) { HandInCard(step, hasShareSheet, onEvent, Modifier.padding(16.dp)) }
+    closesByTouchOutside = false,
+) { HandInCard(step, hasShareSheet, onEvent, it) }
 
 @Composable
 private fun HandInCard(
@@ -45,14 +46,7 @@ private fun HandInCard(
 ) {
     val colours = LocalRobotranColours.current
     val title = SchoolTexts.handInTitle(spoken)
-    val scale = LocalDensity.current.fontScale
-    Surface(
-        modifier
-            .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
-            .testTag("hand-in-sheet")
-            .semantics { paneTitle = title },
-        Shapes.SHEET,
-    ) {
+    DialogCard(title, "hand-in-sheet", modifier.sized(SIZE)) {
         BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
             val scroll = rememberScrollState()
             val scrolling = Modifier
@@ -62,13 +56,13 @@ private fun HandInCard(
             // On a phone in landscape all scrolls, so that a code has all the height.
             if (maxHeight < LOW) {
                 Column(scrolling, Arrangement.spacedBy(12.dp)) {
-                    Title(title)
+                    DialogTitle(title)
                     Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight - TITLE, onEvent)
                     Buttons(step, onEvent)
                 }
             } else {
                 Column(Modifier.fillMaxSize(), Arrangement.spacedBy(12.dp)) {
-                    Title(title)
+                    DialogTitle(title)
                     BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
                         Column(scrolling.fillMaxHeight(), Arrangement.spacedBy(12.dp)) {
                             Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight, onEvent)
@@ -80,9 +74,6 @@ private fun HandInCard(
         }
     }
 }
-
-@Composable
-private fun Title(label: String) = Text(label, Modifier.semantics { heading() }, TextStyles.dialogTitle)
 
 /** @param maxHeight of what is seen at once. */
 @Composable
@@ -129,11 +120,7 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
     }
 }
 
-private val WIDTH = 600.dp
-
-/** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
-private const val MAX_WIDENING = 1.4f
-private val HEIGHT = 720.dp
+private val SIZE = DpSize(600.dp, 720.dp)
 
 /** Below this height, title and buttons would leave too little room for a code. */
 private val LOW = 400.dp

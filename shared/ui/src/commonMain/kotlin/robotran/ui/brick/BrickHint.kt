@@ -65,7 +65,7 @@ internal fun BrickHint(
             }
             action()
             if (onClose != null) {
-                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "brick-hint-close", onClose)
+                IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "brick-hint-close", onClick = onClose)
             }
         }
     }

@@ -93,22 +93,29 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
 
 @Composable
 private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) = Row {
-    RoundButton(
-        StrokeIcons.UP,
+    IconButton(
+        ThinIcons.UP,
         SchoolTexts.courseUp(spoken, title),
         "course-up-$index",
+        IconButtonKind.SMALL,
         enabled = index > 0,
     ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
-    RoundButton(
-        StrokeIcons.DOWN,
+    IconButton(
+        ThinIcons.DOWN,
         SchoolTexts.courseDown(spoken, title),
         "course-down-$index",
+        IconButtonKind.SMALL,
         enabled = index < count - 1,
     ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
-    IconTouch(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index", {
+    IconButton(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index") {
         onEvent(CourseEvent.TaskOpened(index))
-    })
-    RoundButton(Cross, SchoolTexts.courseTakeOut(spoken, title), "course-take-out-$index") {
+    }
+    IconButton(
+        ThinIcons.CROSS,
+        SchoolTexts.courseTakeOut(spoken, title),
+        "course-take-out-$index",
+        IconButtonKind.SMALL,
+    ) {
         onEvent(CourseEvent.TaskRemoved(index))
     }
 }

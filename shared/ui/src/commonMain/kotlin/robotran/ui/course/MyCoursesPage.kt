@@ -98,14 +98,9 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     Text(SchoolTexts.courseForTeachers(spoken), style = TextStyles.sentence, color = colours.quiet)
                 }
             }
-            IconTouch(
-                Icon.CLOSE,
-                SchoolTexts.courseRemove(spoken, course.title),
-                "course-remove-${course.key}",
-                {
-                    onEvent(CourseEvent.RemovalRequested(course.key))
-                },
-            )
+            IconButton(Icon.CLOSE, SchoolTexts.courseRemove(spoken, course.title), "course-remove-${course.key}") {
+                onEvent(CourseEvent.RemovalRequested(course.key))
+            }
         }
     }
 }
@@ -113,7 +108,7 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
     val keep = { onEvent(CourseEvent.RemovalRequested(null)) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.courseRemoveTitle(spoken),
         keep,
         buttons = {

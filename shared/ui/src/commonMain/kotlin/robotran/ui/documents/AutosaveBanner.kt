@@ -76,9 +76,9 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                 }
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "trouble-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "trouble-close") {
             onEvent(DocumentEvent.WarningShown(false))
-        })
+        }
     }
 }
 

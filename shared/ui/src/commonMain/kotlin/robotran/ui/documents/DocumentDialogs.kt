@@ -38,7 +38,7 @@ internal fun DocumentDialogs(
 @Composable
 private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEvent: (DocumentEvent) -> Unit) {
     val answer = { answer: DocumentAnswer -> onEvent(DocumentEvent.Answered(answer)) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.changedTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
@@ -59,7 +59,7 @@ private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEv
 
 @Composable
 private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
-    DialogFrame(
+    Dialog(
         DocumentTexts.lossTitle(spoken),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
@@ -79,15 +79,17 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
 @Composable
 private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.refusedTitle(spoken),
         close,
-        buttons = { Button(
-            DocumentTexts.understood(spoken),
-            "document-done",
-            ButtonKind.DIALOG_MAIN,
-            onClick = close,
-        ) },
+        buttons = {
+            Button(
+                DocumentTexts.understood(spoken),
+                "document-done",
+                ButtonKind.DIALOG_MAIN,
+                onClick = close,
+            )
+        },
     ) {
         Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
         Explanation(DocumentTexts.refusedHelp(spoken))

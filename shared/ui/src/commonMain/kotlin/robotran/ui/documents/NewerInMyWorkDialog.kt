@@ -11,7 +11,7 @@ import robotran.workshop.state.DocumentDialog
 /** Asks whether to go on with what is newer in My work, or to open the file as it is. Neither is lost. */
 @Composable
 internal fun NewerInMyWorkDialog(dialog: DocumentDialog.NewerInMyWork, onEvent: (DocumentEvent) -> Unit) {
-    DialogFrame(
+    Dialog(
         DocumentTexts.newerTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {

@@ -37,12 +37,7 @@ internal fun ProjectActions(work: ProjectListEntry, onEvent: (DocumentEvent) -> 
         onEvent(event)
     }
     Box {
-        IconTouch(
-            Icon.MORE,
-            DocumentTexts.workActions(spoken, nameOf(work)),
-            "actions-$id",
-            { isOpen = true },
-        )
+        IconButton(Icon.MORE, DocumentTexts.workActions(spoken, nameOf(work)), "actions-$id") { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             MenuItem(DocumentTexts.rename(spoken), "rename-$id") {
                 choose(DocumentEvent.ProjectRenamingRequested(id))

@@ -26,7 +26,7 @@ internal fun ProjectsDialog(
     onEvent: (DocumentEvent) -> Unit,
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.myWork(spoken),
         close,
         buttons = {

@@ -77,7 +77,7 @@ internal fun LinkAsQrCode(
 /** [code] as large as the screen has room for, on white also at night, as projectors and cameras need it. */
 @Composable
 internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
-    AppDialog(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
+    DialogWindow(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
         val name = DocumentTexts.qrCode(spoken)
         val close = @Composable {
             Button(

@@ -22,7 +22,7 @@ internal fun ShareLinkDialog(
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val link = dialog.link
     val tooLong = dialog.tooLong
-    DialogFrame(
+    Dialog(
         DocumentTexts.shareTitle(spoken),
         close,
         buttons = {
@@ -50,7 +50,7 @@ internal fun ShareLinkDialog(
 @Composable
 internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.shareFileTitle(spoken),
         close,
         buttons = {

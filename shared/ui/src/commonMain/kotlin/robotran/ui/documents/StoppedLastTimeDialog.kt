@@ -17,7 +17,7 @@ internal fun StoppedLastTimeDialog(dialog: DocumentDialog.StoppedLastTime, onEve
         is StoppedWork.Stored, StoppedWork.OfFiles -> DocumentTexts.stoppedProject(spoken, name)
         is StoppedWork.OfLink -> DocumentTexts.stoppedLink(spoken)
     }
-    DialogFrame(
+    Dialog(
         title,
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {

@@ -75,7 +75,7 @@ private fun TextDialog(
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val mayBeDone = value.text.isNotBlank()
-    DialogFrame(
+    Dialog(
         title,
         close,
         buttons = {

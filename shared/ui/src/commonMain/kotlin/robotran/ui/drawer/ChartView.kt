@@ -54,22 +54,22 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            RunIconButton(
-                RunIcon.LESS,
+            IconButton(
+                RunIcons.LESS,
                 RunTexts.chartCoarser(spoken),
                 "chart-coarser",
-                {
-                    zoom--
-                },
+                IconButtonKind.RUN,
                 enabled = zoom > 0,
-            )
-            RunIconButton(
-                RunIcon.MORE,
+            ) {
+                zoom--
+            }
+            IconButton(
+                RunIcons.MORE,
                 RunTexts.chartFiner(spoken),
                 "chart-finer",
-                { zoom++ },
+                IconButtonKind.RUN,
                 enabled = zoom < MAX_ZOOM,
-            )
+            ) { zoom++ }
         }
         if (shown.isEmpty()) {
             return EmptyDrawer(

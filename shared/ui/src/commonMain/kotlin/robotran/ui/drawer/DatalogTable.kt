@@ -17,6 +17,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.legofirmware.device.DatalogEntry
@@ -56,7 +57,7 @@ internal fun DatalogTable(
             )
         }
         Column(Modifier.widthIn(max = MAX_WIDTH)) {
-            val head = codeStyle(colours.quiet).copy(fontFamily = null, fontSize = TextSizes.SMALL)
+            val head = codeStyle(colours.quiet).copy(fontFamily = FontFamily.Default, fontSize = TextSizes.SMALL)
             Cells(
                 NqcTexts.runDatalogNumber(spoken),
                 NqcTexts.runDatalogSource(spoken),

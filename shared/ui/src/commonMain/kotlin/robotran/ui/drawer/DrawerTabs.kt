@@ -35,7 +35,7 @@ import robotran.workshop.state.DrawerTab
 @Composable
 internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", { onTab(null) })
+        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN) { onTab(null) }
     }
 }
 
@@ -55,8 +55,16 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
             color = LocalRobotranColours.current.onPane,
             maxLines = 1,
         )
-        if (onTwo != null) RunIconButton(RunIcon.TWO, RunTexts.drawerTwo(spoken), "drawer-two", onTwo)
-        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", onClose)
+        if (onTwo != null) {
+            IconButton(
+                RunIcons.TWO,
+                RunTexts.drawerTwo(spoken),
+                "drawer-two",
+                IconButtonKind.RUN,
+                onClick = onTwo,
+            )
+        }
+        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN, onClick = onClose)
     }
 }
 
@@ -64,7 +72,7 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.CLOSE, RunTexts.drawerOne(spoken), "beside-close", { onTab(null) })
+        IconButton(RunIcons.CLOSE, RunTexts.drawerOne(spoken), "beside-close", IconButtonKind.RUN) { onTab(null) }
     }
 }
 

@@ -58,9 +58,9 @@ internal fun GoalChip(
         RunTexts.goalsCount(spoken, count.all, count.all)
     }
     val icon = when {
-        count.allMet -> RunIcon.DONE
-        count.failed > 0 -> RunIcon.CLOSE
-        else -> RunIcon.OPEN
+        count.allMet -> RunIcons.DONE
+        count.failed > 0 -> RunIcons.CLOSE
+        else -> RunIcons.OPEN
     }
     Row(
         modifier
@@ -79,7 +79,7 @@ internal fun GoalChip(
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.error else colours.onPane)
+        IconView(icon, if (icon == RunIcons.CLOSE) colours.error else colours.onPane, size = 18.dp)
         SteadySize(
             shown,
             if (isShort) listOf(longest) else listOf(longest, allMet),

@@ -71,7 +71,7 @@ private fun GoalRow(
         Arrangement.spacedBy(12.dp),
     ) {
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
-        RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
+        IconView(iconFor(goal.status), colour, Modifier.padding(top = 2.dp), size = 20.dp)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
             Text(goal.sentence, style = TextStyles.label, color = colours.onPane)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
@@ -92,7 +92,7 @@ private fun GoalRow(
 }
 
 internal fun iconFor(status: GoalStatus) = when (status) {
-    GoalStatus.MET -> RunIcon.DONE
-    GoalStatus.FAILED -> RunIcon.CLOSE
-    GoalStatus.PENDING -> RunIcon.OPEN
+    GoalStatus.MET -> RunIcons.DONE
+    GoalStatus.FAILED -> RunIcons.CLOSE
+    GoalStatus.PENDING -> RunIcons.OPEN
 }

@@ -82,9 +82,9 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
             grade.report.error?.let { Reason(isMet = false, it) }
         }
         val replay = SchoolTexts.handInReplaySeed(spoken, grade.seed)
-        IconTouch(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}", {
+        IconButton(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}") {
             onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, grade.seed)))
-        })
+        }
     }
 
 @Composable

@@ -113,7 +113,7 @@ internal fun HandInTableRow(
 @Composable
 internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val words = SchoolTexts.handInsRemoveOne(spoken, row.name)
-    IconTouch(EditIcons.DELETE, words, "hand-in-row-remove-$index", { onEvent(HandInsEvent.HandInRemoved(row.id)) })
+    IconButton(EditIcons.DELETE, words, "hand-in-row-remove-$index") { onEvent(HandInsEvent.HandInRemoved(row.id)) }
 }
 
 /** The beginning of the teacher's comment, with a sign. */
@@ -137,9 +137,9 @@ internal fun CommentLine(row: HandInRow) {
 @Composable
 internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return Spacer(Modifier.width(Dimensions.TARGET))
-    IconTouch(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index", {
+    IconButton(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index") {
         onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
-    })
+    }
 }
 
 @Composable

@@ -45,7 +45,7 @@ internal fun HandInsDialogs(state: HandInsState, onEvent: (HandInsEvent) -> Unit
 private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
     var text by remember { mutableStateOf(TextFieldValue()) }
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInsPasteTitle(spoken),
         close,
         buttons = {
@@ -80,7 +80,7 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
 @Composable
 private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInsRemoveTitle(spoken),
         close,
         buttons = {
@@ -96,7 +96,7 @@ private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
 @Composable
 private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInBesideTitle(spoken),
         close,
         buttons = {

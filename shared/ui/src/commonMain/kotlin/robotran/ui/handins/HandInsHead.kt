@@ -106,8 +106,8 @@ internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent)
                 onEvent(HandInsEvent.RemovalUndone)
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "hand-ins-told-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "hand-ins-told-close") {
             onEvent(HandInsEvent.MessageDismissed)
-        })
+        }
     }
 }

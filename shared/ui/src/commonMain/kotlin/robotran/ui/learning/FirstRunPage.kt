@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.gestures.Orientation
@@ -26,6 +25,7 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -97,7 +97,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
         ) {
             Text(
                 LearningTexts.welcome(spoken),
-                style = TextStyle(fontSize = if (isLow) TextSizes.BODY else TextSizes.HEADING, lineHeight = if (isLow) LineHeights.BODY else LineHeights.HEADING, fontWeight = FontWeight.Medium),
+                style = (if (isLow) TextStyles.sentence else TextStyles.headingLines).medium,
                 color = colours.onPane,
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }

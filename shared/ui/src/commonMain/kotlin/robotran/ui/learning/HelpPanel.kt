@@ -70,9 +70,9 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                     (if (state.help.found == null) codeStyle().copy(fontFamily = FontFamily.Default) else codeStyle())
                         .strong.copy(fontSize = TextSizes.HEADING, lineHeight = LineHeights.HEADING),
                 )
-                IconTouch(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close", {
+                IconButton(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close") {
                     onEvent(LearningEvent.PageClosed)
-                })
+                }
             }
             HorizontalDivider()
             state.help.found?.let { HelpOnWord(it, state, onEvent) } ?: NoHelp(state, onEvent)

@@ -138,7 +138,7 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        IconTouch(Icon.MORE, LearningTexts.stepMore(spoken), "step-more", { open = true })
+        IconButton(Icon.MORE, LearningTexts.stepMore(spoken), "step-more") { open = true }
         AppMenu(open, { open = false }) {
             if (tutorial.isLoaded) {
                 MenuItem(LearningTexts.beginAgain(spoken), "begin-again") {
@@ -171,12 +171,16 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
             },
         )
     }
-    if (done) Button(words, "next-step", onClick = next) else Button(
-        words,
-        "next-step",
-        ButtonKind.SECOND,
-        onClick = next,
-    )
+    if (done) {
+        Button(words, "next-step", onClick = next)
+    } else {
+        Button(
+            words,
+            "next-step",
+            ButtonKind.SECOND,
+            onClick = next,
+        )
+    }
 }
 
 private val TutorialState.isAtEnd: Boolean get() = step == Lessons.all.lastIndex

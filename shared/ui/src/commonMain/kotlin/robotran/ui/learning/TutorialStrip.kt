@@ -88,15 +88,14 @@ private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Un
             onEvent(LearningEvent.TutorialFolded(false))
         }
     }
-    IconTouch(MAP_ICON, LearningTexts.map(spoken), "lesson-map", {
+    IconButton(MAP_ICON, LearningTexts.map(spoken), "lesson-map") {
         onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-    })
-    IconTouch(
+    }
+    IconButton(
         if (folded) UNFOLD_ICON else FOLD_ICON,
         if (folded) LearningTexts.unfold(spoken) else LearningTexts.fold(spoken),
         "fold-tutorial",
-        { onEvent(LearningEvent.TutorialFolded(!folded)) },
-    )
+    ) { onEvent(LearningEvent.TutorialFolded(!folded)) }
 }
 
 /** Returns to the step with its program and world; the open project is saved. */
@@ -135,9 +134,9 @@ private fun ReturnStrip(
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconTouch(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial", {
+        IconButton(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial") {
             onEvent(LearningEvent.TutorialClosed)
-        })
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
@@ -20,6 +19,7 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
@@ -28,7 +28,6 @@ import robotran.programs.blockLanguage
 import robotran.programs.support
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
@@ -63,7 +62,7 @@ private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {
-        Sign(GroupSigns.of(group), look.ink, 14.dp)
+        IconView(GroupSigns.of(group), look.ink, size = 14.dp)
         for ((word, isSocket) in words) {
             val ground = Modifier.clip(Shapes.TINY).background(look.socket).padding(horizontal = 4.dp)
             Text(

@@ -108,11 +108,11 @@ private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
 private fun Search(query: String, onAsk: (String) -> Unit) {
     val field = remember { FocusRequester() }
     val clear = @Composable {
-        IconTouch(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear", {
+        IconButton(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear") {
             onAsk("")
             // Whoever clears it wants to type something else.
             field.requestFocus()
-        })
+        }
     }
     TextField(
         query,

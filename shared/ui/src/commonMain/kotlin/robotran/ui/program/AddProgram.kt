@@ -36,7 +36,7 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        RoundButton(Plus, ScreenTexts.programAdd(spoken), "add-program") { open = true }
+        IconButton(ThinIcons.PLUS, ScreenTexts.programAdd(spoken), "add-program", IconButtonKind.SMALL) { open = true }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },

@@ -44,9 +44,9 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                     style = TextStyles.body.strong,
                 ) { onEvent(ProgramEvent.ProgramReopened) }
             }
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close", {
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close") {
                 onEvent(ProgramEvent.ClosedMessageDismissed)
-            })
+            }
         }
     }
 }

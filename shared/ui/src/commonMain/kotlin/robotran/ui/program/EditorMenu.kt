@@ -46,7 +46,7 @@ internal fun EditorMenu(
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        RoundButton(StrokeIcons.MORE, EditorTexts.more(spoken), "editor-more", SIGN) { open = true }
+        IconButton(ThinIcons.MORE, EditorTexts.more(spoken), "editor-more", IconButtonKind.TOOL) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {

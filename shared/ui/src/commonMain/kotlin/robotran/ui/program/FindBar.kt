@@ -112,15 +112,29 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
                 actions::next,
             )
             val before = EditorTexts.findPrevious(spoken)
-            RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
-            RoundButton(
-                StrokeIcons.DOWN,
+            IconButton(
+                ThinIcons.UP,
+                before,
+                "find-previous",
+                IconButtonKind.SMALL,
+                enabled = count > 0,
+                onClick = actions::previous,
+            )
+            IconButton(
+                ThinIcons.DOWN,
                 EditorTexts.findNext(spoken),
                 "find-next",
+                IconButtonKind.SMALL,
                 enabled = count > 0,
                 onClick = actions::next,
             )
-            RoundButton(Cross, EditorTexts.findClose(spoken), "find-close", onClick = actions::close)
+            IconButton(
+                ThinIcons.CROSS,
+                EditorTexts.findClose(spoken),
+                "find-close",
+                IconButtonKind.SMALL,
+                onClick = actions::close,
+            )
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = EditorTexts.replace(spoken)

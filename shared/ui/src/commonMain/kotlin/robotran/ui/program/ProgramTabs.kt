@@ -65,7 +65,12 @@ internal fun ProgramTabs(
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
                         val close = ScreenTexts.programClose(spoken, program.name)
-                        RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }
+                        IconButton(
+                            ThinIcons.CROSS,
+                            close,
+                            "close-program",
+                            IconButtonKind.SMALL,
+                        ) { onEvent(ProgramEvent.ProgramClosed(slot)) }
                     }
                 }
             }

@@ -34,7 +34,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
     val problem = nameError(state.programs, state.shownProgram, state.shownFile, typed.text)
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
-    DialogFrame(
+    Dialog(
         EditorTexts.rename(spoken),
         onLeave,
         buttons = {

@@ -63,7 +63,7 @@ internal fun WarningList(
                     }
                 }
             }
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "remarks-close", { isClosed = true })
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "remarks-close") { isClosed = true }
         }
     }
 }

@@ -87,9 +87,9 @@ internal fun RobotHints(
                 })
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close") {
             scope.perform(RobotEditEvent.HintsClosed)
-        })
+        }
     }
 }
 

@@ -156,7 +156,7 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
         ) {
             Text(robotElementText(scope.robot, element), Modifier.weight(1f), TextStyles.body, color = colours.onPane)
             if (scope.editing.errors.any { scope.robot.elementOf(it) == element }) {
-                Canvas(Modifier.size(22.dp)) { with(EditIcons.WARNING) { draw(colours.error) } }
+                IconView(EditIcons.WARNING, colours.error, size = 22.dp)
             }
         }
     }

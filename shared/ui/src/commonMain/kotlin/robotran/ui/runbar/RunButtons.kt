@@ -44,7 +44,7 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
         }
     }
     BarButton(
-        RunIcon.PLAY,
+        RunIcons.PLAY,
         BarWords(ScreenTexts.run(spoken), ScreenTexts.runHelp(spoken)),
         "run",
         modifier.drawBehind { drawPulse(ring.value) }.defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else 0.dp),
@@ -69,7 +69,7 @@ internal fun runButtonWidth(): Dp {
 @Composable
 internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) =
     BarButton(
-        RunIcon.STOP,
+        RunIcons.STOP,
         BarWords(ScreenTexts.stop(spoken), ScreenTexts.stopHelp(spoken)),
         "stop",
         modifier,
@@ -91,7 +91,7 @@ internal fun PauseButton(
     val word = if (paused) words.last() else words.first()
     val help = if (paused) RunTexts.goOnHelp(spoken) else RunTexts.pauseHelp(spoken)
     BarButton(
-        if (paused) RunIcon.PLAY else RunIcon.PAUSE,
+        if (paused) RunIcons.PLAY else RunIcons.PAUSE,
         BarWords(word, help, words),
         "pause",
         modifier,

@@ -43,7 +43,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
         onEvent(event)
         onClose()
     }
-    AppDialog(onDismissRequest = onClose) {
+    DialogWindow(onClose) {
         Column(
             Modifier
                 .testTag("run-panel")
@@ -62,7 +62,13 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     TextStyles.heading.strong,
                     color = colours.onPane,
                 )
-                RunIconButton(RunIcon.CLOSE, RunTexts.close(spoken), "run-panel-close", onClose)
+                IconButton(
+                    RunIcons.CLOSE,
+                    RunTexts.close(spoken),
+                    "run-panel-close",
+                    IconButtonKind.RUN,
+                    onClick = onClose,
+                )
             }
             Section(RunTexts::speed) {
                 for (speed in RunSpeed.entries) {

@@ -107,7 +107,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                 Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
                 keyboard = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            RunIconButton(RunIcon.NEXT, RunTexts.seedNext(spoken), "seed-next", {
+            IconButton(RunIcons.NEXT, RunTexts.seedNext(spoken), "seed-next", IconButtonKind.RUN) {
                 onSeed(
                     if (seed == Int.MAX_VALUE) {
                         1
@@ -115,7 +115,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                         seed + 1
                     },
                 )
-            })
+            }
         }
         Help(RunTexts::seedHelp)
     }

@@ -38,7 +38,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
             SteadySize(speed, RunSpeed.entries) {
                 Text(it.sign, style = TextStyles.body, color = LocalRobotranColours.current.onPane, maxLines = 1)
             }
-            RunIconView(RunIcon.UP, Modifier.padding(start = 4.dp), 16.dp, LocalRobotranColours.current.onPane)
+            IconView(RunIcons.UP, LocalRobotranColours.current.onPane, Modifier.padding(start = 4.dp), size = 16.dp)
         }
         AppMenu(open, { open = false }) {
             SpeedChoices(speed) {

@@ -31,7 +31,7 @@ internal fun StepButton(
 ) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
-            RunIcon.STEP,
+            RunIcons.STEP,
             BarWords(RunTexts.step(spoken), RunTexts.stepHelp(spoken)),
             "step",
             room = room,
@@ -44,7 +44,7 @@ internal fun StepButton(
 private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        RunIconButton(RunIcon.DOWN, RunTexts.steps(spoken), "steps", { open = true })
+        IconButton(RunIcons.DOWN, RunTexts.steps(spoken), "steps", IconButtonKind.RUN) { open = true }
         AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false

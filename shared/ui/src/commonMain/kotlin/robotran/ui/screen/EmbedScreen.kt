@@ -90,7 +90,7 @@ private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (Worksh
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
                 StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
                 BarButton(
-                    RunIcon.PREVIOUS,
+                    RunIcons.PREVIOUS,
                     BarWords(RunTexts.startOver(spoken), RunTexts.startOverHelp(spoken)),
                     "start-over",
                     enabled = !run.untouched,

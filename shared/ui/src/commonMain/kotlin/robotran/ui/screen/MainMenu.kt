@@ -115,7 +115,7 @@ private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: (
             drawCircle(sign, SIGN.toPx() / 2, Offset(size.width - SIGN.toPx(), SIGN.toPx()))
         }
     }
-    IconTouch(Icon.MENU, ScreenTexts.menu(spoken), "menu", onClick, modifier)
+    IconButton(Icon.MENU, ScreenTexts.menu(spoken), "menu", modifier = modifier, onClick = onClick)
 }
 
 /** Returns from a submenu to the main list. */

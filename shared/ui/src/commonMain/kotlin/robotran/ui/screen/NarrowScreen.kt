@@ -204,7 +204,7 @@ private fun WorldTaskAndGoals(
 private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
     Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Strip(run, onEvent, isLow = true)
-        IconTouch(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onWholeBrick)
+        IconButton(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onClick = onWholeBrick)
     }
 }
 

@@ -58,9 +58,14 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                     color = colour,
                 )
                 if (isBeside) action?.let { ActionButton(it, onEvent) }
-                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "notice-close", {
+                IconButton(
+                    Icon.CLOSE,
+                    ScreenTexts.noticeClose(spoken),
+                    "notice-close",
+                    if (notice.isError) IconButtonKind.ERROR else IconButtonKind.PLAIN,
+                ) {
                     onEvent(WorkshopEvent.NoticeDismissed)
-                }, colour = colour)
+                }
             }
             if (!isBeside) action?.let { ActionButton(it, onEvent) }
         }

@@ -195,7 +195,7 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),
         ) { content() }
-        IconTouch(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClose)
+        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClick = onClose)
     }
 }
 

@@ -61,12 +61,11 @@ internal fun WorldFooter(
                 Box(Modifier.size(STRIP_WIDTH, STRIP_HEIGHT)) {
                     if (!isWhole) Strip(state.run, onEvent, isLow = true)
                 }
-                IconTouch(
+                IconButton(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
                     if (isWhole) ScreenTexts.brickSmall(spoken) else ScreenTexts.brickWhole(spoken),
                     "brick-size",
-                    { onBrick(!isWhole) },
-                )
+                ) { onBrick(!isWhole) }
             }
             if (!inOneRow) Tabs(state, onEvent, Modifier)
         }

@@ -40,7 +40,12 @@ private fun noticesWarmth(world: World) =
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.SURROUNDINGS, SheetTexts.surroundings(spoken), "sheet-surroundings") {
+        IconButton(
+            SheetIcons.SURROUNDINGS,
+            SheetTexts.surroundings(spoken),
+            "sheet-surroundings",
+            IconButtonKind.FLOATING,
+        ) {
             open = true
         }
         AppMenu(open, { open = false }) {

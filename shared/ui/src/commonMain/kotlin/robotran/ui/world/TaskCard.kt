@@ -105,11 +105,11 @@ internal fun TaskCard(
             }
             val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
             Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
-            IconTouch(
+            IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) SheetTexts.taskUnfold(spoken) else SheetTexts.taskFold(spoken),
                 "task-fold",
-                fold,
+                onClick = fold,
             )
             HideTask(onEvent)
         }
@@ -123,9 +123,9 @@ internal fun TaskCard(
 
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
-    IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
+    IconButton(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide") {
         onEvent(WorkshopEvent.TaskShown(false))
-    })
+    }
 
 @Composable
 private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =

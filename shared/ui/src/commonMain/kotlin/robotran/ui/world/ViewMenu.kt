@@ -35,7 +35,7 @@ import robotran.workshop.state.SheetViewState
 internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show") { open = true }
+        IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show", IconButtonKind.FLOATING) { open = true }
         AppMenu(open, { open = false }) {
             if (view.isIn3D) {
                 for (kind in CameraKind.entries) {

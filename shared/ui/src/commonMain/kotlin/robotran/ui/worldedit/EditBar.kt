@@ -79,15 +79,14 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
             EditMenu(editor, view, withWords)
         }
         if (canTry) {
-            IconTouch(
+            IconButton(
                 EditIcons.PLAY,
                 WorldEditorTexts.tryHelp(spoken),
                 "edit-try",
-                {
-                    editor.perform(WorldEditEvent.TriedOut)
-                },
                 label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
-            )
+            ) {
+                editor.perform(WorldEditEvent.TriedOut)
+            }
         }
         Button(
             WorldEditorTexts.done(spoken),
@@ -101,29 +100,28 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
 
 @Composable
 private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
+    IconButton(
         icon,
         words,
         tag,
-        { if (enabled) onClick() },
-        Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
+        modifier = Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
         label = words.takeIf { withWords },
-    )
+    ) { if (enabled) onClick() }
 
 @Composable
 private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
+    IconButton(
         icon,
         words,
         tag,
-        onClick,
-        Modifier
+        modifier = Modifier
             .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
             .background(
                 if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane,
                 Shapes.MEDIUM,
             ),
         label = words.takeIf { withWords },
+        onClick = onClick,
     )
 
 /** Rare actions. */
@@ -136,13 +134,12 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
     }
     val snapping = editor.editing.snapping
     Box {
-        IconTouch(
+        IconButton(
             Icon.MORE,
             WorldEditorTexts.moreMenu(spoken),
             "edit-menu",
-            { open = true },
             label = WorldEditorTexts.moreMenu(spoken).takeIf { withWords },
-        )
+        ) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
                 choose { editor.make(WorldEdit.SelectAll) }

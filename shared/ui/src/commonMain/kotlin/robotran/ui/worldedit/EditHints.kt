@@ -65,9 +65,9 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
                 })
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close") {
             editor.perform(WorldEditEvent.HintsClosed)
-        })
+        }
     }
 }
 

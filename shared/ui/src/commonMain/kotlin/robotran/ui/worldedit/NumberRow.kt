@@ -57,9 +57,9 @@ internal fun NumberRow(
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
-            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less", {
+            IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less") {
                 stepped(-step)
-            })
+            }
             EditFieldBox(isWrong, Modifier.width(figureWidth())) {
                 EditField(
                     text = draft ?: written(value),
@@ -77,9 +77,9 @@ internal fun NumberRow(
                     number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more", {
+            IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more") {
                 stepped(step)
-            })
+            }
         }
         if (wrong != null) Wrong(wrong)
         if (slider != null) {

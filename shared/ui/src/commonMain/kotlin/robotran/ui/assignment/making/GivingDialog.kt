@@ -11,7 +11,7 @@ import robotran.workshop.event.WorkshopEvent
 @Composable
 internal fun GivingDialog(onEvent: (WorkshopEvent) -> Unit) {
     val cancel = { onEvent(AssignmentEvent.GivingCancelled) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.makeGivingTitle(spoken),
         cancel,
         buttons = {

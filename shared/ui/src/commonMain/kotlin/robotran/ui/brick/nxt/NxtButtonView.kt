@@ -1,6 +1,5 @@
 package robotran.ui.brick.nxt
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.offset
 import androidx.compose.runtime.Composable
@@ -24,6 +23,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
@@ -69,7 +69,7 @@ internal fun NxtButtonView(
             Text(
                 look.text,
                 Modifier.offset(y = unit * if (down) SUNK / 2 else -SUNK / 2).clearAndSetSemantics { },
-                TextStyle(fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() }, fontWeight = FontWeight.SemiBold),
+                TextStyles.scaled(unit, LABEL_SIZE).strong,
                 color = look.label,
                 maxLines = 1,
                 softWrap = false,

@@ -1,6 +1,5 @@
 package robotran.ui.brick.nxt
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
@@ -10,6 +9,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -42,7 +42,7 @@ internal fun Plug(
 internal fun PlugLabel(text: String, colour: Color, unit: Dp, units: Float) {
     Text(
         text,
-        style = TextStyle(fontSize = with(LocalDensity.current) { (unit * units).toSp() }, lineHeight = with(LocalDensity.current) { (unit * (units + LEADING)).toSp() }, fontWeight = FontWeight.Bold),
+        style = TextStyles.scaled(unit, units, units + LEADING).copy(fontWeight = FontWeight.Bold),
         color = colour,
         maxLines = 1,
         softWrap = false,

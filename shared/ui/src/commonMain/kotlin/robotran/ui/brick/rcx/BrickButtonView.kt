@@ -1,6 +1,5 @@
 package robotran.ui.brick.rcx
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
@@ -20,6 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -69,7 +69,7 @@ internal fun BrickButtonView(
             Text(
                 name,
                 Modifier.clearAndSetSemantics { },
-                TextStyle(fontSize = with(LocalDensity.current) { (unit * look.labelSize).toSp() }, fontWeight = FontWeight.SemiBold),
+                TextStyles.scaled(unit, look.labelSize).strong,
                 color = look.label,
                 maxLines = 1,
                 softWrap = false,

@@ -1,6 +1,5 @@
 package robotran.ui.brick.rcx
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
@@ -21,6 +20,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -124,7 +124,7 @@ private fun PortBlock(colour: Color, unit: Dp, modifier: Modifier, content: @Com
 private fun PortLabel(text: String, colour: Color, unit: Dp) {
     Text(
         text,
-        style = TextStyle(fontSize = with(LocalDensity.current) { (unit * 16).toSp() }, lineHeight = with(LocalDensity.current) { (unit * 18).toSp() }, fontWeight = FontWeight.Bold),
+        style = TextStyles.scaled(unit, 16f, 18f).copy(fontWeight = FontWeight.Bold),
         color = colour,
         maxLines = 1,
     )

@@ -52,7 +52,7 @@ internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
             if (hasWords) {
                 Text(words, style = TextStyles.body.medium)
             } else {
-                SignPicture(Plus, RobotranColours.ON_YELLOW, PLUS)
+                IconView(ThinIcons.PLUS, RobotranColours.ON_YELLOW, size = PLUS)
             }
         }
     }
@@ -76,7 +76,7 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
             Box(
                 Modifier.size(BADGE).background(RobotranColours.YELLOW, Shapes.SMALL),
                 Alignment.Center,
-            ) { SignPicture(Plus, RobotranColours.ON_YELLOW, PLUS) }
+            ) { IconView(ThinIcons.PLUS, RobotranColours.ON_YELLOW, size = PLUS) }
             Text(
                 BlockTexts.add(spoken),
                 style = TextStyles.signLines,
@@ -122,9 +122,9 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
                 TextStyles.body,
                 color = colours.onPane,
             )
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close", {
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close") {
                 scope.onEvent(BlockEvent.ErrorDismissed)
-            })
+            }
         }
     }
 }

@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
@@ -20,6 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
@@ -59,7 +59,10 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
         }
         Text(
             "$line",
-            style = TextStyle(fontSize = NUMBER_SIZE.sp, fontWeight = FontWeight.Medium.takeIf { marks.hasBreakpoint || marks.isRunning }),
+            style = TextStyle(
+                fontSize = NUMBER_SIZE.sp,
+                fontWeight = FontWeight.Medium.takeIf { marks.hasBreakpoint || marks.isRunning },
+            ),
             color = when {
                 marks.hasBreakpoint -> RobotranColours.ON_COLOUR
                 marks.isRunning -> RobotranColours.ON_YELLOW

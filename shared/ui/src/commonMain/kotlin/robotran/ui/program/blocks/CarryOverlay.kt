@@ -88,7 +88,7 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
         Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
         Alignment.CenterVertically,
     ) {
-        Canvas(Modifier.size(28.dp)) { with(BIN) { draw(ink) } }
+        IconView(BIN, ink, size = 28.dp)
         Text(BlockTexts.delete(spoken), style = TextStyles.body.medium, color = ink)
     }
 }

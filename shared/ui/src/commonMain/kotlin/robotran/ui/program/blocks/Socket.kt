@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
@@ -24,6 +23,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
@@ -79,7 +79,7 @@ internal fun Socket(
     ) {
         if (inner.isEmpty()) {
             Written(scope.textOf(part), scope, look, middle())
-            if (part is PhrasePart.Choice) Box(middle()) { SignPicture(StrokeIcons.DOWN, look.socketInk, SIGN) }
+            if (part is PhrasePart.Choice) Box(middle()) { IconView(ThinIcons.DOWN, look.socketInk, size = SIGN) }
         } else {
             val inside = own.copy(ink = own.socketInk)
             for (each in inner) LinePart(each, scope, inside, unit = null, onLine(depth + 1), depth + 1)

@@ -130,7 +130,7 @@ internal fun BlockDialogFrame(
 
 @Composable
 private fun CloseDialogButton(onClose: () -> Unit) =
-    IconTouch(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClose)
+    IconButton(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClick = onClose)
 
 /**
  * Whether [event] ends the press of the key that opened the sheet. A button would take it for a click, so that the sheet

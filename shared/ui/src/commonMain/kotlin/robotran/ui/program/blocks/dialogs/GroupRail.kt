@@ -29,7 +29,6 @@ import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockPalette
@@ -144,7 +143,7 @@ internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     Box(
         Modifier.size(BADGE).clip(shape).background(look.fill).border(2.dp, look.edge, shape),
         Alignment.Center,
-    ) { Sign(GroupSigns.of(group), look.ink) }
+    ) { IconView(GroupSigns.of(group), look.ink, size = 20.dp) }
 }
 
 private val BUTTON_HEIGHT = 64.dp

@@ -23,7 +23,6 @@ import robotran.ui.program.blocks.BlockOutline
 import robotran.ui.program.blocks.BlockShape
 import robotran.ui.program.blocks.BlockSizes
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.drawBlock
 import robotran.uikit.*
 
@@ -60,7 +59,7 @@ private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier:
     Arrangement.spacedBy(8.dp),
     Alignment.CenterVertically,
 ) {
-    if (block != null) Sign(GroupSigns.of(block.group), look.ink)
+    if (block != null) IconView(GroupSigns.of(block.group), look.ink, size = 20.dp)
     Text(label, Modifier.clearAndSetSemantics { }, TextStyles.body.medium, color = look.ink)
 }
 
