@@ -41,7 +41,10 @@ enum class ButtonKind(
     RUN_OTHER(ButtonForm.RUN_BAR, ButtonTone.STRONG_FRAME),
 
     /** An action beside a sentence. */
-    LINK(ButtonForm.DIALOG_PLAIN, ButtonTone.LINK, TextStyles.body),
+    LINK(ButtonForm.DIALOG_PLAIN, ButtonTone.LINK, TextStyles.body.strong),
+
+    /** The same in a narrow place. */
+    SMALL_LINK(ButtonForm.DIALOG_PLAIN, ButtonTone.LINK, TextStyles.compact),
 
     /** An action in a row of controls. */
     TOOL(ButtonForm.TOOL, ButtonTone.PLAIN, TextStyles.compact),

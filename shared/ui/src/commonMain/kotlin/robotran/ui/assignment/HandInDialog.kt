@@ -44,14 +44,13 @@ private fun HandInCard(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val title = SchoolTexts.handInTitle(spoken)
     DialogCard(title, "hand-in-sheet", modifier.sized(SIZE)) {
         BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
             val scroll = rememberScrollState()
             val scrolling = Modifier
                 .fillMaxWidth()
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
             // On a phone in landscape all scrolls, so that a code has all the height.
             if (maxHeight < LOW) {

@@ -51,7 +51,7 @@ internal fun BrickHint(
             Column(
                 Modifier
                     .weight(1f)
-                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .scrollHint(scroll)
                     .verticalScroll(scroll)
                     .padding(12.dp),
             ) {

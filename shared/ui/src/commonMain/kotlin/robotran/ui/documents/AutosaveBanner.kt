@@ -51,7 +51,7 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
         FlowRow(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .scrollHint(scroll, ground = colours.errorPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             Arrangement.spacedBy(8.dp),

@@ -16,8 +16,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.legofirmware.device.DatalogEntry
@@ -48,13 +48,7 @@ internal fun DatalogTable(
                 TextStyles.small.medium,
                 color = colours.quiet,
             )
-            Button(
-                NqcTexts.runDatalogSave(spoken),
-                "datalog-save",
-                ButtonKind.LINK,
-                style = TextStyles.compact,
-                onClick = onSave,
-            )
+            Button(NqcTexts.runDatalogSave(spoken), "datalog-save", ButtonKind.SMALL_LINK, onClick = onSave)
         }
         Column(Modifier.widthIn(max = MAX_WIDTH)) {
             val head = codeStyle(colours.quiet).copy(fontFamily = FontFamily.Default, fontSize = TextSizes.SMALL)

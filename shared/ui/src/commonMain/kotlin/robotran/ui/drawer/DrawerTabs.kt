@@ -85,7 +85,6 @@ private fun TabRow(
     isSteady: Boolean = false,
     buttons: @Composable () -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     BoxWithConstraints(modifier.fillMaxWidth().padding(horizontal = 8.dp)) {
         val isSlim = maxWidth < SLIM
@@ -94,7 +93,7 @@ private fun TabRow(
                 Modifier
                     .weight(1f)
                     .testTag("$tag-names")
-                    .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+                    .scrollHint(scroll, Orientation.Horizontal)
                     .horizontalScroll(scroll),
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
             ) {

@@ -62,12 +62,11 @@ internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Mod
 private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
     val search = RunTexts.logSearch(spoken)
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
         Modifier
             .fillMaxWidth()
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .padding(vertical = 4.dp),
         Arrangement.spacedBy(8.dp),
@@ -88,8 +87,8 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
             color = LocalRobotranColours.current.quiet,
             maxLines = 1,
         )
-        ToolButton(RunTexts::logCopy, "log-copy") { onEvent(RunEvent.LogCopied) }
-        ToolButton(RunTexts::logSave, "log-save") { onEvent(RunEvent.LogSaved) }
+        Button(RunTexts.logCopy(spoken), "log-copy", ButtonKind.TOOL) { onEvent(RunEvent.LogCopied) }
+        Button(RunTexts.logSave(spoken), "log-save", ButtonKind.TOOL) { onEvent(RunEvent.LogSaved) }
         Chip(RunTexts.logProgram(spoken), filter.sourceLines != null, "log-program") {
             onEvent(
                 RunEvent.LogFiltered(
@@ -124,19 +123,13 @@ private fun CallLogFilter.switched(group: CallGroup): CallLogFilter {
 }
 
 @Composable
-private fun ToolButton(name: Label, tag: String, onClick: () -> Unit) {
-    Button(name(spoken), tag, ButtonKind.TOOL, onClick = onClick)
-}
-
-@Composable
 private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
     val list = rememberLazyListState()
-    val colours = LocalRobotranColours.current
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
         val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
         val style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
-        val hint = Modifier.scrollHint(list, Orientation.Vertical, colours.pane, colours.onPane)
+        val hint = Modifier.scrollHint(list)
         LazyColumn(hint.fillMaxSize().testTag("log"), list) {
             items(entries.size) { LogRow(entries[it], showsCode, style) }
         }

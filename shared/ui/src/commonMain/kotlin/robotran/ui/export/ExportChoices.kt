@@ -48,13 +48,12 @@ import robotran.world.World
 internal fun ExportChoices(state: ExportState, world: World, session: SessionState, onEvent: (WorkshopEvent) -> Unit) {
     val choices = ShowChoice.entries.filter { it != ShowChoice.VIDEO || state.canRecord }
     val scroll = rememberScrollState()
-    val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val columns = if (maxWidth >= TWO_COLUMNS * LocalDensity.current.fontScale) 2 else 1
         Column(
             Modifier
                 .fillMaxWidth()
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll),
             Arrangement.spacedBy(GAP),
         ) {

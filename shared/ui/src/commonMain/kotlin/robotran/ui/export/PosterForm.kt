@@ -45,11 +45,10 @@ internal fun PosterForm(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) ->
             }
         } else {
             val scroll = rememberScrollState()
-            val colours = LocalRobotranColours.current
             Column(
                 Modifier
                     .fillMaxSize()
-                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .scrollHint(scroll)
                     .verticalScroll(scroll),
                 Arrangement.spacedBy(8.dp),
             ) {

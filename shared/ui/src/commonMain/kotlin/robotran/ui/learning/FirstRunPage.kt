@@ -85,7 +85,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     val isLow = room == WelcomeRoom.LOW
-    Box(modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet), Alignment.Center) {
+    Box(modifier.scrollHint(scroll, arrow = colours.quiet), Alignment.Center) {
         Column(
             Modifier
                 .fillMaxWidth()

@@ -57,12 +57,11 @@ private fun Step(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     val scrolled = modifier
         .fillMaxSize()
         .testTag("tutorial-text")
-        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+        .scrollHint(scroll)
         .verticalScroll(scroll)
         .padding(horizontal = 20.dp, vertical = 16.dp)
     if (isBroad) {

@@ -41,7 +41,6 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
                     ScreenTexts.programReopen(spoken),
                     "reopen-program",
                     ButtonKind.LINK,
-                    style = TextStyles.body.strong,
                 ) { onEvent(ProgramEvent.ProgramReopened) }
             }
             IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close") {

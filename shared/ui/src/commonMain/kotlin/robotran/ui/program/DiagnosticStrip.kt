@@ -67,7 +67,7 @@ internal fun DiagnosticStrip(
                 Button(
                     EditorTexts.nextMistake(spoken),
                     "next-mistake",
-                    ButtonKind.LINK,
+                    ButtonKind.SMALL_LINK,
                     style = TextStyles.compact.strong,
                     onClick = onNext,
                 )

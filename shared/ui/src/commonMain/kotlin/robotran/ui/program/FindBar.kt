@@ -141,8 +141,20 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             LineField(state.replacement, words, "replace", {
                 state.replacement = it
             }, actions, Modifier.weight(1f), actions::replaceOne)
-            FindButton(EditorTexts.replaceOne(spoken), "replace-one", count > 0, actions::replaceOne)
-            FindButton(EditorTexts.replaceAll(spoken), "replace-all", count > 0, actions::replaceAll)
+            Button(
+                EditorTexts.replaceOne(spoken),
+                "replace-one",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceOne,
+            )
+            Button(
+                EditorTexts.replaceAll(spoken),
+                "replace-all",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceAll,
+            )
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             PaneChip(EditorTexts.findCase(spoken), "find-case", state.search.matchCase) {
@@ -166,11 +178,6 @@ private fun countText(count: Int, index: Int): String = if (count == 0) {
     EditorTexts.findNone(spoken)
 } else {
     EditorTexts.findCount(spoken, index, count)
-}
-
-@Composable
-private fun FindButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    Button(label, tag, ButtonKind.LINK, enabled = enabled, style = TextStyles.compact, onClick = onClick)
 }
 
 @Composable

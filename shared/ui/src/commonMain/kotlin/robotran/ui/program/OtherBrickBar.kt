@@ -36,13 +36,6 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
             TextStyles.body,
             color = colours.error,
         )
-        Button(
-            labels.use(spoken),
-            "use-other-brick",
-            ButtonKind.LINK,
-            Modifier.align(Alignment.End),
-            style = TextStyles.body.strong,
-            onClick = onUse,
-        )
+        Button(labels.use(spoken), "use-other-brick", ButtonKind.LINK, Modifier.align(Alignment.End), onClick = onUse)
     }
 }

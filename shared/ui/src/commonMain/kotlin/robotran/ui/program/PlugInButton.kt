@@ -22,6 +22,5 @@ internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> U
         "plug-in",
         ButtonKind.LINK,
         modifier.semantics { contentDescription = description },
-        style = TextStyles.body.strong,
     ) { onPlug(missing) }
 }

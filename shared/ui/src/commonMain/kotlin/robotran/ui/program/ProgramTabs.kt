@@ -51,7 +51,7 @@ internal fun ProgramTabs(
         Row(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Horizontal, pane, LocalRobotranColours.current.onPane)
+                .scrollHint(scroll, Orientation.Horizontal)
                 .horizontalScroll(scroll)
                 .selectableGroup(),
             verticalAlignment = Alignment.CenterVertically,
@@ -112,13 +112,12 @@ internal fun FileTabs(
     onRename: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
         modifier
             .fillMaxWidth()
             .height(Dimensions.TARGET)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
     ) {

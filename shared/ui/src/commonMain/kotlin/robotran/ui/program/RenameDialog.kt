@@ -38,8 +38,20 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         EditorTexts.rename(spoken),
         onLeave,
         buttons = {
-            DialogButton(EditorTexts.renameCancel(spoken), "rename-cancel", true, onLeave)
-            DialogButton(EditorTexts.renameDone(spoken), "rename-done", problem == null) { take() }
+            Button(
+                EditorTexts.renameCancel(spoken),
+                "rename-cancel",
+                ButtonKind.LINK,
+                style = TextStyles.body,
+                onClick = onLeave,
+            )
+            Button(
+                EditorTexts.renameDone(spoken),
+                "rename-done",
+                ButtonKind.LINK,
+                enabled = problem == null,
+                style = TextStyles.body,
+            ) { take() }
         },
     ) {
         // A dialog is composed separately: only now does the field exist.
@@ -55,15 +67,9 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         )
         if (state.program.files.size > 1) {
             val remove = state.program.language.texts.removeFile
-            DialogButton(remove(spoken), "remove-class", true, onRemove)
+            Button(remove(spoken), "remove-class", ButtonKind.LINK, style = TextStyles.body, onClick = onRemove)
         }
     }
-}
-
-@Composable
-private fun DialogButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
-    Button(label, tag, ButtonKind.LINK, enabled = enabled, onClick = onClick)
 }
 
 private fun wordsFor(problem: NameError): Label = when (problem) {

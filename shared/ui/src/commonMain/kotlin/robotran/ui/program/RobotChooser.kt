@@ -33,7 +33,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
             .fillMaxWidth()
             .background(colours.pane)
             .heightIn(min = Dimensions.TARGET)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .padding(horizontal = 12.dp)
             .selectableGroup()

@@ -32,7 +32,7 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
             .fillMaxWidth()
             .heightIn(max = MAX_HEIGHT * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE))
             .testTag("translation-remarks")
-            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .scrollHint(scroll)
             .verticalScroll(scroll),
     ) {
         for (note in notes) {

@@ -74,7 +74,7 @@ internal fun RobotHints(
                 .weight(1f, fill = false)
                 .testTag("robot-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),

@@ -64,7 +64,7 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
         Arrangement.spacedBy(4.dp),

@@ -86,7 +86,6 @@ private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit)
     noticeActionText(action)(spoken),
     "notice-action",
     ButtonKind.LINK,
-    style = TextStyles.body.strong,
 ) { onEvent(WorkshopEvent.NoticeTaken) }
 
 /** At the usual font size, a narrower notice has its action below the text. */

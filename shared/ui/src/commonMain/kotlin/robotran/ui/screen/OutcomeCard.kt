@@ -189,7 +189,7 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
         Column(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
                 .semantics { liveRegion = LiveRegionMode.Polite },

@@ -19,19 +19,25 @@ import robotran.workshop.state.SendStep
 @Composable
 internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> Unit) {
     step.devices.forEachIndexed { index, device ->
-        TowerButton(nameOf(device), "send-tower-$index") { onEvent(SendEvent.TowerChosen(device)) }
+        Button(
+            nameOf(device),
+            "send-tower-$index",
+            ButtonKind.DIALOG_ANSWER,
+            Modifier.fillMaxWidth(),
+        ) { onEvent(SendEvent.TowerChosen(device)) }
     }
     // The USB tower first: it needs no adapter, so most pupils have one.
     for (kind in step.kinds.sortedByDescending { it == TowerKind.USB }) {
-        TowerButton(lookingFor(kind)(spoken), "send-look-${kind.name.lowercase()}") {
+        Button(
+            lookingFor(kind)(spoken),
+            "send-look-${kind.name.lowercase()}",
+            ButtonKind.DIALOG_ANSWER,
+            Modifier.fillMaxWidth(),
+        ) {
             onEvent(SendEvent.TowerRequested(kind))
         }
     }
 }
-
-@Composable
-private fun TowerButton(label: String, tag: String, onClick: () -> Unit) =
-    Button(label, tag, ButtonKind.DIALOG_ANSWER, Modifier.fillMaxWidth(), onClick = onClick)
 
 @Composable
 private fun nameOf(device: TowerDevice): String {

@@ -192,11 +192,10 @@ private fun TaskText(world: World) = Text(
 @Composable
 private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
     val scroll = rememberScrollState()
-    val colours = LocalRobotranColours.current
     Column(
         Modifier
             .weight(1f, fill = false)
-            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .scrollHint(scroll)
             .verticalScroll(scroll)
             .padding(start = START, bottom = 12.dp, end = 12.dp),
         Arrangement.spacedBy(4.dp),

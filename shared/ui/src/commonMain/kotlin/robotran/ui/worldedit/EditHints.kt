@@ -52,7 +52,7 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
                 .weight(1f, fill = false)
                 .testTag("edit-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .scrollHint(scroll, ground = colours.errorPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),

@@ -43,7 +43,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
         Arrangement.spacedBy(4.dp),

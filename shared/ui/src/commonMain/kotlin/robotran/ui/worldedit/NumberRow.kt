@@ -105,7 +105,6 @@ private fun NumberSlider(
     onChange: (Double) -> Unit,
     onSettle: () -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     Slider(
         value.toFloat().coerceIn(range),
         SliderWords(label, written(value), tag),

@@ -60,7 +60,6 @@ internal fun BlockDialogFrame(
     scrolls: Boolean = true,
     content: @Composable ColumnScope.() -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     val input = LocalInputModeManager.current
     val manager = LocalFocusManager.current
     val inside = remember { FocusRequester() }

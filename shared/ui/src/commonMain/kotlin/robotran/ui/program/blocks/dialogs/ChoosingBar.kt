@@ -27,7 +27,6 @@ import robotran.workshop.event.BlockEvent
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun ChoosingBar(scope: BlockScope) {
-    val colours = LocalRobotranColours.current
     val clipboard = LocalClipboardManager.current
     val state = scope.state
     Surface(Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"), Shapes.LARGE, shadowElevation = 6.dp) {

@@ -42,7 +42,7 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
     Column(
         modifier
             .background(colours.desk)
-            .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+            .scrollHint(scroll, ground = colours.desk)
             .verticalScroll(scroll)
             .padding(vertical = 4.dp)
             .testTag("block-groups"),

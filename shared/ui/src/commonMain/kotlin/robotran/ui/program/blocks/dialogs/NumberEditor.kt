@@ -204,7 +204,6 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
 
 @Composable
 private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Unit) {
-    val colours = LocalRobotranColours.current
     val label = BlockTexts.number(spoken)
     val range = scale.min.toFloat()..scale.max.toFloat()
     Slider(
