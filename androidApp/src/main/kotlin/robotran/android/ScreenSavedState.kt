@@ -5,8 +5,8 @@ import androidx.core.os.bundleOf
 import androidx.lifecycle.SavedStateHandle
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -22,7 +22,7 @@ internal class ScreenSavedState(private val saved: SavedStateHandle, private val
             }?.let { workshop.handle(RunEvent.DrawerChosen(it)) }
             Pane.entries.find {
                 it.name == shown.getString(PANE)
-            }?.let { workshop.handle(WorkshopEvent.PaneChosen(it)) }
+            }?.let { workshop.handle(ScreenEvent.PaneChosen(it)) }
             if (shown.getBoolean(SETTINGS)) workshop.handle(SettingsEvent.SettingsShown(true))
             if (shown.getBoolean(EDITOR)) workshop.handle(WorldEditEvent.EditorOpened)
         }

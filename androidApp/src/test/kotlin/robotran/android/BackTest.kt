@@ -10,6 +10,7 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -43,7 +44,7 @@ class BackTest {
     @Test
     fun `Back goes from the other panes of a phone to the world`() {
         app.goBack()
-        show(WorkshopEvent.PaneChosen(Pane.BRICK))
+        show(ScreenEvent.PaneChosen(Pane.BRICK))
         app.goBack()
         assertEquals(Pane.WORLD, app.workshop.state.pane)
         assertFalse(app.activity.isFinishing)
@@ -53,7 +54,7 @@ class BackTest {
     fun `on a tablet all panes are there, so Back leaves the app once nothing lies over them`() {
         app.change(Device.TABLET_11_INCH.qualifiers(upright = false))
         app.goBack()
-        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(ScreenEvent.PaneChosen(Pane.PROGRAM))
         show(RunEvent.DrawerChosen(DrawerTab.CHART))
         app.goBack()
         assertNull(app.workshop.state.run.drawer.tab)
@@ -64,7 +65,7 @@ class BackTest {
     @Test
     fun `Back closes the find bar and leaves the program as it is`() {
         app.goBack()
-        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(ScreenEvent.PaneChosen(Pane.PROGRAM))
         app.touch("find-open")
         assertTrue(app.isThere("find-bar"))
         app.goBack()
@@ -75,7 +76,7 @@ class BackTest {
     @Test
     fun `Back closes a page before the find bar that lies below it`() {
         app.goBack()
-        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(ScreenEvent.PaneChosen(Pane.PROGRAM))
         app.touch("find-open")
         show(SettingsEvent.SettingsShown(true))
         app.goBack()

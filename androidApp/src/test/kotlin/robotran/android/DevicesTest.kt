@@ -12,7 +12,7 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopStatus
@@ -106,7 +106,7 @@ class DevicesTest(
     }
 
     private fun show(pane: Pane) {
-        app.workshop.handle(WorkshopEvent.PaneChosen(pane))
+        app.workshop.handle(ScreenEvent.PaneChosen(pane))
         app.pass(SHORT)
     }
 

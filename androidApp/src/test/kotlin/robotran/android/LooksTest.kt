@@ -7,6 +7,7 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -31,10 +32,10 @@ class LooksTest(
         val picture = "${device.pictureName(upright)}-${if (dark) "dark" else "large"}"
         app.open(device.qualifiers(upright, dark), fontScale = if (dark) 1f else 2f)
         app.leaveFirstPage()
-        show(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        show(ScreenEvent.PaneChosen(Pane.PROGRAM))
         app.screen.onNodeWithTag("run").assertIsDisplayed()
         app.photograph("$picture-1-program")
-        show(WorkshopEvent.PaneChosen(Pane.WORLD))
+        show(ScreenEvent.PaneChosen(Pane.WORLD))
         app.touch("run")
         app.pass(RUN)
         app.screen.onNodeWithTag("stop").assertIsDisplayed()

@@ -71,7 +71,7 @@ internal class OpenWindow(store: KeyValueStore, arrival: OpenRequest?, restoresL
     fun saveAfterError() {
         scope.launch {
             val open = workshop ?: return@launch
-            if (open.saveDocumentNow()) open.show(Notice.Unexpected)
+            if (open.saveDocumentNow()) open.services.notices.show(Notice.Unexpected)
         }
     }
 

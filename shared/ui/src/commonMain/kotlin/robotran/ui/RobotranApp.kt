@@ -21,7 +21,7 @@ import robotran.workshop.Workshop
 @Composable
 fun RobotranApp(workshop: Workshop, dark: Boolean = isSystemInDarkTheme(), embedded: Boolean = false) {
     LaunchedEffect(workshop) {
-        snapshotFlow { workshop.state.awake }.collectLatest { awake ->
+        snapshotFlow { workshop.isAwake }.collectLatest { awake ->
             if (awake) while (true) withFrameNanos(workshop::frame)
         }
     }

@@ -3,7 +3,9 @@ package robotran.workshop
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import robotran.runcontrol.RunOutcome
 import robotran.workshop.service.Notices
+import robotran.workshop.service.RoomEvent
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 
@@ -12,10 +14,12 @@ import robotran.workshop.state.NoticeAction
  *
  * @param isVisiting whether a hand-in is replayed.
  * @param canUndo whether an undo that a notice offers is still possible.
+ * @param outcome of the present run.
  */
 internal class NoticeStateHolder(
     private val isVisiting: () -> Boolean,
     private val canUndo: (NoticeAction) -> Boolean,
+    private val outcome: () -> RunOutcome,
 ) : Notices {
     private var latest: Notice? by mutableStateOf(null)
 
@@ -32,12 +36,34 @@ internal class NoticeStateHolder(
         if (warnings.isNotEmpty()) latest = Notice.WithWarnings(latest, warnings)
     }
 
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectLeaving -> if (event.isAnother) projectOpened()
+
+            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> {
+                withdrawPraise(outcome())
+                withdrawUndo()
+            }
+
+            is RoomEvent.WorldSaved -> withdrawUndo()
+            is RoomEvent.RunChanged -> withdrawPraise(event.outcome)
+
+            is RoomEvent.ProgramsWritten -> {
+                dismissIf { it == Notice.FirstProgramRuns }
+                if (event.byUser) projectUsed()
+            }
+
+            RoomEvent.RunPressed -> dismissIf { it is Notice.SensorsPluggedIn }
+            is RoomEvent.RunStarted, is RoomEvent.SnippetRequested, RoomEvent.WorldEdited -> projectUsed()
+            else -> Unit
+        }
+    }
+
     fun dismiss() {
         latest = null
     }
 
-    /** Dismisses the notice if it [isOver]; remarks that were added to it stay. */
-    fun dismissIf(isOver: (Notice) -> Boolean) {
+    override fun dismissIf(isOver: (Notice) -> Boolean) {
         val notice = latest
         if (notice is Notice.WithWarnings) {
             if (notice.notice?.let(isOver) == true) latest = notice.copy(notice = null)
@@ -47,11 +73,16 @@ internal class NoticeStateHolder(
     }
 
     /** The pupil has run or changed the open project, and so goes on with it: the way back to the last one is over. */
-    fun projectUsed() = dismissIf { it is Notice.EarlierProjectSaved }
+    private fun projectUsed() = dismissIf { it is Notice.EarlierProjectSaved }
 
     /** Another project is open: how the last one came to be open, and its files and robots, are no matter any more. */
-    fun projectOpened() {
+    private fun projectOpened() {
         if (latest is Notice.WithWarnings || latest?.isOfProject == true) latest = null
+    }
+
+    /** That all goals are met is said only of the present run in the present world. */
+    private fun withdrawPraise(outcome: RunOutcome) {
+        if (!outcome.allMet) dismissIf { it is Notice.WorldSolved }
     }
 
     /** Dismisses the notice and returns the action that it offers; null if it offers none. */

@@ -137,7 +137,7 @@ class NxtInAppTest {
     fun `robots with different bricks have programs of their own`() = workshop { workshop ->
         val world = workshop.state.world
         val second = RobotPlacement(world.start.copy(y = 15.0), "blue", description = ReadyRobots.SUMO)
-        workshop.openProject(Project(world.copy(robots = world.robots + second)))
+        workshop.services.editor.openProject(Project(world.copy(robots = world.robots + second)))
         workshop.compilePrograms()
         workshop.handle(ProgramEvent.RobotChosen("blue"))
         assertEquals(BrickKind.NXT, workshop.brick)

@@ -10,7 +10,6 @@ import robotran.workshop.blocks.DragPayload
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.LightFacing
@@ -33,7 +32,7 @@ class SeveralRobotsTest {
     private fun open(ownProgram: String?) {
         val world = workshop.state.world
         val red = RobotPlacement(Pose(20.0, 20.0, 0.0), "red", RobotColour.RED, program = ownProgram)
-        workshop.openProject(Project(world.copy(robots = world.robots + red)))
+        workshop.services.editor.openProject(Project(world.copy(robots = world.robots + red)))
     }
 
     @Test
@@ -123,7 +122,7 @@ class SeveralRobotsTest {
     fun `programs stay with their robots when the world changes`() {
         open("beep")
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
-        workshop.changeWorld(workshop.state.world.copy(title = "Another"))
+        workshop.services.editor.changeWorld(workshop.state.world.copy(title = "Another"))
         assertEquals("forward 7", workshop.state.programText)
         workshop.handle(ProgramEvent.RobotChosen("red"))
         assertEquals("beep", workshop.state.programText)
@@ -134,7 +133,7 @@ class SeveralRobotsTest {
         val program = "robot\n  light sensor on 2 facing forward\nend\nshow light"
         workshop.handle(ProgramEvent.ProgramEdited(program))
         val place = workshop.state.world.robots.first()
-        val holder = ProgramsStateHolder(workshop.project, MemoryPlatform(), workshop, workshop, workshop)
+        val holder = ProgramsStateHolder(workshop.project, workshop.services)
         assertEquals(LightFacing.FORWARD, holder.loads(workshop.state.world, listOf(0)).first().lightFacing)
         assertEquals(setOf<Breakpoint>(), holder.breakpoints(place.name, 0))
     }

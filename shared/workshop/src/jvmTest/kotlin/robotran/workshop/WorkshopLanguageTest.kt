@@ -44,7 +44,7 @@ class WorkshopLanguageTest {
     fun `the goals of a world that nobody has run in yet are told anew`() {
         val world = BuiltInWorlds.plain.copy(goals = listOf(Goal(InkLength(atLeast = 10.5, atMost = null))))
         speak(Language.ENGLISH)
-        workshop.openProject(Project(world))
+        workshop.services.editor.openProject(Project(world))
         assertEquals("Draw 10.5 cm or more.", workshop.state.session.goals.single().sentence)
         speak(Language.GERMAN)
         assertEquals("Zeichne 10,5 cm oder mehr.", workshop.state.session.goals.single().sentence)

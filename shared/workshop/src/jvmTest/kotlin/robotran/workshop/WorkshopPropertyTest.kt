@@ -15,6 +15,7 @@ import robotran.brick.controls.BrickButton
 import robotran.language.ProgramLanguage
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import kotlin.test.Test
@@ -29,7 +30,7 @@ class WorkshopPropertyTest {
         Arb.constant(RunEvent.StopPressed),
         Arb.enum<BrickButton>().map(RunEvent::ButtonPressed),
         Arb.enum<BrickButton>().map(RunEvent::ButtonReleased),
-        Arb.enum<Pane>().map(WorkshopEvent::PaneChosen),
+        Arb.enum<Pane>().map(ScreenEvent::PaneChosen),
         Arb.element("pen down\nforward 5", "forwrd 3", "repeat 3 times\n beep\nend", "", "wait 9 seconds")
             .map(ProgramEvent::ProgramEdited),
         Arb.string(0..30).map(ProgramEvent::ProgramEdited),

@@ -5,7 +5,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopStatus
 import kotlin.math.abs
@@ -181,7 +181,7 @@ class WorkshopTest {
 
     @Test
     fun `on a phone Run shows the world`() {
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         workshop.handle(RunEvent.RunPressed)
         assertEquals(Pane.WORLD, workshop.state.pane)
     }

@@ -24,6 +24,7 @@ import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
 import robotran.ui.texts.SheetTexts
 import robotran.uikit.*
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 
 /**
@@ -44,7 +45,7 @@ internal fun TaskAndGoals(
     howFar: String = "",
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        if (hasTask) TaskChip(taskShown, howFar) { onEvent(WorkshopEvent.TaskShown(it)) }
+        if (hasTask) TaskChip(taskShown, howFar) { onEvent(ScreenEvent.TaskShown(it)) }
         GoalChip(goals, onEvent, isSlim = isSlim)
     }
 }

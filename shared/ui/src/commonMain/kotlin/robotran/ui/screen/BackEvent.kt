@@ -8,6 +8,7 @@ import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -42,8 +43,8 @@ internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildLi
 internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
     if (!isWide) {
         if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))
-        if (state.pane != Pane.WORLD) add(WorkshopEvent.PaneChosen(Pane.WORLD))
+        if (state.pane != Pane.WORLD) add(ScreenEvent.PaneChosen(Pane.WORLD))
     }
-    if (isWide && state.fullPane != null) add(WorkshopEvent.PaneFilled(null))
+    if (isWide && state.fullPane != null) add(ScreenEvent.PaneFilled(null))
     if (state.run.drawer.tab != null) add(RunEvent.DrawerChosen(null))
 }

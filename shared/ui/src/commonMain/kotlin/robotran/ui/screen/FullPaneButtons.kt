@@ -18,13 +18,14 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 
 /** Gives the program, or the world, all the room; a second touch shows both again. */
 @Composable
 internal fun FullPaneButtons(full: Pane?, onEvent: (WorkshopEvent) -> Unit) {
-    val put = { pane: Pane, isFull: Boolean -> onEvent(WorkshopEvent.PaneFilled(pane.takeIf { isFull })) }
+    val put = { pane: Pane, isFull: Boolean -> onEvent(ScreenEvent.PaneFilled(pane.takeIf { isFull })) }
     FullPaneButton(
         PaneIcons.PROGRAM_FULL,
         ScreenTexts.fullProgram(spoken),

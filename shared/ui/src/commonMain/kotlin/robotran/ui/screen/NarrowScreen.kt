@@ -42,6 +42,7 @@ import robotran.ui.world.MiniSheet
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
@@ -67,7 +68,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             ) {
                 MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
                 PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
-                    perform(WorkshopEvent.PaneChosen(it))
+                    perform(ScreenEvent.PaneChosen(it))
                 }, Modifier.weight(1f))
             }
             HorizontalDivider()
@@ -88,7 +89,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
 
 /** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
-    event is WorkshopEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried ||
+    event is ScreenEvent.PaneChosen || event == RunEvent.RunPressed || event == LearningEvent.StepTried ||
         event == LearningEvent.SolutionRequested(shown = true)
 
 /** With notices over it, where they hide least. */
@@ -149,7 +150,7 @@ private fun BoxScope.NoticeOver(notice: Notice?, document: DocumentState, onEven
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
-    val showBrick = { onEvent(WorkshopEvent.PaneChosen(Pane.BRICK)) }
+    val showBrick = { onEvent(ScreenEvent.PaneChosen(Pane.BRICK)) }
     val textScale = LocalDensity.current.fontScale
     BoxWithConstraints(Modifier.fillMaxSize().background(LocalRobotranColours.current.desk)) {
         val isBroad = maxWidth > maxHeight

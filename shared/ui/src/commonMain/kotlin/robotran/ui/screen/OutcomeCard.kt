@@ -42,6 +42,7 @@ import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningPage
@@ -89,7 +90,7 @@ internal fun OutcomeCard(
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
                 Button(LearningTexts.hint(spoken), "missing-hint", ButtonKind.SECOND) {
-                    onEvent(WorkshopEvent.TaskShown(true))
+                    onEvent(ScreenEvent.TaskShown(true))
                 }
             }
         }

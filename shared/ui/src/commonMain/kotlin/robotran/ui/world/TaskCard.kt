@@ -46,6 +46,7 @@ import robotran.ui.learning.UNFOLD_ICON
 import robotran.ui.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.LearningState
@@ -97,7 +98,7 @@ internal fun TaskCard(
                 val change = !isFolded
                 onEvent(
                     if (assignment == null) {
-                        WorkshopEvent.TaskFolded(change)
+                        ScreenEvent.TaskFolded(change)
                     } else {
                         AssignmentEvent.TaskFolded(change)
                     },
@@ -124,7 +125,7 @@ internal fun TaskCard(
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
     IconButton(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide") {
-        onEvent(WorkshopEvent.TaskShown(false))
+        onEvent(ScreenEvent.TaskShown(false))
     }
 
 @Composable

@@ -23,8 +23,8 @@ import robotran.workshop.documents.Machine
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -55,7 +55,7 @@ class AssignmentPictures {
                     handle(AssignmentEvent.VariationOpened(0))
                 }.keepAs("assignment/variation-$width-$look")
                 picture(AnyAssignment.teachers, width, height, settings) {
-                    handle(WorkshopEvent.TaskShown(true))
+                    handle(ScreenEvent.TaskShown(true))
                 }.keepAs("assignment/teacher-$width-$look")
             }
             val large = onEventThread {
@@ -98,7 +98,7 @@ class AssignmentPictures {
         Machine().apply { files.location = "/home/ada.robotran" }.window(AnyAssignment.request(project)).run {
             try {
                 handle(SettingsEvent.SettingsChanged(settings.copy(site = "https://school.example/")))
-                handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 prepare()
                 photograph(this, width, height)
             } finally {
@@ -126,7 +126,7 @@ class AssignmentPictures {
             handle(ProgramEvent.ProgramEdited(text))
             handle(RunEvent.RunPressed)
             advance(20_000)
-            handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            handle(ScreenEvent.PaneChosen(Pane.WORLD))
         }
 
         fun Workshop.handIn() {
@@ -140,14 +140,14 @@ class AssignmentPictures {
             "failed" to { attempt("beep\n") },
             "hint" to {
                 attempt("beep\n")
-                handle(WorkshopEvent.TaskShown(true))
+                handle(ScreenEvent.TaskShown(true))
             },
             "solved" to { attempt(AnyAssignment.SOLUTION) },
             "not-allowed" to {
                 val strict = checkNotNull(project.assignment).copy(words = listOf("forward"))
-                openProject(project.copy(assignment = strict))
+                services.editor.openProject(project.copy(assignment = strict))
                 handle(ProgramEvent.ProgramEdited("forward 5\nturn left 90\nbeep\nrepeat 3 times\n  beep\nend\n"))
-                handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             },
             "begun-again" to {
                 attempt("forward 3\n")
@@ -170,7 +170,9 @@ class AssignmentPictures {
                 val best = checkNotNull(project.tries?.best)
                 val handIn = makeHandIn(project, "Ada", HandedInWork(best))
                 val results = listOf(FeedbackResult("", 3, 3), FeedbackResult("Small", 2, 3))
-                openProject(handIn.copy(feedback = Feedback("Well done. Look at the small world again.", results)))
+                services.editor.openProject(
+                    handIn.copy(feedback = Feedback("Well done. Look at the small world again.", results)),
+                )
             },
         )
 

@@ -30,8 +30,8 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -125,7 +125,7 @@ class AssignmentScreenTest {
                 scrollAndTouch("hand-in-link")
                 touch("hand-in-close")
                 assertNull(workshop.state.handIn)
-                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.handle(ScreenEvent.TaskShown(true))
                 pass(SETTLED)
                 onNodeWithTag("assignment-handed-in").assertTextContains("Handed in on this device as Ada.")
             }
@@ -161,7 +161,7 @@ class AssignmentScreenTest {
                 machine = newMachine()
                 on(size, pupilCopy(AnyAssignment.teachers.copy(assignment = limited))) { workshop ->
                     workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left 90\nbeep\n"))
-                    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                    workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                     workshop.handle(BlockEvent.ViewChosen(view))
                     pass(SETTLED)
                     val strip = hasTestTag("program-not-allowed")
@@ -180,16 +180,16 @@ class AssignmentScreenTest {
     fun `on a phone the task is folded from the first run on, and the pupil's choice is remembered`() = on(PHONE) {
         assertTrue(has("assignment-text"))
         it.attempt("forward 5\n")
-        it.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-        it.handle(WorkshopEvent.TaskShown(true))
+        it.handle(ScreenEvent.PaneChosen(Pane.WORLD))
+        it.handle(ScreenEvent.TaskShown(true))
         pass(SETTLED)
         assertTrue(!has("assignment-text"))
         assertEquals(2, onAllNodesWithTag("assignment-goal").fetchSemanticsNodes().size)
         assertTrue(has("assignment-hand-in"))
         touch("task-fold")
         assertTrue(has("assignment-text"))
-        it.handle(WorkshopEvent.TaskShown(false))
-        it.handle(WorkshopEvent.TaskShown(true))
+        it.handle(ScreenEvent.TaskShown(false))
+        it.handle(ScreenEvent.TaskShown(true))
         pass(SETTLED)
         assertTrue(has("assignment-text"))
         touch("task-fold")
@@ -215,7 +215,7 @@ class AssignmentScreenTest {
             machine = newMachine()
             on(size) { workshop ->
                 workshop.attempt("beep\n")
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 pass(SETTLED)
                 touch("missing-hint")
                 assertTrue(has("hint"), "$size")

@@ -29,7 +29,7 @@ import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.CoursePage
 import robotran.workshop.state.LearningPage
 import kotlin.test.Test
@@ -179,13 +179,13 @@ class CoursePagesTest {
         for ((width, height) in listOf(411 to 891, 1280 to 800)) {
             onCourse(width, height) { workshop ->
                 touch("course-go-on")
-                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
                 onNodeWithTag("course-place").assertTextContains("Circles: assignment 1 of 3")
                 scrollAndTouch("course-line-next")
                 pass(600)
                 assertEquals("circle-2", workshop.state.assignment?.assignment?.id)
-                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
                 scrollAndTouch("course-line-back")
                 pass(600)

@@ -9,8 +9,8 @@ import robotran.ui.screen.pass
 import robotran.ui.screen.saysThereIsMore
 import robotran.ui.screen.scroll
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -22,7 +22,7 @@ import kotlin.test.assertTrue
 class DrawerTabsTest {
     @Test
     fun `on a phone all names fit in English`() = onScreen(412, 915) { workshop ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         pass(300)
         for (tab in DrawerTab.entries) assertWhole("drawer-${tab.name.lowercase()}", "in English")

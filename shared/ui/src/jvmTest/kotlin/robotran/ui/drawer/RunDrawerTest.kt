@@ -42,7 +42,7 @@ import kotlin.test.assertTrue
 class RunDrawerTest {
     private fun Workshop.with(source: String, goals: List<Goal> = emptyList(), on: World = BuiltInWorlds.plain) {
         val world = on.copy(goals = goals)
-        openProject(
+        services.editor.openProject(
             Project(
                 world,
                 listOf(ProjectRobot(world.robots.first().name, listOf(Program.of("a.robo", source).asProject()))),
@@ -223,7 +223,7 @@ class RunDrawerTest {
         val world = BuiltInWorlds.plain.let {
             it.copy(robots = listOf(it.robots.first().withPorts(listOf(listOf(PortSensor.TOUCH)))))
         }
-        workshop.openProject(Project(world))
+        workshop.services.editor.openProject(Project(world))
         showWholeBrick()
         onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
         pass(300)

@@ -48,7 +48,9 @@ class RunPictures {
             val world = on.copy(goals = goals, realism = 0.6)
             val isNxt = on.robots.first().description.brick == BrickKind.NXT
             val program = Program.of("rounds.robo", if (isNxt) SENSING + SOURCE else SOURCE).asProject()
-            openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
+            services.editor.openProject(
+                Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))),
+            )
             handle(SettingsEvent.SettingsChanged(settings))
             handle(RunEvent.RunPressed)
             advance(14_000)

@@ -7,8 +7,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
@@ -25,12 +25,12 @@ abstract class GoldenScenes {
     fun `the first screen looks as it did`() = everywhere(Scene.FIRST) { }
 
     @Test
-    fun `the program looks as it did`() = everywhere(Scene.PROGRAM) { handle(WorkshopEvent.PaneChosen(Pane.PROGRAM)) }
+    fun `the program looks as it did`() = everywhere(Scene.PROGRAM) { handle(ScreenEvent.PaneChosen(Pane.PROGRAM)) }
 
     @Test
     fun `the brick looks as it did`() = everywhere(Scene.BRICK) {
         runAWhile()
-        handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+        handle(ScreenEvent.PaneChosen(Pane.BRICK))
     }
 
     @Test
@@ -51,7 +51,7 @@ abstract class GoldenScenes {
     @Test
     fun `a world with lamps and blocks looks as it did`() = everywhere(Scene.BLOCK_PUSH) {
         handle(LearningEvent.WorldChosen("block-push"))
-        handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        handle(ScreenEvent.PaneChosen(Pane.WORLD))
     }
 
     @Test

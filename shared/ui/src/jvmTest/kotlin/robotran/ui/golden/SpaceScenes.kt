@@ -5,6 +5,7 @@ import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
@@ -64,8 +65,8 @@ abstract class SpaceScenes {
                         SettingsEvent.SettingsChanged(Settings(theme = theme, lessMotion = true, isIn3D = true)),
                     )
                     workshop.prepare()
-                    workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-                    workshop.handle(WorkshopEvent.TaskShown(false))
+                    workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
+                    workshop.handle(ScreenEvent.TaskShown(false))
                     workshop.handle(WorkshopEvent.NoticeDismissed)
                     val picture = photograph(workshop, screen.width, screen.height)
                     GoldenPicture.check("$scene-${screen.name.lowercase()}-${theme.name.lowercase()}", picture)

@@ -17,7 +17,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -42,7 +42,7 @@ class PlugInTest {
         val plain = BuiltInWorlds.plain
         val robots = plain.robots.map { it.withPorts(ports) }
         val program = Program.of("feel.robo", "if left bumper and not right bumper\n  beep\nend\nwait 5 seconds\n")
-        workshop.openProject(
+        workshop.services.editor.openProject(
             Project(
                 plain.copy(robots = robots),
                 listOf(ProjectRobot(robots.first().name, listOf(program.asProject()))),
@@ -98,7 +98,7 @@ class PlugInTest {
     fun `on a phone held across the remark leaves at least half of the program free`() =
         onScreen(891, 411) { workshop ->
             runWith(workshop, listOf(emptyList(), emptyList(), emptyList()))
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             pass(100)
             val warning = onNodeWithTag("remarks").fetchSemanticsNode().size.height
             val program = onNodeWithTag("program").fetchSemanticsNode().size.height

@@ -20,7 +20,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
@@ -86,12 +86,12 @@ class ProgramHelpTest {
 
     @Test
     fun `the line that a run could not go on at is marked and brought into sight`() = onPhone { workshop ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         workshop.write("var x = 0\n" + "beep\n".repeat(60) + "show 10 / x", caret = 0)
         pass(300)
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(60_000)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(600)
         onNodeWithTag("failure").assertIsDisplayed()
         workshop.write("beep")

@@ -16,8 +16,8 @@ import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
@@ -41,7 +41,7 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
     }
 
     @Test
@@ -59,7 +59,7 @@ class ProgramPictures {
             val settings = workshop.state.settings.copy(language = screen.language, textScale = screen.scale)
             workshop.handle(SettingsEvent.SettingsChanged(settings))
             prepare(workshop)
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             photograph(workshop, screen.width, screen.height, screen.dark) { press(keys, it) }
                 .keepAs("program/$name-${screen.name.lowercase()}")
             workshop.close()

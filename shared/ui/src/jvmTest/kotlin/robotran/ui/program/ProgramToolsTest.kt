@@ -15,7 +15,7 @@ import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
@@ -55,7 +55,7 @@ class ProgramToolsTest {
 
     @Test
     fun `a menu opens the search, too, also from another pane`() = onPhone { workshop ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         pass(100)
         workshop.handle(ProgramEvent.SearchRequested)
         pass(300)

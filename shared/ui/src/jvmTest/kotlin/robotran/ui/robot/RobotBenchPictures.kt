@@ -9,8 +9,8 @@ import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
 import robotran.workshop.event.RobotEditEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
@@ -74,7 +74,7 @@ class RobotBenchPictures {
                 sonar()
                 handle(RobotEditEvent.BenchClosed)
                 handle(WorldEditEvent.RobotReplaced("yellow", ReadyRobots.NXT_PENBOT))
-                handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+                handle(ScreenEvent.PaneChosen(Pane.BRICK))
             }
         }
     }

@@ -18,7 +18,7 @@ import robotran.projects.ProgramView
 import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import kotlin.test.Test
@@ -80,7 +80,7 @@ class FocusRingTest {
 
     @Test
     fun `a ring is whole at the edge of a phone, of a row and of a list`() = onPhone { workshop ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         val whole = (1..STEPS).count { step ->
             onRoot().performKeyInput { pressKey(Key.Tab) }

@@ -10,6 +10,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -39,15 +40,15 @@ class LargeTextOnPhonePictures {
         fun keep(what: String) = photograph(this, 412, 915).keepAs("large-text/$tag-$what")
         handle(DocumentEvent.NewWithBrick(BrickKind.NXT))
         keep("new-world")
-        handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep("new-program")
-        handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+        handle(ScreenEvent.PaneChosen(Pane.BRICK))
         keep("new-brick")
         handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         keep("worlds")
         handle(LearningEvent.WorldChosen("nxt-square"))
         keep("task")
-        handle(WorkshopEvent.TaskFolded(true))
+        handle(ScreenEvent.TaskFolded(true))
         keep("task-folded")
         handle(RunEvent.RunPressed)
         advance(20_000)

@@ -18,7 +18,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.state.DrawerTab
@@ -67,7 +67,7 @@ class NqcOnScreenTest {
         for (show in listOf(::onTablet, ::onPhone)) {
             show { workshop ->
                 workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 workshop.write(COUNTING.replace("OnFwd(", "OnForward("))
                 pass(1_500)
                 onNodeWithText("Line $DRIVING:", substring = true).assertExists()

@@ -14,8 +14,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
@@ -42,7 +42,7 @@ class NqcPictures {
         workshop.handle(RunEvent.DrawerChosen(null))
         workshop.handle(ProgramEvent.ProgramEdited(text.replace("OnFwd", "OnForward").replace("rounds++;", "rounds++")))
         workshop.handle(RunEvent.RunPressed)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "mistakes")
         workshop.handle(ProgramEvent.Undone)
         workshop.handle(LearningEvent.HelpRequested("SetPriority", 1))
@@ -58,7 +58,7 @@ class NqcPictures {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(3_500)
         keep(workshop, "world")
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.BRICK))
         keep(workshop, "brick")
         workshop.handle(ProgramEvent.ProgramAdded(example("data-logger.nqc")))
         compile(workshop)
@@ -80,7 +80,7 @@ class NqcPictures {
         workshop.handle(ProgramEvent.BreakpointToggled(TURNING.lines().indexOfFirst { "Wait" in it } + 1))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(500)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "assembly")
         workshop.close()
     }
@@ -91,7 +91,7 @@ class NqcPictures {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(1_000)
         keep(workshop, "ended")
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "remarks")
         workshop.close()
     }
@@ -104,7 +104,7 @@ class NqcPictures {
         workshop.handle(ProgramEvent.TranslationShown(false))
         workshop.handle(ProgramEvent.ProgramAdded(Program.of(assembly.fileName, assembly.text)))
         compile(workshop)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "lasm")
         workshop.handle(LearningEvent.HelpRequested("monal", 1))
         keep(workshop, "lasm-help")
@@ -126,7 +126,7 @@ class NqcPictures {
         workshop.handle(LearningEvent.PageClosed)
         workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
         compile(workshop)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         keep(workshop, "other-brick")
         workshop.close()
     }

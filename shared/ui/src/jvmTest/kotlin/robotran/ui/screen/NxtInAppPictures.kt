@@ -13,8 +13,8 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examplesFor
 import robotran.workshop.openWorkshop
@@ -38,16 +38,16 @@ class NxtInAppPictures {
 
                 fun keep(workshop: Workshop, what: String) = photograph(workshop, width, height).keepAs("$tag-$what")
                 val workshop = open("StopAtWall.java", Settings(language = language, theme = theme))
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 keep(workshop, "other-brick")
                 workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
                 compile(workshop)
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(2_000)
                 keep(workshop, "world")
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 keep(workshop, "program")
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.BRICK))
                 keep(workshop, "brick")
                 workshop.handle(LearningEvent.PageRequested(LearningPage.HELP))
                 keep(workshop, "help")

@@ -17,8 +17,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -47,7 +47,7 @@ class OutcomeCardTest {
             timeLimit = timeLimit,
         )
         val program = Program.of("a.robo", source).asProject()
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
+        services.editor.openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
         handle(RunEvent.RunPressed)
         advance(milliseconds)
     }
@@ -157,7 +157,7 @@ class OutcomeCardTest {
                 workshop.runToFlag(source)
                 pass(300)
                 onNodeWithTag(card).assertIsDisplayed()
-                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
                 onNodeWithTag("task-card").assertIsDisplayed()
                 onNodeWithTag(card).assertDoesNotExist()

@@ -86,7 +86,7 @@ class OutcomePictures {
         )
         val world = BuiltInWorlds.plain.copy(goals = goals, template = Template(listOf(square + square.first())))
         val program = Program.of("square.robo", "pen down\nforward 20\nturn left 60\nforward 45\n").asProject()
-        openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
+        services.editor.openProject(Project(world, listOf(ProjectRobot(world.robots.first().name, listOf(program)))))
         handle(RunEvent.RunPressed)
         advance(20_000)
         if (tab != null) handle(RunEvent.DrawerChosen(tab))

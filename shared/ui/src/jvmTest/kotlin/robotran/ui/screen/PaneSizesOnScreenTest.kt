@@ -20,8 +20,8 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm
@@ -237,11 +237,11 @@ class PaneSizesOnScreenTest {
 
     @Test
     fun `Back gives both panes their room again`() = onScreen(1280, 800) { workshop ->
-        workshop.handle(WorkshopEvent.PaneFilled(Pane.PROGRAM))
-        assertEquals(listOf(WorkshopEvent.PaneFilled(null)), paneBackEvents(workshop.state, isWide = true))
+        workshop.handle(ScreenEvent.PaneFilled(Pane.PROGRAM))
+        assertEquals(listOf(ScreenEvent.PaneFilled(null)), paneBackEvents(workshop.state, isWide = true))
         assertEquals(
             emptyList(),
-            paneBackEvents(workshop.state, isWide = false).filterIsInstance<WorkshopEvent.PaneFilled>(),
+            paneBackEvents(workshop.state, isWide = false).filterIsInstance<ScreenEvent.PaneFilled>(),
         )
     }
 

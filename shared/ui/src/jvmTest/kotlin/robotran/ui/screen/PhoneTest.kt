@@ -11,8 +11,8 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import kotlin.test.Test
@@ -59,7 +59,7 @@ class PhoneTest {
     fun `a button that goes out of sight while it is held comes up`() = onPhone { workshop ->
         onNodeWithTag("brick-run").performTouchInput { down(center) }
         pass(100)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         assertEquals(emptySet(), workshop.state.down)
     }

@@ -15,8 +15,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -167,7 +167,7 @@ class ScreenLayoutTest {
                     if (menu in
                         listOf("editor-more", "add-program")
                     ) {
-                        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                     }
                     pass(300)
                     if (onAllNodesWithTag(menu).fetchSemanticsNodes().isEmpty()) return@onScreen
@@ -188,7 +188,7 @@ class ScreenLayoutTest {
             onScreen(width, height) { workshop ->
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
                 workshop.handle(LearningEvent.WorldChosen("maze"))
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 pass(500)
                 val chip = node("goal-chip")
                 assertEquals(chip.size.height.toFloat(), chip.boundsInRoot.height, 0.5f, "$width x $height")

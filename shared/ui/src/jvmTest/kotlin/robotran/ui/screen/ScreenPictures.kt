@@ -10,8 +10,8 @@ import robotran.ui.pictures.sheetPng
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
@@ -27,7 +27,7 @@ class ScreenPictures {
                 val theme = if (dark) "dark" else "light"
                 val workshop = newWorkshop()
                 for (pane in screen.panes) {
-                    workshop.handle(WorkshopEvent.PaneChosen(pane))
+                    workshop.handle(ScreenEvent.PaneChosen(pane))
                     photograph(
                         workshop,
                         screen,
@@ -38,7 +38,7 @@ class ScreenPictures {
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(HALF_DRAWN)
                 for (pane in screen.panes) {
-                    workshop.handle(WorkshopEvent.PaneChosen(pane))
+                    workshop.handle(ScreenEvent.PaneChosen(pane))
                     photograph(
                         workshop,
                         screen,
@@ -47,7 +47,7 @@ class ScreenPictures {
                     )
                 }
                 workshop.advance(HALF_DRAWN * 2)
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 photograph(workshop, screen, dark, "${screen.name.lowercase()}-$theme-end")
                 workshop.handle(
                     ProgramEvent.ProgramEdited("pen down\nrepaet 4 times\n  forwrd 20\n  turn left\nend\nbeep beep\n"),
@@ -68,7 +68,7 @@ class ScreenPictures {
                 workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(SETTLED)
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.BRICK))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.BRICK))
                 photograph(workshop, screen, dark, "$name-failed")
                 repeat(2) {
                     workshop.handle(RunEvent.ButtonPressed(BrickButton.ON_OFF))
@@ -96,11 +96,11 @@ class ScreenPictures {
                 workshop.handle(ProgramEvent.FileAdded)
                 workshop.handle(ProgramEvent.FileChosen(0))
                 workshop.handle(RunEvent.RunPressed)
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-compiling")
                 runBlocking { workshop.compilePrograms() }
                 workshop.advance(HALF_DRAWN / 4)
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark, "$name-running")
                 val mistaken = workshop.state.programText.replace("Thread.sleep(2000);", "System.out.println(7)")
                 workshop.handle(ProgramEvent.ProgramEdited(mistaken))
@@ -121,11 +121,11 @@ class ScreenPictures {
                 val workshop = newWorkshop()
                 workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = language)))
                 val bare = workshop.project.world.robots.map { it.withPorts(it.ports.map { emptyList() }) }
-                workshop.changeWorld(workshop.project.world.copy(robots = bare))
+                workshop.services.editor.changeWorld(workshop.project.world.copy(robots = bare))
                 workshop.handle(ProgramEvent.ProgramEdited(BOTH_BUMPERS))
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(SETTLED)
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 photograph(workshop, screen, dark = false, name)
                 val run = workshop.state.shownProgramRun
                 workshop.handle(WorldEditEvent.SensorsPluggedIn(run.robot, checkNotNull(run.missingSensors)))

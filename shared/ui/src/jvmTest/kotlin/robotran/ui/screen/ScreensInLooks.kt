@@ -9,8 +9,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -31,7 +31,7 @@ abstract class ScreensInLooks {
     fun `nothing that can be pressed moves while a program runs, ends, fails, or the app says something`() =
         everywhere(1180 to 820, 820 to 1180, 412 to 915, 1366 to 768, 891 to 411) { workshop, described ->
             workshop.handle(LearningEvent.WorldChosen("maze"))
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
             pass(300)
             val places = pressablePlaces()
             assertTrue(
@@ -79,7 +79,7 @@ abstract class ScreensInLooks {
     @Test
     fun `the tab of what the drawer shows is in sight, and where not all fit it is seen that there are more`() =
         everywhere(412 to 915, 360 to 740, 820 to 1180) { workshop, described ->
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
             for (tab in DrawerTab.entries.reversed()) {
                 workshop.handle(RunEvent.DrawerChosen(tab))
                 pass(600)
@@ -108,9 +108,9 @@ abstract class ScreensInLooks {
         1440 to 900,
         1920 to 1080,
     ) { workshop, described ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         workshop.handle(LearningEvent.WorldChosen("maze"))
-        workshop.handle(WorkshopEvent.TaskShown(false))
+        workshop.handle(ScreenEvent.TaskShown(false))
         pass(500)
         for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, described)
         val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
@@ -125,7 +125,7 @@ abstract class ScreensInLooks {
                 "$described: $tag is at $button of $sheet",
             )
         }
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         val program = placesByTag().getValue("program")
         assertTrue(program.height >= MIN_PROGRAM, "$described: $program")

@@ -7,8 +7,8 @@ import androidx.compose.ui.test.onNodeWithTag
 import robotran.language.Language
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import kotlin.math.roundToInt
@@ -51,7 +51,7 @@ class SheetRoomTest {
     private fun onWindow(size: Pair<Int, Int>, settings: Settings, check: ComposeUiTest.(Workshop) -> Unit) =
         onScreen(size.first, size.second) { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(settings))
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
             pass(500)
             check(workshop)
         }

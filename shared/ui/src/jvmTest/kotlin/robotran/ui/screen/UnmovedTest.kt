@@ -10,8 +10,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
@@ -33,7 +33,7 @@ class UnmovedTest {
             for (pane in Pane.entries) {
                 onFillingMachine(width, height) { workshop, machine ->
                     val described = "$width x $height, $pane"
-                    workshop.handle(WorkshopEvent.PaneChosen(pane))
+                    workshop.handle(ScreenEvent.PaneChosen(pane))
                     pass(300)
                     val before = placesByTag()
                     machine.store.full = true
@@ -105,7 +105,7 @@ class UnmovedTest {
     fun `mistakes come and go without moving the translation or any button`() {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 workshop.handle(ProgramEvent.TranslationShown(true))
                 pass(500)
                 val before = placesByTag()
@@ -123,7 +123,7 @@ class UnmovedTest {
         for ((width, height) in SIZES) {
             onScreen(width, height) { workshop ->
                 val described = "$width x $height"
-                workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                 workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG))
                 workshop.handle(ProgramEvent.ProgramChosen(0))
                 workshop.handle(ProgramEvent.ProgramEdited("forwrd 3"))

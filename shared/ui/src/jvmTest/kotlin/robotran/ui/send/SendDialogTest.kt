@@ -31,8 +31,8 @@ import robotran.ui.screen.placesByTag
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SendEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.send.USB_TOWER
 import robotran.workshop.state.Pane
 import robotran.workshop.state.SendError
@@ -207,7 +207,7 @@ class SendDialogTest {
 
     @Test
     fun `on a phone the sheet opens from the program and from the menu`() = onPhone { workshop ->
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
         pressTool("send-robot")
         pass(1_000)

@@ -9,8 +9,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Settings
 import kotlin.test.Test
@@ -23,7 +23,10 @@ class TaskCardPictures {
             for (scale in listOf(1f, 2f)) {
                 val workshop = runBlocking { openWorkshop() }
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale)))
-                workshop.changeWorld(workshop.state.world.copy(title = "Corner", task = TASK), isAnother = true)
+                workshop.services.editor.changeWorld(
+                    workshop.state.world.copy(title = "Corner", task = TASK),
+                    isAnother = true,
+                )
                 photograph(workshop, size.first, size.second, dark = scale == 2f).keepAs("task-$name-${scale.toInt()}")
                 workshop.close()
             }
@@ -42,7 +45,7 @@ class TaskCardPictures {
                 workshop.draw("$name-${scale.toInt()}", size, dark = scale == 2f)
                 workshop.tries(task.solution.text.replace("left", "right"))
                 workshop.draw("$name-${scale.toInt()}-missing", size, dark = scale == 2f)
-                workshop.handle(WorkshopEvent.TaskShown(true))
+                workshop.handle(ScreenEvent.TaskShown(true))
                 workshop.draw("$name-${scale.toInt()}-hint", size, dark = scale == 2f)
                 workshop.tries(task.solution.text)
                 workshop.draw("$name-${scale.toInt()}-solved", size, dark = scale == 2f)

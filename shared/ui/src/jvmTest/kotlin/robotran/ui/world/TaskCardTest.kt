@@ -28,7 +28,7 @@ class TaskCardTest {
     fun `the task is shown beside the sheet, goes with a touch and is one touch away`() {
         for ((width, height) in screens.values) {
             onScreen(width, height) { workshop ->
-                workshop.changeWorld(workshop.withTask(TASK), isAnother = true)
+                workshop.services.editor.changeWorld(workshop.withTask(TASK), isAnother = true)
                 pass(300)
                 onNodeWithTag("task-title").assertTextContains("Corner")
                 onNodeWithTag("task-text").assertTextContains(TASK)
@@ -73,7 +73,10 @@ class TaskCardTest {
         for ((width, height) in screens.values) {
             onScreen(width, height) { workshop ->
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
-                workshop.changeWorld(workshop.withTask((TASK + "\n").repeat(8).trim()), isAnother = true)
+                workshop.services.editor.changeWorld(
+                    workshop.withTask((TASK + "\n").repeat(8).trim()),
+                    isAnother = true,
+                )
                 pass(300)
                 onNodeWithTag("task-text").assertExists()
                 checkTargets("task-hide", "run")

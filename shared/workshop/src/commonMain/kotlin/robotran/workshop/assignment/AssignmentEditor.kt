@@ -3,7 +3,6 @@ package robotran.workshop.assignment
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
@@ -17,15 +16,11 @@ import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
-import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asPupil
-import robotran.workshop.run.EndedAttempt
-import robotran.workshop.service.AssignmentEditor
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.AssignmentEditorState
+import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.PictureError
 import robotran.workshop.state.SolutionCheck
 import robotran.workshop.state.SolutionProgram
@@ -33,17 +28,16 @@ import robotran.world.WorldLimits
 
 /** The page with which an author makes an assignment of the open project. */
 internal class AssignmentEditor(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val current: CurrentProject,
-    private val editor: ProjectEditor,
-    private val assignments: AssignmentEditor,
-    private val tabs: ProgramTabs,
+    private val services: Services,
     private val runs: AssignmentRuns,
-    preferences: Preferences,
     private val lastTry: () -> EndedAttempt?,
-    private val openWorldEditor: (variation: Int?) -> Unit,
 ) {
+    private val platform = services.platform
+    private val scope = services.scope
+    private val current = services.current
+    private val assignments = services.assignments
+    private val tabs = services.tabs
+
     /** Null while the page is closed. */
     var state: AssignmentEditorState? by mutableStateOf(null)
         private set
@@ -54,7 +48,7 @@ internal class AssignmentEditor(
     /** Whether the world that robots drive in has another title or task. */
     private var isTaskChanged = false
     private val history = AssignmentHistory(platform.clock)
-    private val sharing = AssignmentSharing(platform, current, preferences)
+    private val sharing = AssignmentSharing(platform, current, services.preferences)
     private var checking: Job? = null
     private var deciding: Job? = null
     private val beginning = PupilsBeginning(runs)
@@ -152,7 +146,7 @@ internal class AssignmentEditor(
 
     /** Puts the robots into the world with the new title and task. */
     private fun useTask() {
-        if (isTaskChanged) editor.changeWorld(current.project.world)
+        if (isTaskChanged) services.editor.changeWorld(current.project.world)
         isTaskChanged = false
     }
 
@@ -210,7 +204,7 @@ internal class AssignmentEditor(
         state = state?.copy(title = title)
         if (world == before.world) return
         history.add(before, before.assignment)
-        editor.saveWorld(world)
+        services.editor.saveWorld(world)
         isTaskChanged = true
         refresh()
     }
@@ -220,7 +214,7 @@ internal class AssignmentEditor(
         checking?.cancel()
         assignments.changeAssignment(before.assignment)
         if (before.title != current.project.world.title || before.task != current.project.world.task) {
-            editor.saveWorld(current.project.world.copy(title = before.title, task = before.task))
+            services.editor.saveWorld(current.project.world.copy(title = before.title, task = before.task))
             isTaskChanged = true
         }
         refresh()
@@ -274,7 +268,7 @@ internal class AssignmentEditor(
         state = null
         useTask()
         isAway = true
-        openWorldEditor(variation)
+        services.publish(RoomEvent.WorldEditorRequested(variation))
     }
 
     private suspend fun addPicture() {

@@ -3,7 +3,6 @@ package robotran.workshop.assignment
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import robotran.assignments.doing.HintsOfAssignment
 import robotran.assignments.doing.NotAllowed
 import robotran.assignments.doing.firstPrograms
@@ -18,54 +17,29 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.AssignmentEvent
-import robotran.workshop.platform.Platform
 import robotran.workshop.programs.asProject
 import robotran.workshop.programs.asPupil
-import robotran.workshop.run.EndedAttempt
-import robotran.workshop.service.AssignmentEditor
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Notice
 
 /**
  * Holds what pupils do at an assignment, and what its author makes.
  *
- * @param openWorldEditor opens the world editor for the world, or for the variation with this index.
  */
-class AssignmentStateHolder(
-    platform: Platform,
-    scope: CoroutineScope,
-    physics: PhysicsEngine,
-    preferences: Preferences,
-    private val current: CurrentProject,
-    editor: ProjectEditor,
-    private val assignments: AssignmentEditor,
-    private val tabs: ProgramTabs,
-    private val notices: Notices,
-    openWorldEditor: (variation: Int?) -> Unit,
-) {
-    private val memory = AssignmentMemory(platform.store, scope)
-    private val runs = AssignmentRuns(platform, physics, preferences)
-    private val maker = HandInMaker(platform, scope, preferences, current, runs, memory, ::refresh)
-    private val author =
-        AssignmentEditor(
-            platform,
-            scope,
-            current,
-            editor,
-            assignments,
-            tabs,
-            runs,
-            preferences,
-            { lastTry },
-            openWorldEditor,
-        )
+class AssignmentStateHolder(private val services: Services, physics: PhysicsEngine) {
+    private val current = services.current
+    private val assignments = services.assignments
+    private val tabs = services.tabs
+    private val notices = services.notices
+    private val memory = AssignmentMemory(services.platform.store, services.scope)
+    private val runs = AssignmentRuns(services.platform, physics, services.preferences)
+    private val maker = HandInMaker(services, runs, memory, ::refresh)
+    private val author = AssignmentEditor(services, runs) { lastTry }
     private var hints: List<Hint> = emptyList()
     private var lastTry: EndedAttempt? = null
 
@@ -93,6 +67,17 @@ class AssignmentStateHolder(
         refresh()
     }
 
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectOpened -> projectChanged()
+            is RoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
+            is RoomEvent.ProgramsWritten -> programsChanged()
+            is RoomEvent.RunChanged -> runChanged(event.ended)
+            is RoomEvent.WorldEditorClosed -> worldEditorClosed(event.leadsBack)
+            else -> Unit
+        }
+    }
+
     fun handle(event: AssignmentEvent) {
         when (event) {
             AssignmentEvent.BegunAgain -> beginAgain()
@@ -106,7 +91,7 @@ class AssignmentStateHolder(
     }
 
     /** Called after another project was opened, or its world was replaced by another one. */
-    fun projectChanged() {
+    private fun projectChanged() {
         maker.close()
         author.leave()
         hints = emptyList()
@@ -117,19 +102,19 @@ class AssignmentStateHolder(
     }
 
     /** Called after the programs have changed. */
-    fun programsChanged() {
+    private fun programsChanged() {
         replaced = null
         if (state != null) refresh()
     }
 
     /** Called when the world editor was closed; [leadsBack] is false if its world is tried out now. */
-    fun worldEditorClosed(leadsBack: Boolean) {
+    private fun worldEditorClosed(leadsBack: Boolean) {
         author.worldEditorClosed(leadsBack)
         refresh()
     }
 
     /** Called with each new state of the run; [ended] is the try that is over, the same object until that changes. */
-    internal fun runChanged(ended: EndedAttempt?) {
+    private fun runChanged(ended: EndedAttempt?) {
         if (ended == null || ended === lastTry) return
         val isNew = ended.number != lastTry?.number
         lastTry = ended

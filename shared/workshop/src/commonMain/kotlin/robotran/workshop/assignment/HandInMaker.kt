@@ -3,7 +3,6 @@ package robotran.workshop.assignment
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
@@ -21,24 +20,23 @@ import robotran.projects.ProjectProgram
 import robotran.projects.handInLinkOf
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
-import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Preferences
+import robotran.workshop.service.Services
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.LinkError
 
 /** The sheet with which a pupil hands in. One piece of work runs at a time. */
 internal class HandInMaker(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
+    private val services: Services,
     private val runs: AssignmentRuns,
     private val memory: AssignmentMemory,
     private val onHandedIn: () -> Unit,
 ) {
+    private val platform = services.platform
+    private val preferences = services.preferences
+    private val current = services.current
+
     /** Null while the sheet is closed. */
     var step: HandInStep? by mutableStateOf(null)
         private set
@@ -188,7 +186,7 @@ internal class HandInMaker(
 
     private fun begin(what: suspend () -> Unit) {
         work?.cancel()
-        work = scope.launch { what() }
+        work = services.scope.launch { what() }
     }
 
     private fun shownProgram(): Int {

@@ -1,7 +1,7 @@
 package robotran.workshop.assignment
 
 import robotran.projects.Project
-import robotran.workshop.service.AssignmentEditor
+import robotran.workshop.service.AssignmentRepository
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.EditOrigin
@@ -11,7 +11,7 @@ import robotran.world.World
 internal class VariationTarget(
     private val current: CurrentProject,
     private val editor: ProjectEditor,
-    private val assignments: AssignmentEditor,
+    private val assignments: AssignmentRepository,
 ) : CurrentProject by current,
     ProjectEditor by editor {
     /** The index of the variation that is edited; null for the world itself. */

@@ -3,7 +3,6 @@ package robotran.workshop.course
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import robotran.assignments.course.OwnCourses
@@ -17,12 +16,10 @@ import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.platform.FileKind
-import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.service.StoredAssignments
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.CoursePage
@@ -34,18 +31,17 @@ import robotran.workshop.state.SavedOwnCourse
 /**
  * Holds the courses on this device, the pupil's way through them, and what a teacher makes.
  *
- * @param lookAtHandIns opens the page with what pupils have handed in for a course.
  */
 class CourseStateHolder(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
+    private val services: Services,
     private val switcher: ProjectSwitcher,
     private val stored: StoredAssignments,
-    private val notices: Notices,
-    private val lookAtHandIns: (Course) -> Unit,
 ) {
+    private val platform = services.platform
+    private val scope = services.scope
+    private val preferences = services.preferences
+    private val current = services.current
+    private val notices = services.notices
     private val shelf = CourseRepository(platform.store, scope)
     private val author = CourseEditor(platform, scope, preferences, shelf, switcher, stored, notices) { show(it) }
 
@@ -64,6 +60,15 @@ class CourseStateHolder(
         projectChanged()
     }
 
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectOpened -> projectChanged()
+            is RoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
+            RoomEvent.AssignmentChanged -> triesChanged()
+            else -> Unit
+        }
+    }
+
     fun handle(event: CourseEvent) {
         when (event) {
             CourseEvent.ListRequested -> showList()
@@ -75,7 +80,9 @@ class CourseStateHolder(
             is CourseEvent.RemovalRequested -> askForRemoval(event.key)
             CourseEvent.Removed -> remove()
             is CourseEvent.OwnCourseSaved -> launch { saveOwn(event.name) }
-            is CourseEvent.HandInsRequested -> launch { shelf.course(event.key)?.let(lookAtHandIns) }
+            is CourseEvent.HandInsRequested -> launch {
+                shelf.course(event.key)?.let { services.publish(RoomEvent.HandInsRequested(it)) }
+            }
             is CourseEvent.MakingRequested -> launch { author.open(event.key) }
             is CourseEvent.OfAuthor -> author.handle(event)
         }
@@ -91,7 +98,7 @@ class CourseStateHolder(
     }
 
     /** Called after another project was opened, which a page would hide. */
-    fun projectChanged() {
+    private fun projectChanged() {
         if (currentId == null) openKey = null
         if (state.page != null) {
             show(null)
@@ -101,7 +108,7 @@ class CourseStateHolder(
     }
 
     /** Called after the tries of the open project have changed. */
-    fun triesChanged() {
+    private fun triesChanged() {
         val id = currentId
         val key = id?.let(::courseWith)
         val best = current.project.tries?.best

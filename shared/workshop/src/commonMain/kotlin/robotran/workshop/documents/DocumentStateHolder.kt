@@ -1,6 +1,5 @@
 package robotran.workshop.documents
 
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
@@ -15,14 +14,9 @@ import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.OpenRequest
-import robotran.workshop.platform.Platform
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ProjectSwitcher
-import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.service.StoredAssignments
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.DocumentAnswer
@@ -30,52 +24,34 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkToAdd
-import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
 /**
  * Holds the name and file of the project and makes sure that nothing is lost.
  *
- * @param putRobot puts an opened robot into the world.
- * @param takesElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
+ * @param isHandledElsewhere offers what arrives to a page that is open. Returns whether the page has taken it.
  */
 class DocumentStateHolder(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
-    private val editor: ProjectEditor,
-    tabs: ProgramTabs,
-    private val navigator: ScreenNavigator,
-    private val notices: Notices,
+    private val services: Services,
     openCourses: suspend (List<Course>) -> Unit,
-    putRobot: (RobotDescription) -> Unit = {},
     private val isHandledElsewhere: (OpenRequest) -> Boolean = { false },
 ) : ProjectSwitcher,
     StoredAssignments {
+    private val platform = services.platform
+    private val scope = services.scope
+    private val preferences = services.preferences
+    private val current = services.current
+    private val editor = services.editor
+    private val navigator = services.navigator
+    private val notices = services.notices
     private val guard = OpeningGuard(platform.openingMarks, platform.clock)
     private val autosaver = DocumentAutosaver(platform, preferences, current, editor, guard)
     private val view = DocumentView(autosaver, platform.sharing.hasShareSheet)
     private val saver = FileSaver(platform, current, notices, autosaver, view)
     private val replacement = ProjectReplacement(autosaver, view, saver, notices)
     private val opener =
-        FileOpener(
-            platform,
-            preferences,
-            current,
-            editor,
-            tabs,
-            navigator,
-            notices,
-            autosaver,
-            view,
-            replacement,
-            openCourses,
-            putRobot,
-            guard,
-            openStored = { openStored(it) },
-        )
+        FileOpener(services, autosaver, view, replacement, guard, openCourses, openStored = { openStored(it) })
     private val exports = DocumentExports(platform, preferences, current, notices, autosaver, view)
     private val projects = SavedProjectList(platform, preferences, editor, notices, autosaver, view, replacement, guard)
     private val restoration = ProjectRestoration(platform, notices, autosaver, guard)
@@ -84,6 +60,14 @@ class DocumentStateHolder(
 
     val state: DocumentState get() = view.state
     override val openId: String? get() = autosaver.openId
+
+    fun on(event: RoomEvent) {
+        when (event) {
+            RoomEvent.CompileBegun, RoomEvent.RunPressed -> guard.again(autosaver.openId)
+            is RoomEvent.RunChanged -> Unit
+            else -> projectMayHaveChanged()
+        }
+    }
 
     fun handle(event: DocumentEvent) {
         when (event) {
@@ -144,9 +128,6 @@ class DocumentStateHolder(
     /** Whether something is being opened; and how many were opened before it. */
     internal val opening: Pair<Boolean, Int> get() = guard.isOpening to guard.count
 
-    /** Called before the open project does what may stop the app: it is compiled or started. */
-    internal fun markOpenProject() = guard.again(autosaver.openId)
-
     /** Called when what was opened is compiled and drawn. */
     internal fun openingSettled() = guard.settled()
 
@@ -168,7 +149,7 @@ class DocumentStateHolder(
     }
 
     /** Called when the project may have changed. */
-    fun projectMayHaveChanged() {
+    private fun projectMayHaveChanged() {
         autosaver.touched()
         changes.trySend(Unit)
     }

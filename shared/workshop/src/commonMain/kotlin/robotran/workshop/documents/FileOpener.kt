@@ -22,41 +22,35 @@ import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.platform.Platform
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ProjectEditor
-import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.StoppedWork
-import robotran.world.RobotDescription
 
 /**
  * Opens files and links.
  *
- * @param putRobot puts a robot into the world that is open.
  * @param openStored opens the stored project with this ID.
  */
 internal class FileOpener(
-    private val platform: Platform,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
-    private val editor: ProjectEditor,
-    private val tabs: ProgramTabs,
-    private val navigator: ScreenNavigator,
-    private val notices: Notices,
+    private val services: Services,
     private val autosaver: DocumentAutosaver,
     private val view: DocumentView,
     private val replacement: ProjectReplacement,
-    private val openCourses: suspend (List<Course>) -> Unit,
-    private val putRobot: (RobotDescription) -> Unit,
     private val guard: OpeningGuard,
+    private val openCourses: suspend (List<Course>) -> Unit,
     private val openStored: suspend (id: String) -> Unit,
 ) {
+    private val platform = services.platform
+    private val preferences = services.preferences
+    private val current = services.current
+    private val editor = services.editor
+    private val tabs = services.tabs
+    private val navigator = services.navigator
+    private val notices = services.notices
+
     /** What was to be opened, and what My work has of it, until the pupil has chosen. */
     private var asked: Pair<OpenFilesResult.Success, ProjectSummary>? = null
 
@@ -266,7 +260,7 @@ internal class FileOpener(
             notices.show(Notice.NoSlotForProgram(missing.first().name, BrickProgram.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
-        opened.robot?.let(putRobot)
+        opened.robot?.let { services.publish(RoomEvent.RobotOpened(it)) }
     }
 
     /** Stores all projects but the first without opening them. Returns whether there are any. */

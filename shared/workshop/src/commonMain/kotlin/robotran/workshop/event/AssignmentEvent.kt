@@ -5,7 +5,7 @@ import robotran.assignments.packaging.ScormVersion
 import robotran.projects.Assignment
 
 /** A user action on an assignment. */
-sealed interface AssignmentEvent : WorkshopEvent {
+sealed interface AssignmentEvent : SchoolEvent {
     /** Puts the programs back that the assignment began with. */
     data object BegunAgain : AssignmentEvent
 

@@ -1,7 +1,7 @@
 package robotran.workshop.event
 
 /** A user action on courses. */
-sealed interface CourseEvent : WorkshopEvent {
+sealed interface CourseEvent : SchoolEvent {
     /** Shows the courses on this device. */
     data object ListRequested : CourseEvent
 

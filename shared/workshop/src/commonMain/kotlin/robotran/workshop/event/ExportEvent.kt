@@ -5,7 +5,7 @@ import robotran.workshop.state.MovingKind
 import robotran.workshop.state.ShowSpeed
 
 /** A user action while showing what was made. */
-sealed interface ExportEvent : WorkshopEvent {
+sealed interface ExportEvent : SchoolEvent {
     /** Opens the choice of what to make. */
     data object Requested : ExportEvent
 

@@ -6,7 +6,7 @@ import robotran.workshop.state.HandInRun
 import robotran.workshop.state.QrScannerKind
 
 /** An action of the teacher who looks at hand-ins. */
-sealed interface HandInsEvent : WorkshopEvent {
+sealed interface HandInsEvent : SchoolEvent {
     /** Opens the hand-ins for the open project, or returns to those that a replay was opened from. */
     data object Requested : HandInsEvent
 

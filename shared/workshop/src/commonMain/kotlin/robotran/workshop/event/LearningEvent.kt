@@ -5,7 +5,7 @@ import robotran.language.ProgramLanguage
 import robotran.workshop.state.LearningPage
 
 /** A user action on the learning material. */
-sealed interface LearningEvent : WorkshopEvent {
+sealed interface LearningEvent : SchoolEvent {
     /** Opens [page]. */
     data class PageRequested(val page: LearningPage) : LearningEvent
 

@@ -3,7 +3,7 @@ package robotran.workshop.event
 import robotran.robotediting.RobotEdit
 
 /** A user action in the workbench, where robots are built. */
-sealed interface RobotEditEvent : WorkshopEvent {
+sealed interface RobotEditEvent : WorldEvent {
     /**
      * Opens the workbench with a robot of the world, and the world editor below it.
      *

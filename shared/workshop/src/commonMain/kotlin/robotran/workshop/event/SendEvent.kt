@@ -4,7 +4,7 @@ import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
 
 /** A user action while a program is sent to a real robot. */
-sealed interface SendEvent : WorkshopEvent {
+sealed interface SendEvent : SchoolEvent {
     /** Sends the shown program. */
     data object Requested : SendEvent
 

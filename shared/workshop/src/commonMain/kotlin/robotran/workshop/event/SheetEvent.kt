@@ -9,7 +9,7 @@ import robotran.workshop.state.SpaceCamera
 import robotran.world.geometry.Point
 
 /** A user action on the view of the world. */
-sealed interface SheetEvent : WorkshopEvent {
+sealed interface SheetEvent : WorldEvent {
     /** Shows the whole sheet again. */
     data object WholeSheetRequested : SheetEvent
 

@@ -6,7 +6,7 @@ import robotran.world.RobotDescription
 import robotran.worldediting.WorldEdit
 
 /** A user action in the world editor. */
-sealed interface WorldEditEvent : WorkshopEvent {
+sealed interface WorldEditEvent : WorldEvent {
     /** Opens the world editor. */
     data object EditorOpened : WorldEditEvent
 

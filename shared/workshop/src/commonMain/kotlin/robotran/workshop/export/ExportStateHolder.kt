@@ -3,18 +3,14 @@ package robotran.workshop.export
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import robotran.documents.fileNameFor
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.platform.FileKind
-import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Printing
 import robotran.workshop.platform.Saving
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.RunControls
+import robotran.workshop.service.Services
 import robotran.workshop.state.ExportState
 import robotran.workshop.state.MovingKind
 import robotran.workshop.state.Poster
@@ -27,14 +23,13 @@ import robotran.workshop.state.ShowStep
  *
  * @param title the project's name, for files and posters.
  */
-class ExportStateHolder(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
-    private val run: RunControls,
-    private val title: () -> String,
-) {
+class ExportStateHolder(services: Services, private val title: () -> String) {
+    private val platform = services.platform
+    private val scope = services.scope
+    private val preferences = services.preferences
+    private val current = services.current
+    private val run = services.runControls
+
     /** Null while the sheet is closed. */
     var state: ExportState? by mutableStateOf(null)
         private set

@@ -2,20 +2,15 @@ package robotran.workshop.handins
 
 import robotran.assignments.collecting.Submission
 import robotran.documents.validProjectName
-import robotran.workshop.service.Notices
 import robotran.workshop.service.ProjectSwitcher
-import robotran.workshop.service.RunControls
+import robotran.workshop.service.Services
 import robotran.workshop.service.SwitchResult
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInRun
 import robotran.workshop.state.Notice
 
 /** Opens hand-ins in the workshop, and the assignment again. */
-internal class HandInPreviews(
-    private val switcher: ProjectSwitcher,
-    private val run: RunControls,
-    private val notices: Notices,
-) {
+internal class HandInPreviews(private val switcher: ProjectSwitcher, private val services: Services) {
     /** The ID of the project that was opened from a hand-in. */
     private var visited: String? = null
 
@@ -34,8 +29,8 @@ internal class HandInPreviews(
         val result = switcher.previewProject(name, project) as? SwitchResult.Switched ?: return false
         left = result.previousId
         visited = result.currentId
-        notices.show(Notice.HandInOpened(row.name, run))
-        if (run == null) this.run.playInputs() else this.run.run()
+        services.notices.show(Notice.HandInOpened(row.name, run))
+        if (run == null) services.runControls.playInputs() else services.runControls.run()
         return true
     }
 

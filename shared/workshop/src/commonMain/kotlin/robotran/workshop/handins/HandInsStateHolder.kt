@@ -3,7 +3,6 @@ package robotran.workshop.handins
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.sync.Mutex
@@ -21,9 +20,8 @@ import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.platform.Platform
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Preferences
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.AlikeHandIn
 import robotran.workshop.state.HandInRow
 import robotran.workshop.state.HandInsDialog
@@ -38,14 +36,16 @@ import robotran.workshop.state.OpenedHandIn
  * @param title the project's name.
  */
 class HandInsStateHolder internal constructor(
-    private val platform: Platform,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
+    services: Services,
     physics: PhysicsEngine,
     private val visits: HandInPreviews,
     private val title: () -> String,
 ) {
+    private val platform = services.platform
+    private val scope = services.scope
+    private val preferences = services.preferences
+    private val current = services.current
+
     /** Null while the page is closed. */
     var state: HandInsState? by mutableStateOf(null)
         private set
@@ -63,6 +63,10 @@ class HandInsStateHolder internal constructor(
     private val comments = CommentWriter(scope, ::tell)
     private var removed: HandInRow? = null
     private val exports = HandInExports(platform, scope, ::tell)
+
+    fun on(event: RoomEvent) {
+        if (event is RoomEvent.HandInsRequested) openCourse(event.course)
+    }
 
     fun handle(event: HandInsEvent) {
         if (event == HandInsEvent.Requested) return request()
@@ -144,7 +148,7 @@ class HandInsStateHolder internal constructor(
     suspend fun saveNow() = comments.saveNow()
 
     /** Opens the page for all assignments of [course] together. */
-    fun openCourse(course: Course) {
+    private fun openCourse(course: Course) {
         val first = course.assignments.firstOrNull()
         if (state != null || first == null) return
         val known = open

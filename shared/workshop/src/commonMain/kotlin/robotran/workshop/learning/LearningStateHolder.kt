@@ -3,7 +3,6 @@ package robotran.workshop.learning
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.launch
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -19,16 +18,10 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.firstProgram
-import robotran.workshop.platform.KeyValueStore
 import robotran.workshop.programs.pupilPrograms
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProgramTabs
-import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ProjectSwitcher
-import robotran.workshop.service.RunControls
-import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
@@ -40,19 +33,15 @@ import robotran.workshop.state.TutorialState
 import robotran.workshop.state.WorldTaskState
 
 /** Holds the state of the learning pages and the learning progress. */
-class LearningStateHolder(
-    keyValueStore: KeyValueStore,
-    private val scope: CoroutineScope,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
-    editor: ProjectEditor,
-    private val switcher: ProjectSwitcher,
-    private val tabs: ProgramTabs,
-    private val runControls: RunControls,
-    private val navigator: ScreenNavigator,
-    private val notices: Notices,
-) {
-    private val store = LearningProgressStore(keyValueStore, scope)
+class LearningStateHolder(private val services: Services, private val switcher: ProjectSwitcher) {
+    private val scope = services.scope
+    private val preferences = services.preferences
+    private val current = services.current
+    private val tabs = services.tabs
+    private val runControls = services.runControls
+    private val navigator = services.navigator
+    private val notices = services.notices
+    private val store = LearningProgressStore(services.platform.store, scope)
     private val progress: LearningProgress get() = store.progress
     private var hasStarted = false
 
@@ -60,7 +49,7 @@ class LearningStateHolder(
     private var isFoldedAutomatically = false
     private var goalsSeen: List<GoalProgress> = emptyList()
     private var isTryOver = false
-    private val tutorial = TutorialController(scope, preferences, current, editor, switcher, navigator, store)
+    private val tutorial = TutorialController(scope, preferences, current, services.editor, switcher, navigator, store)
     private val hints = HintGiver()
     private val newTabs = NewTabs(current, tabs, navigator, notices)
     private val help = HelpFinder(preferences, current, newTabs)
@@ -84,6 +73,22 @@ class LearningStateHolder(
         refresh()
         // The loaded world has its own task.
         state = state.copy(tutorial = state.tutorial?.let { it.copy(isFolded = progress.folded || !it.isLoaded) })
+    }
+
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectLeaving -> leaveProject()
+            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> projectChanged()
+            is RoomEvent.ProgramsWritten, RoomEvent.ProgramChosen -> programsChanged()
+            is RoomEvent.RunChanged -> runChanged(event.session, event.outcome, current.shownProgram)
+            is RoomEvent.LanguageChanged -> refresh()
+            RoomEvent.WorldEditorOpening, RoomEvent.PagesLeft -> if (state.page !=
+                null
+            ) {
+                handle(LearningEvent.PageClosed)
+            }
+            else -> Unit
+        }
     }
 
     fun handle(event: LearningEvent) {
@@ -116,19 +121,18 @@ class LearningStateHolder(
 
     /**
      * Called with each new state of the run. The task is completed once all goals are met, and solved once the run is
-     * over. Returns whether it has just been solved.
+     * over.
      */
-    fun runChanged(session: SessionState, outcome: RunOutcome, program: Program): Boolean {
+    private fun runChanged(session: SessionState, outcome: RunOutcome, program: Program) {
         if (outcome.finished == null && session.milliseconds < START_MILLISECONDS) isSolutionRun = isSolutionShown
         goalsChanged(session)
         tryChanged(session, outcome, program)
         if (!outcome.isSolved) {
             if (state.solved != null) state = state.copy(solved = null)
-            return false
+        } else if (state.solved == null && !isSolutionRun) {
+            state = state.copy(solved = solve(outcome.finished ?: 0, program))
+            services.publish(RoomEvent.TaskSolved)
         }
-        if (state.solved != null || isSolutionRun) return false
-        state = state.copy(solved = solve(outcome.finished ?: 0, program))
-        return true
     }
 
     /** Whether the program in the editor is the solution that the app shows. */
@@ -188,12 +192,12 @@ class LearningStateHolder(
     }
 
     /** Called before another project is loaded. Stores the pupil's version of a step's program. */
-    fun leaveProject() {
+    private fun leaveProject() {
         if (hasStarted) tutorial.saveProgram()
     }
 
     /** Called after another project was loaded. Shows its tutorial step, or folds the tutorial if it is not a step. */
-    fun projectChanged() {
+    private fun projectChanged() {
         if (!hasStarted) return
         val shown = state.tutorial
         val step = tutorial.loadedStep()
@@ -213,12 +217,12 @@ class LearningStateHolder(
     }
 
     /** Called after the programs have changed, or another one is shown. */
-    fun programsChanged() {
+    private fun programsChanged() {
         if (state.worldTask != null) refresh()
     }
 
     /** Updates the state after a possible change of the project or the language. */
-    fun refresh() {
+    private fun refresh() {
         if (preferences.language != state.language) {
             changeHelp { _, help -> hints.none(help) }
             changeWorldTask(worldTask::withoutHints)

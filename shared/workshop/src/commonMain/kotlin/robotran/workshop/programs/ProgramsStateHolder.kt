@@ -31,10 +31,9 @@ import robotran.workshop.blocks.firstLength
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
-import robotran.workshop.platform.Platform
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.ProgramsToRun
+import robotran.workshop.service.Services
+import robotran.workshop.service.WrittenPrograms
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
@@ -51,12 +50,12 @@ import robotran.world.World
  */
 class ProgramsStateHolder(
     project: Project,
-    private val platform: Platform,
-    private val preferences: Preferences,
-    private val navigator: ScreenNavigator,
-    private val notices: Notices,
+    services: Services,
     private val roomInFile: () -> Int = { Int.MAX_VALUE },
-) {
+) : ProgramsToRun {
+    private val platform = services.platform
+    private val preferences = services.preferences
+    private val navigator = services.navigator
     private var compiler = ProgramCompiler(
         PENBOT_TARGET,
         project.settings.java,
@@ -64,15 +63,15 @@ class ProgramsStateHolder(
         compilesBeside = platform.compilesBeside,
     )
     private var robots = robotsOf(project)
-    private var shownRobot = robots.first().placement.name
+    private var chosenRobot = robots.first().placement.name
     private var translationShown = false
     private var lastTranslation: ProgramLanguage? = null
     private var searchRequested = false
-    private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == shownRobot } ?: robots.first()
+    private val shown: RobotPrograms get() = robots.firstOrNull { it.placement.name == chosenRobot } ?: robots.first()
     private val compileScheduler = CompileScheduler()
-    private val editing = ProgramEditing(preferences, navigator, notices, ::hasRoom)
+    private val editing = ProgramEditing(preferences, navigator, services.notices, ::hasRoom)
     private val otherBrick = OtherBrickFinder()
-    private var compileStatus = CompileStatus.DONE
+    private var lastStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
         private set
@@ -83,7 +82,7 @@ class ProgramsStateHolder(
     }
 
     fun handle(event: ProgramEvent) {
-        if (event is ProgramEvent.RobotChosen) shownRobot = event.name
+        if (event is ProgramEvent.RobotChosen) chosenRobot = event.name
         if (event is ProgramEvent.TranslationShown) {
             translationShown = event.shown
             lastTranslation = event.kind ?: lastTranslation
@@ -96,18 +95,21 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** All current programs, and which of them can run. */
-    internal val written: WrittenPrograms
+    override val written: WrittenPrograms
         get() = WrittenPrograms(
             robots.map { it.list.programs },
             robots.map { robot -> robot.list.slots.map { it != null } },
         )
 
-    /** The number of programs of the first robot. */
-    val count: Int get() = robots.first().list.entries.size
+    override val count: Int get() = robots.first().list.entries.size
 
-    /** The slot of the first robot's program that Run in the run bar starts: the one shown last. */
-    val slotToRun: Int get() = robots.first().shownProgram
+    override val slotToRun: Int get() = robots.first().shownProgram
+
+    override val shownProgram: Program get() = state.program
+    override val shownRobot: String get() = state.shownRobot
+    override val compileStatus: CompileStatus get() = state.compileStatus
+
+    override fun showRobot(name: String) = handle(ProgramEvent.RobotChosen(name))
 
     /** The programs of all robots in [world] as stored in a project. */
     fun projectRobots(world: World): List<ProjectRobot> =
@@ -115,30 +117,18 @@ class ProgramsStateHolder(
             it.asProject(preferences.settings.programView)
         }
 
-    /**
-     * The slots of the programs that Run in the run bar starts: [first] for the first robot, the last shown program for
-     * the others.
-     */
-    fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
+    override fun slotsBeginning(first: Int): List<Int> = starting(first).map { it.second }
 
-    /**
-     * The programs of all robots in [world] as last compiled. Run starts the programs in [firstSlots], one per robot.
-     */
-    fun loads(world: World, firstSlots: List<Int>): List<RobotProgramSet> =
+    override fun loads(world: World, firstSlots: List<Int>): List<RobotProgramSet> =
         world.robots.mapIndexed { index, placement ->
             robots.firstOrNull { it.placement.name == placement.name }?.load(firstSlots.getOrElse(index) { 0 })
                 ?: RobotProgramSet(emptyList())
         }
 
-    /**
-     * Keeps the [files] that the robot [robot] has in its flash memory now, for its next run and for the project. Returns
-     * whether they are others than before.
-     */
-    internal fun keepFiles(robot: String, files: List<NxtFile>): Boolean =
+    override fun keepFiles(robot: String, files: List<NxtFile>): Boolean =
         robots.firstOrNull { it.placement.name == robot }?.keep(files) == true
 
-    /** The breakpoints of the program in [slot] of the robot [robot]. */
-    fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
+    override fun breakpoints(robot: String, slot: Int): Set<Breakpoint> =
         robots.firstOrNull { it.placement.name == robot }?.breakpoints(slot).orEmpty()
 
     /** The breakpoints of all programs, in order. */
@@ -157,24 +147,19 @@ class ProgramsStateHolder(
         refresh()
     }
 
-    /** The breakpoints at the lines of [program]; none if its source has changed since. */
-    internal fun breakpointsOf(program: Snippet): Set<Breakpoint> {
+    override fun breakpointsOf(program: Snippet): Set<Breakpoint> {
         val robot = robots.firstOrNull { it.placement.name == program.robot } ?: return emptySet()
         val source = robot.list.programs.getOrNull(program.slot)?.files?.first()?.text
         return if (source == program.source) robot.breakpoints(program.slot) else emptySet()
     }
 
-    /**
-     * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
-     * there is one. If a program is not compiled yet, starts the compilation.
-     */
-    fun canStart(slot: Int): Boolean {
+    override fun canStart(slot: Int): Boolean {
         if (!isCompiled(slot)) requestCompileNow()
         if (!isCompiled(slot)) return false
         val withErrors =
             starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.list.canRun(itsSlot) }
                 ?: return true
-        shownRobot = withErrors.first.placement.name
+        chosenRobot = withErrors.first.placement.name
         editing.pointOutErrors(withErrors.first, withErrors.second)
         refresh()
         return false
@@ -219,11 +204,11 @@ class ProgramsStateHolder(
         handle(BlockEvent.DialogShown(BlockDialog.Part(length.span)))
     }
 
-    /** Whether the program in [slot] of the first robot, and those of the others, are compiled. */
-    fun isCompiled(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) -> robot.list.isCompiled(itsSlot) }
+    override fun isCompiled(slot: Int): Boolean = starting(slot).all { (robot, itsSlot) ->
+        robot.list.isCompiled(itsSlot)
+    }
 
-    /** Shows the file [name] of the program in [slot] of the robot [robot], if that program is shown. */
-    internal fun showFile(robot: String, slot: Int, name: String) {
+    override fun showFile(robot: String, slot: Int, name: String) {
         if (shown.placement.name != robot || shown.shownProgram != slot) return
         val index = shown.entry.program.files.indexOfFirst { it.name == name }
         if (index < 0 || index == shown.shownFile) return
@@ -235,15 +220,15 @@ class ProgramsStateHolder(
     fun open(project: Project) {
         compiler = compiler.withJava(project.settings.java)
         robots = robotsOf(project)
-        shownRobot = robots.first().placement.name
-        compileStatus = CompileStatus.DONE
+        chosenRobot = robots.first().placement.name
+        lastStatus = CompileStatus.DONE
         requestCompile()
         refresh()
     }
 
     /** Gives the first robot exactly [programs] and shows the first. Files of the same name can be undone. */
     internal fun replacePrograms(programs: List<Program>) {
-        shownRobot = robots.first().placement.name
+        chosenRobot = robots.first().placement.name
         editing.replaceAll(robots.first(), programs)
         requestCompile()
         refresh()
@@ -276,7 +261,7 @@ class ProgramsStateHolder(
                 before.firstOrNull { it.placement.name == placement.name } ?: before.first().takeIf { index == 0 }
             known?.movedTo(placement) ?: robotOf(placement, ProjectRobot(placement.name), emptyList())
         }
-        if (robots.none { it.placement.name == shownRobot }) shownRobot = robots.first().placement.name
+        if (robots.none { it.placement.name == chosenRobot }) chosenRobot = robots.first().placement.name
         // A robot with other wheels drives for other times.
         requestCompile()
         refresh()
@@ -292,7 +277,7 @@ class ProgramsStateHolder(
         if (next === compiler) return
         compiler = next
         robots = robots.map { it.compiledBy(compiler) }
-        compileStatus = CompileStatus.DONE
+        lastStatus = CompileStatus.DONE
         requestCompile()
         refresh()
     }
@@ -300,10 +285,9 @@ class ProgramsStateHolder(
     /** Suspends until there is something to compile and typing pauses. */
     suspend fun awaitCompile() = compileScheduler.awaitCompile()
 
-    /** Compiles all changed programs, then runs the actions that waited for the result. */
-    suspend fun compile(): CompileStatus {
+    override suspend fun compile(): CompileStatus {
         val result = resultOf { compileChanged() }
-        compileStatus = result
+        lastStatus = result
         editing.programsCompiled(shown)
         // That may have changed a program.
         if (result == CompileStatus.DONE) requestCompile()
@@ -329,12 +313,12 @@ class ProgramsStateHolder(
 
     private fun requestCompile() {
         if (robots.none { it.list.hasPending }) return
-        compileStatus = CompileStatus.WAITING
+        lastStatus = CompileStatus.WAITING
         compileScheduler.requestCompile(robots.sumOf { it.list.pendingCharacters })
     }
 
     private fun requestCompileNow() {
-        compileStatus = CompileStatus.COMPILING
+        lastStatus = CompileStatus.COMPILING
         compileScheduler.requestCompileNow()
         refresh()
     }
@@ -402,7 +386,7 @@ class ProgramsStateHolder(
             canReopen = robot.canReopen,
             diagnostics = entry.diagnostics,
             notes = entry.notes,
-            compileStatus = compileStatus,
+            compileStatus = lastStatus,
             errorPointedOut = editing.errorPointedOut,
             translationShown = translationShown,
             translationKind = kind,
@@ -418,6 +402,3 @@ class ProgramsStateHolder(
         const val SURELY_SAVED = 20_000
     }
 }
-
-/** All programs of all robots, and which of them can run. Two values are equal if nothing has changed between them. */
-internal data class WrittenPrograms(val programs: List<List<Program>>, val runnable: List<List<Boolean>>)

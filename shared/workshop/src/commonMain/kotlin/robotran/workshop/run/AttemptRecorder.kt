@@ -5,6 +5,7 @@ import robotran.brick.state.RunState
 import robotran.projects.TryResult
 import robotran.projects.repeatable
 import robotran.simulation.state.GoalStatus
+import robotran.workshop.state.EndedAttempt
 
 /** Tells the runs that Run has started from replays and from programs that were sent to run at once. */
 internal class AttemptRecorder(private val run: DebuggedRun) {

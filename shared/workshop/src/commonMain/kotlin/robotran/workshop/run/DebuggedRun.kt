@@ -11,9 +11,9 @@ import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.physics.PhysicsEngine
-import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramsToRun
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.SoundPlayer
 import robotran.workshop.state.Notice
@@ -28,7 +28,7 @@ import robotran.world.World
 internal class DebuggedRun(
     world: World,
     private val physics: PhysicsEngine,
-    private val programs: ProgramsStateHolder,
+    private val programs: ProgramsToRun,
     speaker: LoudSpeaker,
     private val preferences: Preferences,
     private val notices: Notices,

@@ -3,7 +3,6 @@ package robotran.workshop.run
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import kotlinx.coroutines.CoroutineScope
 import robotran.brick.controls.BrickButton
 import robotran.brick.program.StepKind
 import robotran.brick.state.RunState
@@ -23,16 +22,12 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.report
 import robotran.simulation.startInputs
 import robotran.simulation.state.GoalShortfall
-import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.platform.Platform
-import robotran.workshop.programs.ProgramsStateHolder
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Notices
-import robotran.workshop.service.Preferences
-import robotran.workshop.service.ProjectEditor
-import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.ProgramsToRun
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
 import robotran.workshop.state.CompileStatus
+import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
@@ -53,22 +48,18 @@ import robotran.world.robot.draftError
 class RunStateHolder(
     world: World,
     physics: PhysicsEngine,
-    private val programs: ProgramsStateHolder,
-    private val current: CurrentProject,
-    private val editor: ProjectEditor,
-    private val navigator: ScreenNavigator,
-    platform: Platform,
-    scope: CoroutineScope,
-    preferences: Preferences,
-    private val notices: Notices,
+    private val programs: ProgramsToRun,
+    private val services: Services,
     private var recording: List<RecordedInput> = emptyList(),
-    private val filesChanged: () -> Unit = {},
 ) {
-    private val run = DebuggedRun(world, physics, programs, platform.speaker, preferences, notices)
+    private val navigator = services.navigator
+    private val notices = services.notices
+    private val run = DebuggedRun(world, physics, programs, services.platform.speaker, services.preferences, notices)
     private val idleDetector = IdleDetector()
-    private val drawer = DrawerStateHolder(platform, scope, notices, navigator, run.player.watchedBrick) {
-        programs.state.program.name
-    }
+    private val drawer =
+        DrawerStateHolder(services.platform, services.scope, notices, navigator, run.player.watchedBrick) {
+            programs.shownProgram.name
+        }
     private val stopLocation = StopLocation(programs)
     private var pendingStart: PendingStart? = null
     private var seenStop: StopReason? = null
@@ -112,7 +103,7 @@ class RunStateHolder(
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
             is RunEvent.DebuggedRobotChosen -> choose(event.robot)
             RunEvent.RecordingPlayed -> playRecording()
-            is RunEvent.RunSettingsChanged -> editor.changeProjectSettings(event.settings)
+            is RunEvent.RunSettingsChanged -> services.editor.changeProjectSettings(event.settings)
             is RunEvent.ButtonPressed -> press(event.button)
             is RunEvent.ButtonReleased -> release(event.button)
             is RunEvent.SessionTouched -> touch(event.input)
@@ -190,7 +181,12 @@ class RunStateHolder(
         this.recording = recording
         startNewRun(programs.slotsBeginning(programs.slotToRun), world)
         recordedSlots = run.firstSlots
-        state = state.copy(untouched = true, hasRecording = recording.isNotEmpty(), settings = current.project.settings)
+        state =
+            state.copy(
+                untouched = true,
+                hasRecording = recording.isNotEmpty(),
+                settings = services.current.project.settings,
+            )
         idleDetector.disturb()
         show()
     }
@@ -296,7 +292,7 @@ class RunStateHolder(
 
     private fun choose(robot: Int) {
         val chosen = run.world.robots.getOrNull(robot) ?: return
-        programs.handle(ProgramEvent.RobotChosen(chosen.name))
+        programs.showRobot(chosen.name)
     }
 
     /** The brick, the status and the debugger are those of the robot whose program is shown. */
@@ -304,7 +300,7 @@ class RunStateHolder(
         val stopped = (player.stop as? StopReason.Breakpoint)?.takeIf { it !== seenStop }
         seenStop = player.stop
         if (stopped != null) choose(stopped.robot)
-        val robot = run.world.robots.indexOfFirst { it.name == programs.state.shownRobot }
+        val robot = run.world.robots.indexOfFirst { it.name == programs.shownRobot }
         if (robot < 0 || robot == player.watched) return
         run.watch(robot)
         drawer.startNewRun()
@@ -352,7 +348,7 @@ class RunStateHolder(
     }
 
     /** Whether the shown program may wait for ESCAPE itself; told by its text. */
-    private fun readsButtons(): Boolean = programs.state.program.files.any { file ->
+    private fun readsButtons(): Boolean = programs.shownProgram.files.any { file ->
         BUTTON_WORDS.any { file.text.contains(it, ignoreCase = true) }
     }
 
@@ -367,7 +363,7 @@ class RunStateHolder(
         player.state,
         drawer.state,
         hasRecording = recording.isNotEmpty(),
-        settings = current.project.settings,
+        settings = services.current.project.settings,
     )
 
     private fun startNewRun(slot: Int) = startNewRun(programs.slotsBeginning(slot))
@@ -389,7 +385,7 @@ class RunStateHolder(
     private fun show() {
         watchShownRobot()
         run.update()
-        if (run.keepFiles()) filesChanged()
+        if (run.keepFiles()) services.publish(RoomEvent.ProjectTouched)
         val frame = drawer.chosenFrame(player)
         if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name, frame)
         drawer.update(player)

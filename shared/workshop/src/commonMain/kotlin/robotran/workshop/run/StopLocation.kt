@@ -4,13 +4,13 @@ import robotran.brick.program.CallFrame
 import robotran.brick.state.RunState
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
-import robotran.workshop.programs.ProgramsStateHolder
+import robotran.workshop.service.ProgramsToRun
 
 /**
  * Shows the file in which the program of the watched robot has stopped, or that of the selected frame, once per stop
  * and selection. The pupil may then switch to another file.
  */
-internal class StopLocation(private val programs: ProgramsStateHolder) {
+internal class StopLocation(private val programs: ProgramsToRun) {
     private var seen: Pair<Long, RunState>? = null
     private var seenFrame: CallFrame? = null
 

@@ -9,17 +9,15 @@ import robotran.programs.ProgramSource
 import robotran.programs.firmwareImage
 import robotran.projects.PENBOT_TARGET
 import robotran.tinyvm.config.BrickRoom
-import robotran.workshop.platform.Platform
-import robotran.workshop.service.CurrentProject
-import robotran.workshop.service.Preferences
+import robotran.workshop.service.Services
 import kotlin.coroutines.cancellation.CancellationException
 
 /** Builds images for the firmware that a program is for; those for leJOS as the project's settings for Java say. */
-internal class ProgramImageBuilder(
-    private val platform: Platform,
-    private val preferences: Preferences,
-    private val current: CurrentProject,
-) : ImageBuilder {
+internal class ProgramImageBuilder(services: Services) : ImageBuilder {
+    private val platform = services.platform
+    private val preferences = services.preferences
+    private val current = services.current
+
     override suspend fun build(program: Program): ProgramImageResult {
         val compiler = ProgramCompiler(PENBOT_TARGET, current.project.settings.java, preferences.language)
         val source = program

@@ -9,4 +9,7 @@ interface Notices {
 
     /** Adds [warnings], localised sentences about a file, to the notice that is shown, or shows them alone. */
     fun add(warnings: List<String>)
+
+    /** Dismisses the notice that is shown if it [isOver]; warnings that were added to it stay. */
+    fun dismissIf(isOver: (Notice) -> Boolean)
 }

@@ -10,6 +10,9 @@ interface Preferences {
     /** The app language, from the settings or the system. */
     val language: Language
 
+    /** Whether animations are reduced: as the pupil has chosen, before that as the system is told. */
+    val hasLessMotion: Boolean
+
     /** Stores [settings] as the new ones. */
     fun change(settings: Settings)
 }

@@ -6,16 +6,27 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import robotran.language.Language
 import robotran.projects.siteAddress
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.KeyValueStore
+import robotran.workshop.platform.Platform
+import robotran.workshop.platform.appLanguage
+import robotran.workshop.service.Preferences
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RoomEvents
 import robotran.workshop.service.SerialWriteQueue
 import robotran.workshop.state.PaneSizes
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WindowForm
 
 /** Holds the [Settings] of this machine. */
-class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScope, first: Settings) {
+class SettingsStateHolder(
+    private val platform: Platform,
+    scope: CoroutineScope,
+    first: Settings,
+    private val events: RoomEvents,
+) : Preferences {
     var state: Settings by mutableStateOf(first)
         private set
 
@@ -28,6 +39,14 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         private set
 
     private val writes = SerialWriteQueue(scope)
+
+    override val settings: Settings get() = state
+    override val language: Language get() = appLanguage(state.language)
+    override val hasLessMotion: Boolean get() = state.lessMotion ?: platform.prefersLessMotion
+
+    fun on(event: RoomEvent) {
+        if (event == RoomEvent.PagesLeft) show(page = false, atSite = false)
+    }
 
     fun handle(event: SettingsEvent) {
         when (event) {
@@ -51,10 +70,13 @@ class SettingsStateHolder(private val store: KeyValueStore, scope: CoroutineScop
         siteRequested = atSite
     }
 
-    private fun change(settings: Settings) {
+    override fun change(settings: Settings) {
         if (settings == state) return
+        val before = language
         state = settings
-        writes.add { store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
+        writes.add { platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
+        events.publish(RoomEvent.SettingsChanged(settings))
+        if (language != before) events.publish(RoomEvent.LanguageChanged(language))
     }
 
     companion object {

@@ -5,6 +5,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.service.Preferences
+import robotran.workshop.service.RoomEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.SpaceCamera
@@ -81,9 +82,12 @@ class SheetStateHolder(private val preferences: Preferences) {
         }
     }
 
-    /** Called when another world is loaded. */
-    fun worldChanged() {
-        view = SheetViewState(shown = state.shown)
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> view = SheetViewState(shown = state.shown)
+            is RoomEvent.PointShown -> handle(SheetEvent.PlaceRequested(event.point))
+            else -> Unit
+        }
     }
 
     /** If the whole sheet is visible, following a robot would have no effect, so this zooms in. */

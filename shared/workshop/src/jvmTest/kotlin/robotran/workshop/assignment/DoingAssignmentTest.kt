@@ -180,7 +180,7 @@ class DoingAssignmentTest {
         workshop.attempt("forward 5\n")
         workshop.handle(AssignmentEvent.BegunAgain)
         assertEquals(Notice.BegunAgain, workshop.state.notice)
-        workshop.openProject(Project(AnyAssignment.world))
+        workshop.services.editor.openProject(Project(AnyAssignment.world))
         assertNull(workshop.state.notice)
     }
 

@@ -173,7 +173,7 @@ class BlockEditingTest {
 
     @Test
     fun `a project that is opened later is shown as the pupil chose last`() = onBlocks("beep\n") {
-        workshop.openProject(workshop.project)
+        workshop.services.editor.openProject(workshop.project)
         assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
         assertEquals("beep\n", state.program.text)
     }

@@ -65,7 +65,7 @@ class RememberedViewTest {
         val first = machine.window()
         val world = first.state.world
         val red = RobotPlacement(Pose(20.0, 20.0, 0.0), "red", RobotColour.RED)
-        first.openProject(Project(world.copy(robots = world.robots + red)))
+        first.services.editor.openProject(Project(world.copy(robots = world.robots + red)))
         first.handle(ProgramEvent.RobotChosen("red"))
         first.write("beep")
         first.show(ProgramView.BLOCKS)

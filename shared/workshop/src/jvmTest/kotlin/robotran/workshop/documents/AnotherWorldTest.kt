@@ -13,6 +13,7 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
@@ -80,8 +81,8 @@ class AnotherWorldTest {
             val workshop = Machine().window()
             workshop.write("forward 7")
             workshop.handle(LearningEvent.WorldChosen("maze"))
-            workshop.handle(WorkshopEvent.TaskShown(false))
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            workshop.handle(ScreenEvent.TaskShown(false))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             assertIs<Notice.EarlierProjectSaved>(workshop.state.notice, "before $described")
             workshop.goOn()
             assertNull(workshop.state.notice, "after $described")
@@ -171,7 +172,7 @@ class AnotherWorldTest {
     fun `the task of a world that is opened is shown until it is put away or the program runs`() {
         val workshop = machine.window()
         assertFalse(workshop.state.taskShown)
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         workshop.handle(DocumentEvent.LinkOpened(linkTo(corner)))
         assertTrue(workshop.state.taskShown)
         assertEquals(Pane.WORLD, workshop.state.pane)
@@ -179,7 +180,7 @@ class AnotherWorldTest {
         assertFalse(workshop.state.taskShown)
         workshop.handle(LearningEvent.WorldChosen("square"))
         assertTrue(workshop.state.taskShown)
-        workshop.handle(WorkshopEvent.TaskShown(false))
+        workshop.handle(ScreenEvent.TaskShown(false))
         workshop.handle(DocumentEvent.NewRequested)
         assertFalse(workshop.state.taskShown)
     }

@@ -7,6 +7,7 @@ import robotran.projects.Project
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.service.ProjectEditor
+import robotran.workshop.service.Services
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.StoppedWork
 import java.util.concurrent.CountDownLatch
@@ -71,22 +72,29 @@ class HostileProjectsTest {
     private fun Machine.start(harm: () -> Unit): DocumentStateHolder {
         // Its own documents are never started: it only shows what the other ones open.
         val workshop = Machine().window()
-        val document = documentOf(workshop, HarmedEditor(workshop, harm))
+        val document = documentOf(workshop, HarmedEditor(workshop.services.editor, harm))
         runBlocking { document.start() }
         return document
     }
 
-    private fun Machine.documentOf(workshop: Workshop, editor: ProjectEditor) = DocumentStateHolder(
-        platform(),
-        CoroutineScope(Dispatchers.Unconfined),
-        preferences = workshop,
-        current = workshop,
-        editor = editor,
-        tabs = workshop,
-        navigator = workshop,
-        notices = workshop,
-        openCourses = { },
-    )
+    private fun Machine.documentOf(workshop: Workshop, editor: ProjectEditor): DocumentStateHolder {
+        val services = with(workshop.services) {
+            Services(
+                platform(),
+                CoroutineScope(Dispatchers.Unconfined),
+                preferences,
+                current,
+                editor,
+                assignments,
+                navigator,
+                notices,
+                events,
+                { tabs },
+                { runControls },
+            )
+        }
+        return DocumentStateHolder(services, openCourses = { })
+    }
 
     private class HarmedEditor(private val editor: ProjectEditor, private val harm: () -> Unit) :
         ProjectEditor by editor {

@@ -6,6 +6,7 @@ import robotran.robotediting.RobotEdit
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.RobotEditEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenRequest
@@ -79,7 +80,7 @@ class RobotFileTest {
     fun `a robot that is opened takes the place of the robot, and the notice brings that back`() {
         workshop.write("forward 7")
         val before = workshop.state.world
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         machine.files.chosen = listOf(file())
         workshop.handle(DocumentEvent.OpenRequested)
         assertEquals(ReadyRobots.SUMO, robot)
@@ -117,7 +118,7 @@ class RobotFileTest {
     fun `in the world editor it takes the place of the robot that is chosen`() {
         val world = workshop.state.world
         val second = RobotPlacement(world.start.copy(y = world.start.y + 30), "blue")
-        workshop.changeWorld(world.copy(robots = world.robots + second))
+        workshop.services.editor.changeWorld(world.copy(robots = world.robots + second))
         workshop.handle(WorldEditEvent.EditorOpened)
         workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 1))))
         bring(file())
@@ -147,7 +148,7 @@ class RobotFileTest {
     fun `a robot that has no room is shown in the world editor, and nothing is lost`() {
         val start = workshop.state.world.start
         val wall = Wall(Point(start.x - 5, start.y + 8.6), Point(start.x + 5, start.y + 8.6), 1.0)
-        workshop.changeWorld(workshop.state.world.copy(walls = listOf(wall)))
+        workshop.services.editor.changeWorld(workshop.state.world.copy(walls = listOf(wall)))
         val before = workshop.state.world
         bring(file())
         val editor = assertNotNull(workshop.state.worldEdit)

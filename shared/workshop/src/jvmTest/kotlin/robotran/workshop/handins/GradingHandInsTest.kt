@@ -81,7 +81,7 @@ internal class GradingHandInsTest : HandInsTesting() {
     @Test
     fun `a world without goals offers no page, and any world with goals does`() = looking(null) { workshop ->
         assertFalse(workshop.state.document.hasGoals)
-        workshop.changeWorld(AnyAssignment.world)
+        workshop.services.editor.changeWorld(AnyAssignment.world)
         assertTrue(workshop.state.document.hasGoals)
         workshop.handle(HandInsEvent.Requested)
         advanceUntilIdle()

@@ -118,7 +118,10 @@ class TruthOfResultsTest {
         workshop.advance(30_000)
         assertIs<Notice.WorldSolved>(workshop.state.notice)
         val other = Goal(GoalCondition.EndWithin(10))
-        workshop.changeWorld(workshop.state.world.copy(goals = workshop.state.world.goals + other), false)
+        workshop.services.editor.changeWorld(
+            workshop.state.world.copy(goals = workshop.state.world.goals + other),
+            false,
+        )
         assertNull(workshop.state.notice)
     }
 

@@ -12,7 +12,7 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.Notice
@@ -133,13 +133,13 @@ class WorldTaskTest {
         for (start in starts) {
             choose("plain")
             choose("square")
-            workshop.handle(WorkshopEvent.TaskFolded(true))
+            workshop.handle(ScreenEvent.TaskFolded(true))
             assertTrue(workshop.state.taskShown && workshop.state.taskFolded)
             start.forEach(workshop::handle)
             workshop.advance(200)
             assertFalse(workshop.state.taskShown, "$start")
             workshop.handle(RunEvent.ButtonReleased(brick))
-            workshop.handle(WorkshopEvent.TaskShown(true))
+            workshop.handle(ScreenEvent.TaskShown(true))
             assertFalse(workshop.state.taskFolded)
         }
     }

@@ -122,7 +122,7 @@ class MeasuringTest {
             assertNotNull(workshop.state.sheet.measuring)
             assertEquals(before, workshop.project.world to workshop.state.session)
             assertTrue(workshop.inputs.isEmpty())
-            workshop.changeWorld(world.copy(title = "Another"))
+            workshop.services.editor.changeWorld(world.copy(title = "Another"))
             assertNull(workshop.state.sheet.measuring)
         }
 

@@ -257,7 +257,7 @@ class RobotEditTest {
 
     @Test
     fun `a robot that has no room where it stands keeps the world editor open`() {
-        workshop.changeWorld(
+        workshop.services.editor.changeWorld(
             workshop.project.world.let { world ->
                 val start = world.robots.first().start
                 val wall = Wall(Point(start.x - 5, start.y + 8.6), Point(start.x + 5, start.y + 8.6), 1.0)

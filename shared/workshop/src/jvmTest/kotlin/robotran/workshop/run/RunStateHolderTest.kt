@@ -198,7 +198,7 @@ class RunStateHolderTest {
         frames()
         val project = workshop.replay
         val report = workshop.state.session.robot
-        workshop.openProject(project)
+        workshop.services.editor.openProject(project)
         assertTrue(run.hasRecording)
         did(RunEvent.RecordingPlayed)
         frames()
@@ -215,7 +215,7 @@ class RunStateHolderTest {
         workshop.handle(ProgramEvent.ProgramChosen(0))
         val replay = workshop.replay
         assertEquals(listOf(1), replay.robots.map { it.firstProgram })
-        workshop.openProject(replay)
+        workshop.services.editor.openProject(replay)
         assertEquals(1, workshop.state.programs.shownProgram)
         workshop.handle(ProgramEvent.ProgramChosen(0))
         did(RunEvent.RecordingPlayed)
@@ -261,7 +261,7 @@ class RunStateHolderTest {
         )
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
         val mine = ProjectRobot(first.name, listOf(Program.of("way.robo", WAY).asProject()))
-        workshop.openProject(Project(world, listOf(mine)))
+        workshop.services.editor.openProject(Project(world, listOf(mine)))
         did(RunEvent.DebuggedRobotChosen(1), RunEvent.DrawerChosen(DrawerTab.VARIABLES), RunEvent.RunPressed)
         frames(500)
         assertTrue(workshop.state.session.robots.all { it.robot.pose != first.start && it.robot.pose != other.start })
@@ -279,7 +279,7 @@ class RunStateHolderTest {
         val other = first.copy(start = Pose(20.0, 55.0, 0.0), name = "other", program = "forward 50\nbeep")
         val world = BuiltInWorlds.plain.copy(robots = listOf(first, other))
         val mine = ProjectRobot(first.name, listOf(Program.of("way.robo", WAY).asProject()))
-        workshop.openProject(Project(world, listOf(mine)))
+        workshop.services.editor.openProject(Project(world, listOf(mine)))
         workshop.handle(ProgramEvent.BreakpointToggled(4))
         workshop.handle(ProgramEvent.RobotChosen("other"))
         assertEquals(1, run.watched)

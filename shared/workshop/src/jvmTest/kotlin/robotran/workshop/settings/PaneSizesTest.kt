@@ -5,8 +5,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.platform.MemoryStore
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -54,18 +54,18 @@ class PaneSizesTest {
 
     @Test
     fun `a pane that has all the room gives it back on the second touch, and when another has to be seen`() {
-        workshop.handle(WorkshopEvent.PaneFilled(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneFilled(Pane.PROGRAM))
         assertEquals(Pane.PROGRAM, workshop.state.fullPane)
         workshop.handle(RunEvent.RunPressed)
         assertNull(workshop.state.fullPane, "The robot that drives is not seen")
-        workshop.handle(WorkshopEvent.PaneFilled(Pane.WORLD))
+        workshop.handle(ScreenEvent.PaneFilled(Pane.WORLD))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
         assertEquals(Pane.WORLD, workshop.state.fullPane)
         workshop.handle(ProgramEvent.ProgramEdited("forwrd 20"))
         workshop.handle(RunEvent.RunPressed)
         assertNull(workshop.state.fullPane, "The mistake is not seen")
-        workshop.handle(WorkshopEvent.PaneFilled(Pane.WORLD))
-        workshop.handle(WorkshopEvent.PaneFilled(null))
+        workshop.handle(ScreenEvent.PaneFilled(Pane.WORLD))
+        workshop.handle(ScreenEvent.PaneFilled(null))
         assertNull(workshop.state.fullPane)
     }
 

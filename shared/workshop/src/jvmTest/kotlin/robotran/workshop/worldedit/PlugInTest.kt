@@ -40,7 +40,7 @@ class PlugInTest {
 
     private fun runWith(ports: List<List<PortSensor>>, program: String) {
         val robots = BuiltInWorlds.plain.robots.map { it.withPorts(ports) }
-        workshop.changeWorld(BuiltInWorlds.plain.copy(robots = robots))
+        workshop.services.editor.changeWorld(BuiltInWorlds.plain.copy(robots = robots))
         workshop.handle(ProgramEvent.ProgramEdited(program))
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(300)
@@ -130,11 +130,11 @@ class PlugInTest {
     fun `the notice goes with its world`() {
         runWithoutLeftBumper()
         plugIn()
-        workshop.changeWorld(BuiltInWorlds.plain, isAnother = true)
+        workshop.services.editor.changeWorld(BuiltInWorlds.plain, isAnother = true)
         assertNull(workshop.state.notice)
         runWithoutLeftBumper()
         plugIn()
-        workshop.openProject(workshop.project.copy(world = BuiltInWorlds.plain))
+        workshop.services.editor.openProject(workshop.project.copy(world = BuiltInWorlds.plain))
         assertNull(workshop.state.notice)
     }
 

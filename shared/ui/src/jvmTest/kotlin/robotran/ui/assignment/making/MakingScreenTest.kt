@@ -33,8 +33,8 @@ import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.Pane
@@ -291,8 +291,8 @@ class MakingScreenTest {
     @Test
     fun `the card of the teacher's file leads to the hand-ins`() = making(TABLET) { workshop ->
         touch("assignment-make-close")
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.WORLD))
-        workshop.handle(WorkshopEvent.TaskShown(true))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
+        workshop.handle(ScreenEvent.TaskShown(true))
         pass(300)
         touch("assignment-hand-ins")
         assertNotNull(workshop.state.handIns)

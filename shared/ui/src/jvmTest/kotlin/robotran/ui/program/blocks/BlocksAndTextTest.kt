@@ -22,7 +22,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Pane
 import robotran.workshop.text
@@ -43,7 +43,7 @@ class BlocksAndTextTest {
     private fun onLaptop(check: ComposeUiTest.(Workshop) -> Unit) = onScreen(2200, 1000, check)
 
     private fun ComposeUiTest.showBoth(workshop: Workshop, text: String) {
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         workshop.write(text, caret = 0)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BOTH))
         pass(300)

@@ -29,7 +29,7 @@ import robotran.ui.screen.pass
 import robotran.ui.screen.undrawnTest
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
-import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.Pane
 
@@ -87,7 +87,7 @@ internal class OwnClipboard : ClipboardManager {
 
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.showInBlocks(workshop: Workshop, text: String) {
-    workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+    workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
     workshop.write(text, caret = 0)
     workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
     pass(300)

@@ -19,8 +19,8 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Pane
@@ -133,7 +133,7 @@ class BlocksPictures {
             workshop.write(text, caret = 0)
             workshop.handle(BlockEvent.ViewChosen(view))
             prepare(workshop)
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             photograph(workshop, screen.width, screen.height, screen.dark)
                 .keepAs("blocks/$name-${screen.name.lowercase()}")
             workshop.close()

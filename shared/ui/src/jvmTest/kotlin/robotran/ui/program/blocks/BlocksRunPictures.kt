@@ -12,8 +12,8 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -64,7 +64,7 @@ class BlocksRunPictures {
         for (screen in Screen.entries) {
             val workshop = runBlocking { openWorkshop() }
             workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = screen.language)))
-            workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+            workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             prepare(workshop)
             photograph(workshop, screen.width, screen.height, screen.dark)
                 .keepAs("blocks/$name-${screen.name.lowercase()}")

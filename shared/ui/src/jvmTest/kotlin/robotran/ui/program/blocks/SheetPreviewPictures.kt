@@ -11,8 +11,8 @@ import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.editableParts
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Pane
@@ -67,7 +67,7 @@ class SheetPreviewPictures {
             BlockDialog.Part(blocks.program.outline.lines[1].editableParts.last().span)
         }
         workshop.handle(BlockEvent.DialogShown(sheet))
-        workshop.handle(WorkshopEvent.PaneChosen(Pane.PROGRAM))
+        workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         photograph(workshop, width, height, dark).keepAs("blocks/preview-$name")
         workshop.close()
     }

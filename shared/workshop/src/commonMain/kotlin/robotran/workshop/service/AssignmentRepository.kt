@@ -4,7 +4,7 @@ import robotran.projects.Assignment
 import robotran.projects.AssignmentTries
 
 /** Changes what the open project holds besides its world and its programs. */
-interface AssignmentEditor {
+interface AssignmentRepository {
     /** Keeps [assignment] in the project; null makes it a project like any other. */
     fun changeAssignment(assignment: Assignment?)
 

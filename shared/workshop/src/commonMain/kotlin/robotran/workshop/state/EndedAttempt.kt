@@ -1,4 +1,4 @@
-package robotran.workshop.run
+package robotran.workshop.state
 
 import robotran.programs.Program
 import robotran.projects.TryResult
@@ -14,7 +14,7 @@ import robotran.simulation.state.SessionState
  * @property percent how much of all goals was reached at the end, 0..100; null without goals.
  * @property state the session, not before the end of the run.
  */
-internal data class EndedAttempt(
+data class EndedAttempt(
     val number: Int,
     val programs: List<Program>,
     val firstProgram: Int,

@@ -1,0 +1,102 @@
+package robotran.workshop.run
+
+import robotran.projects.Project
+import robotran.runcontrol.RecordedRun
+import robotran.simulation.RunReport
+import robotran.simulation.physics.PhysicsEngine
+import robotran.workshop.event.RunEvent
+import robotran.workshop.service.ProgramsToRun
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunControls
+import robotran.workshop.service.Services
+import robotran.workshop.state.RunPaneState
+
+/** The room in which programs run. Publishes each change of the run. */
+internal class RunRoom(
+    project: Project,
+    physics: PhysicsEngine,
+    private val programs: ProgramsToRun,
+    private val services: Services,
+) : RunControls {
+    val run = RunStateHolder(project.worldToRun, physics, programs, services, project.inputs)
+    val state: RunPaneState get() = run.state
+
+    init {
+        run.setSound(services.preferences.settings.soundOn)
+    }
+
+    fun on(event: RoomEvent) {
+        when (event) {
+            is RoomEvent.ProjectOpened -> run.changeWorld(event.project.worldToRun, event.project.inputs)
+            is RoomEvent.WorldChanged -> run.changeWorld(event.project.worldToRun)
+            is RoomEvent.RunSettingsChanged -> run.changeWorld(event.project.worldToRun)
+            is RoomEvent.ProgramsWritten, RoomEvent.DebuggingChanged -> run.programsChanged()
+
+            is RoomEvent.ProgramsCompiled -> {
+                run.programsCompiled(event.status)
+                publishRun()
+            }
+
+            is RoomEvent.SnippetRequested -> run.runSnippet(event.snippet)
+            is RoomEvent.SettingsChanged -> run.setSound(event.settings.soundOn)
+
+            is RoomEvent.LanguageChanged -> {
+                run.programsCompiled(programs.compileStatus)
+                run.setLanguage(event.language)
+            }
+
+            RoomEvent.TaskSolved -> if (!services.preferences.hasLessMotion) run.celebrate()
+
+            else -> Unit
+        }
+    }
+
+    fun handle(event: RunEvent) {
+        val wasRunning = state.running
+        if (event == RunEvent.RunPressed) services.publish(RoomEvent.RunPressed)
+        run.handle(event)
+        val byUser = event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))
+        if (byUser || (!wasRunning && state.running)) services.publish(RoomEvent.RunStarted(byUser))
+        publishRun()
+        if (event is RunEvent.ShortfallShown) {
+            event.shortfall.place?.let { services.publish(RoomEvent.PointShown(it)) }
+        }
+    }
+
+    private fun isStartButton(event: RunEvent): Boolean =
+        event is RunEvent.ButtonPressed && event.button == state.brick.kind.startButton && state.brick.poweredOn
+
+    /** Called before each frame, see [RunStateHolder.frame]. */
+    fun frame(nanoseconds: Long) {
+        run.frame(nanoseconds)
+        publishRun()
+    }
+
+    /** Advances virtual time by [milliseconds] at once, without the sounds of the brick. */
+    fun advance(milliseconds: Int) {
+        run.advance(milliseconds)
+        publishRun()
+    }
+
+    /** Compiles all programs that have changed, then runs the actions that waited for the result. */
+    suspend fun compile() {
+        services.publish(RoomEvent.CompileBegun)
+        services.publish(RoomEvent.ProgramsCompiled(programs.compile()))
+    }
+
+    override fun run() = handle(RunEvent.RunPressed)
+
+    override fun startOver() = handle(RunEvent.StartedOver)
+
+    override suspend fun playInputs() {
+        compile()
+        handle(RunEvent.RecordingPlayed)
+    }
+
+    override fun recordedRun(): RecordedRun = run.recorded()
+
+    /** The result of the run so far. */
+    fun report(): RunReport = run.report()
+
+    private fun publishRun() = services.publish(RoomEvent.RunChanged(state.session, state.outcome, run.endedTry))
+}

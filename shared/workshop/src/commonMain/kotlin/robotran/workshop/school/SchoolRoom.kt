@@ -1,0 +1,85 @@
+package robotran.workshop.school
+
+import robotran.projects.Course
+import robotran.simulation.physics.PhysicsEngine
+import robotran.workshop.assignment.AssignmentStateHolder
+import robotran.workshop.course.CourseStateHolder
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.ExportEvent
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.SchoolEvent
+import robotran.workshop.event.SendEvent
+import robotran.workshop.export.ExportStateHolder
+import robotran.workshop.handins.HandInPreviews
+import robotran.workshop.handins.HandInsStateHolder
+import robotran.workshop.learning.LearningStateHolder
+import robotran.workshop.platform.OpenRequest
+import robotran.workshop.send.ProgramImageBuilder
+import robotran.workshop.send.SendStateHolder
+import robotran.workshop.send.TowerRobotLink
+import robotran.workshop.service.ProjectSwitcher
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.Services
+import robotran.workshop.service.StoredAssignments
+
+/**
+ * The room in which pupils learn and teachers look at their work: lessons, assignments, courses, hand-ins, and what a
+ * finished program becomes.
+ *
+ * @param projects where projects are stored and opened, which is made after this.
+ * @param title of the open project.
+ */
+internal class SchoolRoom<Projects>(
+    private val services: Services,
+    physics: PhysicsEngine,
+    projects: Projects,
+    title: () -> String,
+) where Projects : ProjectSwitcher, Projects : StoredAssignments {
+    val assignment = AssignmentStateHolder(services, physics)
+    val course = CourseStateHolder(services, projects, projects)
+    val learning = LearningStateHolder(services, projects)
+    val handIns = HandInsStateHolder(services, physics, HandInPreviews(projects, services), title)
+    val export = ExportStateHolder(services, title)
+    val send = with(services) {
+        SendStateHolder(platform, scope, current, tabs, ProgramImageBuilder(services), ::TowerRobotLink)
+    }
+
+    /** Whether a page or sheet covers the paper, so that time stands still there. */
+    val coversSheet: Boolean get() = export.state != null || handIns.state != null
+
+    fun on(event: RoomEvent) {
+        assignment.on(event)
+        course.on(event)
+        learning.on(event)
+        handIns.on(event)
+    }
+
+    fun handle(event: SchoolEvent) {
+        when (event) {
+            is LearningEvent -> learning.handle(event)
+            is AssignmentEvent -> assignment.handle(event)
+            is CourseEvent -> course.handle(event)
+            is HandInsEvent -> handIns.handle(event)
+            is ExportEvent -> export.handle(event)
+            is SendEvent -> send.handle(event)
+        }
+    }
+
+    /** Waits until everything is stored. */
+    suspend fun saveNow() {
+        learning.saveNow()
+        handIns.saveNow()
+        assignment.saveNow()
+        course.saveNow()
+    }
+
+    /** Ends whatever is under way. */
+    fun close() {
+        send.close()
+        export.close()
+        handIns.close()
+        assignment.close()
+    }
+}
