@@ -20,11 +20,3 @@ fun WithAddedFonts(content: @Composable () -> Unit) {
     val fonts = LocalAddedFonts.current ?: LocalFontFamilyResolver.current
     CompositionLocalProvider(LocalFontFamilyResolver provides fonts, content = content)
 }
-
-/** A dialog that can show user text, with the fonts of [WithAddedFonts]. */
-@Composable
-fun AppDialog(
-    onDismissRequest: () -> Unit,
-    properties: DialogProperties = DialogProperties(),
-    content: @Composable () -> Unit,
-) = Dialog(onDismissRequest, properties) { WithAddedFonts { FocusWindow { content() } } }

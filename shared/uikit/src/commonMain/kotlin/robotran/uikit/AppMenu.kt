@@ -27,7 +27,7 @@ fun AppMenu(
     DropdownMenu(
         expanded,
         onDismissRequest,
-        modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane),
+        modifier.scrollHint(scroll),
         scrollState = scroll,
         containerColor = colours.pane,
     ) { WithAddedFonts { FocusWindow { Column(content = content) } } }

@@ -78,7 +78,7 @@ internal fun NotAllowedStrip(all: List<NotAllowed>, program: String, maxHeight: 
             .heightIn(max = maxHeight)
             .background(colours.errorPane)
             .testTag("program-not-allowed")
-            .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+            .scrollHint(scroll, ground = colours.errorPane)
             .verticalScroll(scroll)
             .padding(horizontal = 16.dp),
     ) { NotAllowedLines(own, onShow) }

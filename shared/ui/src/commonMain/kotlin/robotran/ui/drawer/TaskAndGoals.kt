@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -71,13 +70,7 @@ private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) 
             },
         Alignment.Center,
     ) {
-        Text(
-            SheetTexts.task(spoken),
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.SMALL,
-            fontWeight = FontWeight.Medium,
-        )
+        Text(SheetTexts.task(spoken), style = TextStyles.tightLabel.medium, color = colours.onPane)
     }
 }
 

@@ -14,8 +14,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -46,10 +44,8 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
         Text(
             LearningTexts.view(spoken),
             Modifier.semantics { heading() },
+            TextStyles.cardTitle.strong,
             color = colours.onPane,
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.BODY,
-            fontWeight = FontWeight.SemiBold,
         )
         BoxWithConstraints {
             if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
@@ -63,12 +59,7 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
             }
         }
         if (withPictures) {
-            Text(
-                LearningTexts.viewAgain(spoken),
-                color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                lineHeight = LineHeights.SMALL,
-            )
+            Text(LearningTexts.viewAgain(spoken), style = TextStyles.remark, color = colours.quiet)
         }
     }
 }
@@ -113,9 +104,8 @@ private fun OneView(
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .selectable(isChosen, role = Role.RadioButton, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = colours.pane,
-        border = if (isChosen) BorderStroke(3.dp, colours.focus) else BorderStroke(1.dp, colours.quiet),
+        RoundedCornerShape(CORNER),
+        border = if (isChosen) edge(colours.focus, 3.dp) else edge(colours.quiet),
     ) {
         Column(Modifier.padding(Space.MEDIUM), Arrangement.spacedBy(Space.SMALL)) {
             if (withPicture) {
@@ -127,10 +117,10 @@ private fun OneView(
             }
             Row(verticalAlignment = Alignment.CenterVertically, horizontalArrangement = Arrangement.spacedBy(8.dp)) {
                 RadioMark(isChosen)
-                Text(title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
+                Text(title, style = TextStyles.lead.strong, color = colours.onPane)
             }
             if (withPicture) {
-                Text(help, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+                Text(help, style = TextStyles.label, color = colours.onPane)
             }
         }
     }

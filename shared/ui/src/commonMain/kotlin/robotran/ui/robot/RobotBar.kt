@@ -7,9 +7,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -46,54 +43,41 @@ internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, wit
             Step(EditIcons.REDO, WorldEditorTexts.redo(spoken), "robot-redo", history.canRedo, withWords) {
                 scope.make(RobotEdit.Redo)
             }
-            IconTouch(
+            IconButton(
                 ON_SHEET,
                 RobotTexts.onSheet(spoken),
                 "robot-on-sheet",
-                { scope.perform(RobotEditEvent.SheetShown(!isOnSheet)) },
-                Modifier
+                modifier = Modifier
                     .semantics { toggleableState = if (isOnSheet) ToggleableState.On else ToggleableState.Off }
                     .background(if (isOnSheet) colours.runningLine else colours.pane, Shapes.MEDIUM),
                 label = RobotTexts.onSheet(spoken).takeIf { withWords },
-            )
-            IconTouch(
+            ) { scope.perform(RobotEditEvent.SheetShown(!isOnSheet)) }
+            IconButton(
                 EditIcons.GROUP,
                 RobotTexts.fit(spoken),
                 "robot-fit",
-                { view.fit(scope.robot) },
                 label = RobotTexts.fit(spoken).takeIf { withWords },
-            )
+            ) { view.fit(scope.robot) }
         }
         Button(
-            { scope.perform(RobotEditEvent.BenchClosed) },
-            Modifier
-                .padding(start = 4.dp)
-                .testTag("robot-done")
-                .focusRing()
-                .defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+            WorldEditorTexts.done(spoken),
+            "robot-done",
+            ButtonKind.EDITOR_BAR,
+            Modifier.padding(start = 4.dp),
+            style = TextStyles.body.strong,
+        ) { scope.perform(RobotEditEvent.BenchClosed) }
     }
 }
 
 @Composable
 private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
+    IconButton(
         icon,
         words,
         tag,
-        { if (enabled) onClick() },
-        Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
+        modifier = Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
         label = words.takeIf { withWords },
-    )
+    ) { if (enabled) onClick() }
 
 /** A robot on a sheet of paper. */
 private val ON_SHEET = Icon.strokes("M3 4H21V20H3V4", "M8 9H14V15H8V9", "M14 12H18")

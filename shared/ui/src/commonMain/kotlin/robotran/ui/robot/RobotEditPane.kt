@@ -12,8 +12,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -92,7 +90,7 @@ internal fun RobotEditPane(
         val parts = BenchParts(scope, view, put, plan)
         Column(Modifier.fillMaxSize()) {
             RobotBar(scope, view, state.sheetShown, withWords = width >= WORDS_WIDTH * scale)
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
             when {
                 isUpright -> Under(parts, height)
@@ -120,9 +118,9 @@ private fun Beside(parts: BenchParts, panel: Dp) {
     FollowChosen(parts.scope) { tab = it }
     Row(Modifier.fillMaxSize()) {
         Palette(parts, upright = true, Modifier.fillMaxHeight().background(colours.pane))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         parts.plan(Modifier.weight(1f))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         Column(Modifier.width(panel)) {
             RobotTabs(tab) { tab = it }
             RobotPanel(parts.scope, tab, { tab = it })
@@ -139,10 +137,10 @@ private fun Under(parts: BenchParts, height: Dp) {
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.weight(1f)) {
             Palette(parts, upright = true, Modifier.fillMaxHeight().background(colours.pane))
-            VerticalDivider(color = colours.line)
+            VerticalDivider()
             parts.plan(Modifier.weight(1f))
         }
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         RobotTabs(tab) { tab = it }
         RobotPanel(parts.scope, tab, { tab = it }, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
@@ -156,9 +154,9 @@ private fun Below(parts: BenchParts, height: Dp) {
     FollowChosen(parts.scope) { if (tab != null) tab = it }
     Column(Modifier.fillMaxSize()) {
         parts.plan(Modifier.weight(1f))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         Palette(parts, upright = false, Modifier.fillMaxWidth().background(colours.pane))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         RobotTabs(tab) { tab = if (tab == it) null else it }
         tab?.let { open -> RobotPanel(parts.scope, open, { tab = it }, Modifier.height(height * PANEL_SHARE)) }
     }

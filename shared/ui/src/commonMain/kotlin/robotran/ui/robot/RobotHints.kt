@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.pointer.pointerInput
@@ -75,12 +74,12 @@ internal fun RobotHints(
                 .weight(1f, fill = false)
                 .testTag("robot-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences + warnings) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            for (sentence in sentences + warnings) Text(sentence, style = TextStyles.compact, color = colours.onPane)
             val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
             if (element != null && element != editing.chosen) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "robot-show-trouble", {
@@ -88,9 +87,9 @@ internal fun RobotHints(
                 })
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "robot-hints-close") {
             scope.perform(RobotEditEvent.HintsClosed)
-        })
+        }
     }
 }
 

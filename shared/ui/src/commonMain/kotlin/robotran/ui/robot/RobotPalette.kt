@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -99,7 +98,7 @@ private fun PaletteItem(scope: RobotScope, view: PlanView, item: RobotItem, upri
 @Composable
 private fun letteringOf(word: String, width: Dp): SignLettering {
     val measurer = rememberTextMeasurer()
-    val style = LocalTextStyle.current.copy(fontSize = TextSizes.SIGN)
+    val style = TextStyles.sign.asWritten()
     val density = LocalDensity.current
     return remember(word, width, style, density, measurer) {
         measurer.signLettering(word, style, with(density) { width.roundToPx() })

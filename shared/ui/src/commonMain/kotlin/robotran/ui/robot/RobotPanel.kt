@@ -18,8 +18,6 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
@@ -66,7 +64,7 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
         Arrangement.spacedBy(4.dp),
@@ -88,16 +86,15 @@ internal fun RobotTabs(tab: RobotTab?, onChoose: (RobotTab) -> Unit) {
                 Text(
                     each.title(spoken),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
+                    TextStyles.compact.strong,
                     color = if (isOpen) colours.onPane else colours.quiet,
-                    fontSize = TextSizes.COMPACT,
-                    fontWeight = FontWeight.SemiBold,
                     maxLines = 1,
                 )
                 Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
             }
         }
     }
-    HorizontalDivider(color = colours.line)
+    HorizontalDivider()
 }
 
 @Composable
@@ -126,12 +123,11 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     Text(
         robotElementText(scope.robot, chosen),
         Modifier.testTag("robot-chosen-name").semantics { heading() },
+        TextStyles.lead.strong,
         color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.LEAD,
-        fontWeight = FontWeight.SemiBold,
     )
     RobotElementActions(scope, chosen)
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     RobotElementFields(scope, chosen)
 }
 
@@ -158,14 +154,9 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
             Arrangement.spacedBy(8.dp),
             Alignment.CenterVertically,
         ) {
-            Text(
-                robotElementText(scope.robot, element),
-                Modifier.weight(1f),
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-            )
+            Text(robotElementText(scope.robot, element), Modifier.weight(1f), TextStyles.body, color = colours.onPane)
             if (scope.editing.errors.any { scope.robot.elementOf(it) == element }) {
-                Canvas(Modifier.size(22.dp)) { with(EditIcons.WARNING) { draw(colours.error) } }
+                IconView(EditIcons.WARNING, colours.error, size = 22.dp)
             }
         }
     }
@@ -203,7 +194,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
             Modifier.fillMaxWidth(),
         )
     }
-    HorizontalDivider(Modifier.padding(vertical = 8.dp), color = LocalRobotranColours.current.line)
+    HorizontalDivider(Modifier.padding(vertical = 8.dp))
     WordButton(
         RobotTexts.open(spoken),
         "robot-open",

@@ -13,9 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.FilterChip
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -46,7 +43,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
         onEvent(event)
         onClose()
     }
-    AppDialog(onDismissRequest = onClose) {
+    DialogWindow(onClose) {
         Column(
             Modifier
                 .testTag("run-panel")
@@ -62,11 +59,16 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 Text(
                     RunTexts.more(spoken),
                     Modifier.weight(1f).semantics { heading() },
+                    TextStyles.heading.strong,
                     color = colours.onPane,
-                    fontSize = TextSizes.HEADING,
-                    fontWeight = FontWeight.SemiBold,
                 )
-                RunIconButton(RunIcon.CLOSE, RunTexts.close(spoken), "run-panel-close", onClose)
+                IconButton(
+                    RunIcons.CLOSE,
+                    RunTexts.close(spoken),
+                    "run-panel-close",
+                    IconButtonKind.RUN,
+                    onClick = onClose,
+                )
             }
             Section(RunTexts::speed) {
                 for (speed in RunSpeed.entries) {
@@ -126,11 +128,7 @@ private fun Section(name: Label, content: @Composable () -> Unit) {
 
 @Composable
 private fun PanelAction(name: Label, help: Label, tag: String, onClick: () -> Unit) {
-    TextButton(
-        onClick,
-        Modifier.testTag(tag).focusRing().fillMaxWidth(),
-        shape = Shapes.MEDIUM,
-    ) {
+    ButtonFrame(tag, ButtonKind.TOOL, Modifier.fillMaxWidth(), onClick = onClick) {
         Box(Modifier.fillMaxWidth()) { Choice(name(spoken), help(spoken)) }
     }
 }

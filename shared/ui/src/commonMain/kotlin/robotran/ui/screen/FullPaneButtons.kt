@@ -56,7 +56,7 @@ private fun FullPaneButton(icon: Icon, label: String, tag: String, on: Boolean, 
         Alignment.Center,
     ) {
         val colour = if (on) colours.pane else colours.onPane
-        Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } }
+        IconView(icon, colour)
     }
 }
 

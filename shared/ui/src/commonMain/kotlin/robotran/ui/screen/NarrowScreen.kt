@@ -17,7 +17,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.ui.Alignment
@@ -71,7 +70,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                     perform(ScreenEvent.PaneChosen(it))
                 }, Modifier.weight(1f))
             }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             if (isTutorialOpen) {
                 Box(Modifier.weight(1f)) {
                     TutorialPane(state.learning, perform, Modifier.fillMaxSize())
@@ -210,7 +209,7 @@ private fun WorldTaskAndGoals(
 private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
     Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Strip(run, onEvent, isLow = true)
-        IconTouch(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onWholeBrick)
+        IconButton(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onClick = onWholeBrick)
     }
 }
 

@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.offset
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -98,7 +97,7 @@ private fun WorldAndProgram(
                     Modifier.weight(1f),
                 )
             }
-            if (state.fullPane == null) HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (state.fullPane == null) HorizontalDivider()
             if (state.fullPane != Pane.WORLD) {
                 ProgramPane(
                     state.programs,

@@ -9,8 +9,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -47,16 +45,16 @@ internal fun WideScreen(
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceIn(MIN_TUTORIAL_WIDTH, MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
             TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
                 if (isTutorialOpen && isRoomy) {
                     TutorialPane(state.learning, onEvent, Modifier.width(tutorialWidth).fillMaxHeight())
-                    VerticalDivider(color = LocalRobotranColours.current.line)
+                    VerticalDivider()
                 }
                 ProgramAndWorld(state, form, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
             }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             runBar()
             RunAnnouncements(state)
         }
@@ -88,7 +86,7 @@ private fun ProgramAndWorld(
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
                         TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
-                        HorizontalDivider(color = LocalRobotranColours.current.line)
+                        HorizontalDivider()
                     }
                     ProgramPane(
                         state.programs,

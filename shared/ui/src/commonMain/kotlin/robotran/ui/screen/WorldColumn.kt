@@ -104,7 +104,7 @@ private fun SheetAndBrick(
                     .fillMaxHeight()
                     .clip(RoundedCornerShape(PaneLayout.MARGIN))
                     .background(colours.desk)
-                    .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+                    .scrollHint(scroll, ground = colours.desk)
                     .verticalScroll(scroll)
                     .padding(PaneLayout.MARGIN),
             ) {

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -43,7 +42,7 @@ internal fun WorldFooter(
         val hasChips = state.part { hasTask || session.goals.isNotEmpty() }
         val inOneRow = maxWidth >= BRICK + (TABS + if (hasChips) CHIPS else 0.dp) * scale
         Column {
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
             Row(
                 Modifier.fillMaxWidth().padding(vertical = 4.dp).padding(end = 8.dp),
                 Arrangement.spacedBy(8.dp, Alignment.End),
@@ -62,12 +61,11 @@ internal fun WorldFooter(
                 Box(Modifier.size(STRIP_WIDTH, STRIP_HEIGHT)) {
                     if (!isWhole) SmallBrick(state, onEvent)
                 }
-                IconTouch(
+                IconButton(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
                     if (isWhole) ScreenTexts.brickSmall(spoken) else ScreenTexts.brickWhole(spoken),
                     "brick-size",
-                    { onBrick(!isWhole) },
-                )
+                ) { onBrick(!isWhole) }
             }
             if (!inOneRow) Tabs(state, onEvent, Modifier)
         }

@@ -40,7 +40,7 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
                         .weight(1f)
                         .fillMaxHeight()
                         .testTag("send-words")
-                        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet)
+                        .scrollHint(scroll, arrow = colours.quiet)
                         .verticalScroll(scroll),
                     Arrangement.spacedBy(12.dp),
                 ) {

@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 
 /**
  * What stands on the paper casts a shadow to the lower right, as from a window, below everything that casts one.

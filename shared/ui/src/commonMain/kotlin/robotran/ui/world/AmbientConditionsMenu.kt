@@ -4,9 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -43,7 +40,12 @@ private fun noticesWarmth(world: World) =
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.SURROUNDINGS, SheetTexts.surroundings(spoken), "sheet-surroundings") {
+        IconButton(
+            SheetIcons.SURROUNDINGS,
+            SheetTexts.surroundings(spoken),
+            "sheet-surroundings",
+            IconButtonKind.FLOATING,
+        ) {
             open = true
         }
         AppMenu(open, { open = false }) {
@@ -84,18 +86,13 @@ private fun SurroundingsSlider(
     inputOf: (Float) -> SessionInput,
 ) {
     val colours = LocalRobotranColours.current
-    Text("$title: $valueWords", color = colours.onPane, fontSize = TextSizes.BODY)
+    Text("$title: $valueWords", style = TextStyles.body, color = colours.onPane)
     Slider(
-        value = value.coerceIn(range),
-        onValueChange = { inputs.send(inputOf(it)) },
-        onValueChangeFinished = inputs::flush,
-        valueRange = range,
-        colors = SliderDefaults.colors(colours.onPane, colours.onPane, inactiveTrackColor = colours.line),
-        modifier = Modifier.testTag("slider-$tag").focusRing().semantics {
-            contentDescription = title
-            stateDescription = valueWords
-        },
-    )
+        value.coerceIn(range),
+        SliderWords(title, valueWords, "slider-$tag"),
+        range = range,
+        onSettle = inputs::flush,
+    ) { inputs.send(inputOf(it)) }
 }
 
 private fun lightWords(light: Double): Label = when {

@@ -13,7 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -107,11 +106,11 @@ internal fun TaskCard(
             }
             val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
             Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
-            IconTouch(
+            IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) SheetTexts.taskUnfold(spoken) else SheetTexts.taskFold(spoken),
                 "task-fold",
-                fold,
+                onClick = fold,
             )
             HideTask(onEvent)
         }
@@ -125,9 +124,9 @@ internal fun TaskCard(
 
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
-    IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
+    IconButton(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide") {
         onEvent(ScreenEvent.TaskShown(false))
-    })
+    }
 
 @Composable
 private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
@@ -187,19 +186,17 @@ private fun ColumnScope.WholeAssignment(
 private fun TaskText(world: World) = Text(
     world.task.trim(),
     Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.sentence,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.BODY,
 )
 
 @Composable
 private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
     val scroll = rememberScrollState()
-    val colours = LocalRobotranColours.current
     Column(
         Modifier
             .weight(1f, fill = false)
-            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .scrollHint(scroll)
             .verticalScroll(scroll)
             .padding(start = START, bottom = 12.dp, end = 12.dp),
         Arrangement.spacedBy(4.dp),
@@ -211,12 +208,10 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
 private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
     modifier.testTag("task-title").semantics { heading() },
+    TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.SemiBold,
-    overflow = TextOverflow.Ellipsis,
     maxLines = maxLines,
+    overflow = TextOverflow.Ellipsis,
 )
 
 /** Up to this font scale there is room for fixed buttons. */

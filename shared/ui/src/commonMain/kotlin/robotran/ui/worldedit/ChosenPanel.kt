@@ -5,8 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -37,12 +35,11 @@ internal fun ChosenPanel(editor: EditorScope) {
     Text(
         chosenTitle(editing),
         Modifier.testTag("chosen-name").semantics { heading() },
+        TextStyles.lead.strong,
         color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.LEAD,
-        fontWeight = FontWeight.SemiBold,
     )
     Actions(editor)
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     val piece = only?.let { editing.world.piece(it) }
     if (only != null && piece != null) ElementFields(editor, only, piece)
     if (editing.hasPlace) {

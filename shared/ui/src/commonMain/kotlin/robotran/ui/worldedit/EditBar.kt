@@ -9,9 +9,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -82,59 +79,49 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
             EditMenu(editor, view, withWords)
         }
         if (canTry) {
-            IconTouch(
+            IconButton(
                 EditIcons.PLAY,
                 WorldEditorTexts.tryHelp(spoken),
                 "edit-try",
-                {
-                    editor.perform(WorldEditEvent.TriedOut)
-                },
                 label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
-            )
+            ) {
+                editor.perform(WorldEditEvent.TriedOut)
+            }
         }
         Button(
-            { editor.perform(WorldEditEvent.EditorClosed) },
-            Modifier.padding(
-                start = 4.dp,
-            ).testTag("edit-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+            WorldEditorTexts.done(spoken),
+            "edit-done",
+            ButtonKind.EDITOR_BAR,
+            Modifier.padding(start = 4.dp),
+            style = TextStyles.body.strong,
+        ) { editor.perform(WorldEditEvent.EditorClosed) }
     }
 }
 
 @Composable
 private fun Step(icon: Icon, words: String, tag: String, enabled: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
+    IconButton(
         icon,
         words,
         tag,
-        { if (enabled) onClick() },
-        Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
+        modifier = Modifier.alpha(if (enabled) 1f else FAINT).semantics { if (!enabled) disabled() },
         label = words.takeIf { withWords },
-    )
+    ) { if (enabled) onClick() }
 
 @Composable
 private fun Toggle(icon: Icon, words: String, tag: String, on: Boolean, withWords: Boolean, onClick: () -> Unit) =
-    IconTouch(
+    IconButton(
         icon,
         words,
         tag,
-        onClick,
-        Modifier
+        modifier = Modifier
             .semantics { toggleableState = if (on) ToggleableState.On else ToggleableState.Off }
             .background(
                 if (on) LocalRobotranColours.current.runningLine else LocalRobotranColours.current.pane,
                 Shapes.MEDIUM,
             ),
         label = words.takeIf { withWords },
+        onClick = onClick,
     )
 
 /** Rare actions. */
@@ -147,13 +134,12 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
     }
     val snapping = editor.editing.snapping
     Box {
-        IconTouch(
+        IconButton(
             Icon.MORE,
             WorldEditorTexts.moreMenu(spoken),
             "edit-menu",
-            { open = true },
             label = WorldEditorTexts.moreMenu(spoken).takeIf { withWords },
-        )
+        ) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
                 choose { editor.make(WorldEdit.SelectAll) }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -97,7 +96,7 @@ internal fun EditField(
         minLines = if (tall) TALL_LINES else 1,
         cursorBrush = SolidColor(colours.onPane),
         decorationBox = { inner ->
-            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, color = colours.quiet, fontSize = TextSizes.BODY)
+            if (text.isEmpty() && hint.isNotEmpty()) Text(hint, style = TextStyles.body, color = colours.quiet)
             inner()
         },
     )
@@ -108,8 +107,8 @@ internal fun EditField(
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.small,
     color = LocalRobotranColours.current.error,
-    fontSize = TextSizes.SMALL,
 )
 
 private val FIELD_CORNER = Corners.SMALL

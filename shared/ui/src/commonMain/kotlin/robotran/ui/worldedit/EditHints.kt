@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.input.pointer.pointerInput
@@ -53,12 +52,12 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
                 .weight(1f, fill = false)
                 .testTag("edit-hints")
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .scrollHint(scroll, ground = colours.errorPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "show-trouble", {
@@ -66,9 +65,9 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
                 })
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "edit-hints-close") {
             editor.perform(WorldEditEvent.HintsClosed)
-        })
+        }
     }
 }
 

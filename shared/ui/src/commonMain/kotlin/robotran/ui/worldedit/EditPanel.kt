@@ -14,8 +14,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
@@ -45,7 +43,7 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
         Arrangement.spacedBy(4.dp),
@@ -66,16 +64,15 @@ internal fun EditTabs(tab: EditTab?, onChoose: (EditTab) -> Unit) {
                 Text(
                     each.title(spoken),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
+                    TextStyles.compact.strong,
                     color = if (isOpen) colours.onPane else colours.quiet,
-                    fontSize = TextSizes.COMPACT,
-                    fontWeight = FontWeight.SemiBold,
                     maxLines = 1,
                 )
                 Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
             }
         }
     }
-    HorizontalDivider(color = colours.line)
+    HorizontalDivider()
 }
 
 @Composable

@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -59,7 +58,7 @@ internal fun ElementRow(editor: EditorScope, ref: ElementRef, indent: Dp, onChos
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(elementText(editor.world, ref), Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.BODY)
+        Text(elementText(editor.world, ref), Modifier.weight(1f), TextStyles.body, color = colours.onPane)
         if (editor.editing.errors.any { it.thing == ref }) {
             Box(Modifier.size(22.dp)) {
                 Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }

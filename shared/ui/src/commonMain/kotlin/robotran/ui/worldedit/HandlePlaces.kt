@@ -2,6 +2,7 @@ package robotran.ui.worldedit
 
 import androidx.compose.ui.geometry.Offset
 import robotran.ui.sheet.SheetTransform
+import robotran.uikit.*
 import robotran.worldediting.DragHandle
 import robotran.worldediting.Handle
 import robotran.worldediting.WorldEditing

@@ -5,9 +5,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -59,10 +56,10 @@ internal fun NumberRow(
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
-            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less", {
+            Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
+            IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less") {
                 stepped(-step)
-            })
+            }
             EditFieldBox(isWrong, Modifier.width(figureWidth())) {
                 EditField(
                     text = draft ?: written(value),
@@ -80,9 +77,9 @@ internal fun NumberRow(
                     number = true,
                 )
             }
-            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more", {
+            IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "$tag-more") {
                 stepped(step)
-            })
+            }
         }
         if (wrong != null) Wrong(wrong)
         if (slider != null) {
@@ -108,20 +105,11 @@ private fun NumberSlider(
     onChange: (Double) -> Unit,
     onSettle: () -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     Slider(
         value.toFloat().coerceIn(range),
-        { onChange(kotlin.math.round(it / step) * step) },
-        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing().semantics {
-            contentDescription = label
-            stateDescription = written(value)
-        },
-        valueRange = range,
-        onValueChangeFinished = onSettle,
-        colors = SliderDefaults.colors(
-            thumbColor = colours.onPane,
-            activeTrackColor = colours.onPane,
-            inactiveTrackColor = colours.line,
-        ),
-    )
+        SliderWords(label, written(value), tag),
+        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+        range,
+        onSettle = onSettle,
+    ) { onChange(kotlin.math.round(it / step) * step) }
 }

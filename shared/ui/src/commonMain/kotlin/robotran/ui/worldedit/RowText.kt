@@ -1,7 +1,6 @@
 package robotran.ui.worldedit
 
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.heading
@@ -15,9 +14,8 @@ import robotran.uikit.*
 internal fun RowHeading(text: String) = Text(
     text,
     Modifier.padding(top = 12.dp, bottom = 2.dp).semantics { heading() },
+    TextStyles.body.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    fontWeight = FontWeight.SemiBold,
 )
 
 /** A sentence of help or a placeholder for an empty list. */
@@ -25,6 +23,6 @@ internal fun RowHeading(text: String) = Text(
 internal fun HelpText(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.padding(vertical = 6.dp),
+    TextStyles.compact,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.COMPACT,
 )

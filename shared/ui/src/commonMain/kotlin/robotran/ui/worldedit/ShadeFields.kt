@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.CircleShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -97,7 +96,7 @@ internal class Swatch<T>(val value: T, val colour: Color, val word: String)
 internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = colours.onPane, fontSize = TextSizes.COMPACT)
+        Text(title, style = TextStyles.compact, color = colours.onPane)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(4.dp), Arrangement.spacedBy(4.dp)) {
             swatches.forEachIndexed { place, swatch ->
                 val isChosen = swatch.value == chosen
@@ -119,7 +118,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                             28.dp,
                         ).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape),
                     )
-                    Text(swatch.word, color = colours.onPane, fontSize = TextSizes.SIGN, maxLines = 1)
+                    Text(swatch.word, style = TextStyles.sign, color = colours.onPane, maxLines = 1)
                 }
             }
         }

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -43,7 +42,7 @@ internal fun TextRow(
     val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
     val wrong = if (isWrong) range(spoken, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
+        Text(title, style = TextStyles.compact, color = LocalRobotranColours.current.onPane)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
                 text = typed ?: text,

@@ -11,8 +11,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -81,7 +79,7 @@ internal fun WorldEditPane(
             val withWords = this@BoxWithConstraints.maxWidth >= WORDS_WIDTH * scale
             EditBar(making, view, withWords, canTry = state.origin?.variation == null)
             state.origin?.let { AssignmentBanner(it, onEvent) }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             val put = { focus.requestFocus() }
             val width = this@BoxWithConstraints.maxWidth
             val height = this@BoxWithConstraints.maxHeight
@@ -123,9 +121,9 @@ private fun Beside(
     FollowSelection(editor, tab) { tab = it }
     Row(Modifier.fillMaxSize()) {
         PaletteStrip(editor, view, columns, onPut, Modifier.fillMaxHeight().background(colours.pane))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         sheet(Modifier.weight(1f))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         Column(Modifier.width(panel)) {
             EditTabs(tab) { tab = it }
             EditPanel(editor, tab, { tab = it }, newTitle)
@@ -149,10 +147,10 @@ private fun Under(
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.weight(1f)) {
             PaletteStrip(editor, view, columns = 1, onPut, Modifier.fillMaxHeight().background(colours.pane))
-            VerticalDivider(color = colours.line)
+            VerticalDivider()
             sheet(Modifier.weight(1f))
         }
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         EditTabs(tab) { tab = it }
         EditPanel(editor, tab, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
@@ -173,9 +171,9 @@ private fun Below(
     FollowSelection(editor, tab) { if (tab != null) tab = it }
     Column(Modifier.fillMaxSize()) {
         sheet(Modifier.weight(1f))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         PaletteStrip(editor, view, columns = null, onPut, Modifier.fillMaxWidth().background(colours.pane))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         EditTabs(tab) { tab = if (tab == it) null else it }
         tab?.let { open -> EditPanel(editor, open, { tab = it }, newTitle, Modifier.height(height * PANEL_SHARE)) }
     }

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -20,6 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -69,9 +69,8 @@ internal fun BrickButtonView(
             Text(
                 name,
                 Modifier.clearAndSetSemantics { },
+                TextStyles.scaled(unit, look.labelSize).strong,
                 color = look.label,
-                fontSize = with(LocalDensity.current) { (unit * look.labelSize).toSp() },
-                fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 softWrap = false,
             )

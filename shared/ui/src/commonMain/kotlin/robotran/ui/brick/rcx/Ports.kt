@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -21,6 +20,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -124,10 +124,8 @@ private fun PortBlock(colour: Color, unit: Dp, modifier: Modifier, content: @Com
 private fun PortLabel(text: String, colour: Color, unit: Dp) {
     Text(
         text,
+        style = TextStyles.scaled(unit, 16f, 18f).copy(fontWeight = FontWeight.Bold),
         color = colour,
-        fontSize = with(LocalDensity.current) { (unit * 16).toSp() },
-        lineHeight = with(LocalDensity.current) { (unit * 18).toSp() },
-        fontWeight = FontWeight.Bold,
         maxLines = 1,
     )
 }

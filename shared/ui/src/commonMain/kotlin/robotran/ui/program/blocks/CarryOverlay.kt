@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.ui.Alignment
@@ -89,13 +88,8 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
         Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
         Alignment.CenterVertically,
     ) {
-        Canvas(Modifier.size(28.dp)) { with(BIN) { draw(ink) } }
-        Text(
-            BlockTexts.delete(spoken),
-            color = ink,
-            fontSize = TextSizes.BODY,
-            fontWeight = FontWeight.Medium,
-        )
+        IconView(BIN, ink, size = 28.dp)
+        Text(BlockTexts.delete(spoken), style = TextStyles.body.medium, color = ink)
     }
 }
 
