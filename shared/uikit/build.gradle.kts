@@ -8,8 +8,8 @@ kotlin {
             api(project(":shared:language"))
             api(libs.compose.runtime)
             api(libs.compose.foundation)
-            api(libs.compose.material3)
             api(libs.compose.ui)
+            implementation(libs.compose.material3) // nowhere else
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)
             // Material requires 0.6.0, whose wasm library is missing on some registries.

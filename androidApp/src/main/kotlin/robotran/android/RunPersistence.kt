@@ -42,7 +42,7 @@ internal class RunPersistence(private val file: File) {
         if (time !in 1..LONGEST) return
         val replay = withContext(Dispatchers.IO) { read() } ?: return
         if (replay.withoutRun() != workshop.project.withoutRun()) return
-        workshop.openProject(replay)
+        workshop.services.editor.openProject(replay)
         workshop.compilePrograms()
         workshop.handle(RunEvent.RecordingPlayed)
         for (done in 0 until time step PART) {

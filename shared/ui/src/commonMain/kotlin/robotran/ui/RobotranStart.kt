@@ -4,7 +4,6 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.LaunchedEffect
@@ -61,6 +60,6 @@ fun RobotranWindow(workshop: Workshop?, embedded: Boolean = false) {
 private fun LoadingMessage() {
     val colours = LocalRobotranColours.current
     Box(Modifier.fillMaxSize().background(colours.desk).padding(24.dp), Alignment.Center) {
-        Text(ScreenTexts.loading(spoken), color = colours.onPane, fontSize = TextSizes.LEAD)
+        Text(ScreenTexts.loading(spoken), style = TextStyles.lead, color = colours.onPane)
     }
 }

@@ -5,8 +5,6 @@ import androidx.compose.runtime.CompositionLocalProvider
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.platform.LocalFontFamilyResolver
 import androidx.compose.ui.text.font.FontFamily
-import androidx.compose.ui.window.Dialog
-import androidx.compose.ui.window.DialogProperties
 
 /** The font resolver with fonts added by the platform; null if it has none. */
 val LocalAddedFonts = staticCompositionLocalOf<FontFamily.Resolver?> { null }
@@ -20,11 +18,3 @@ fun WithAddedFonts(content: @Composable () -> Unit) {
     val fonts = LocalAddedFonts.current ?: LocalFontFamilyResolver.current
     CompositionLocalProvider(LocalFontFamilyResolver provides fonts, content = content)
 }
-
-/** A dialog that can show user text, with the fonts of [WithAddedFonts]. */
-@Composable
-fun AppDialog(
-    onDismissRequest: () -> Unit,
-    properties: DialogProperties = DialogProperties(),
-    content: @Composable () -> Unit,
-) = Dialog(onDismissRequest, properties) { WithAddedFonts { FocusWindow { content() } } }

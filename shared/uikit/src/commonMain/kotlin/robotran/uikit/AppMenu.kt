@@ -1,6 +1,5 @@
 package robotran.uikit
 
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.rememberScrollState
@@ -27,7 +26,7 @@ fun AppMenu(
     DropdownMenu(
         expanded,
         onDismissRequest,
-        modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane),
+        modifier.scrollHint(scroll),
         scrollState = scroll,
         containerColor = colours.pane,
     ) { WithAddedFonts { FocusWindow { Column(content = content) } } }

@@ -3,79 +3,97 @@ package robotran.uikit
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.RowScope
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Button
 import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.OutlinedButton
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
-import androidx.compose.ui.unit.dp
+import androidx.compose.material3.Button as MaterialButton
 
-/** The button for the recommended action. [help] is a description for screen readers. */
+/**
+ * A button with words.
+ *
+ * @param kind what it is for, which is how it looks.
+ * @param help the action in a sentence, for screen readers.
+ */
 @Composable
-fun PrimaryButton(
-    text: String,
+fun Button(
+    label: String,
     tag: String,
-    onClick: () -> Unit,
+    kind: ButtonKind = ButtonKind.PRIMARY,
     modifier: Modifier = Modifier,
-    help: String? = null,
-) = Button(
-    onClick = onClick,
-    modifier = modifier.testTag(tag).semantics {
-        help?.let { onClick(label = it, action = null) }
-    }.focusRing(CORNER).large(),
-    shape = RoundedCornerShape(CORNER),
-    colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-    contentPadding = PADDING,
-) { Words(text) }
-
-/** The button for another action. */
-@Composable
-fun SecondButton(text: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) = OutlinedButton(
-    onClick = onClick,
-    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
-    shape = RoundedCornerShape(CORNER),
-    colors = ButtonDefaults.outlinedButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    border = BorderStroke(1.dp, LocalRobotranColours.current.quiet),
-    contentPadding = PADDING,
-) { Words(text) }
-
-/** The button for a rare action. */
-@Composable
-fun QuietButton(
-    text: String,
-    tag: String,
-    onClick: () -> Unit,
     enabled: Boolean = true,
-    modifier: Modifier = Modifier,
-) = TextButton(
+    style: TextStyle = kind.style,
+    help: String? = null,
+    onClick: () -> Unit,
+) = ButtonFrame(
+    tag,
+    kind,
+    if (help == null) modifier else modifier.semantics { onClick(label = help, action = null) },
+    enabled,
     onClick = onClick,
-    modifier = modifier.testTag(tag).focusRing(CORNER).large(),
-    enabled = enabled,
-    shape = RoundedCornerShape(CORNER),
-    colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
-    contentPadding = PADDING,
-) { Words(text) }
+) { Text(label, style = style, textAlign = TextAlign.Center) }
+
+/** A button with any content, which names it unless [modifier] does. */
+@Composable
+fun ButtonFrame(
+    tag: String,
+    kind: ButtonKind = ButtonKind.PRIMARY,
+    modifier: Modifier = Modifier,
+    enabled: Boolean = true,
+    padding: PaddingValues = kind.form.padding,
+    border: BorderStroke? = kind.border(enabled),
+    onClick: () -> Unit,
+    content: @Composable RowScope.() -> Unit,
+) = MaterialButton(
+    onClick,
+    modifier
+        .testTag(tag)
+        .focusRing(kind.form.ring)
+        .defaultMinSize(kind.form.minHeight, kind.form.minHeight),
+    enabled,
+    kind.form.shape,
+    kind.colours(),
+    if (kind.tone == ButtonTone.YELLOW) ButtonDefaults.buttonElevation() else null,
+    border,
+    padding,
+    content = content,
+)
 
 /** The size of a button with [text], for measuring. */
 @Composable
-fun ButtonSize(text: String) = Box(Modifier.large().padding(PADDING), Alignment.Center) { Words(text) }
+fun ButtonSize(text: String) = Box(
+    Modifier.defaultMinSize(Dimensions.TARGET, Dimensions.TARGET).padding(ButtonForm.CARD.padding),
+    Alignment.Center,
+) { Text(text, style = ButtonKind.PRIMARY.style, textAlign = TextAlign.Center) }
 
 @Composable
-private fun Words(text: String) =
-    Text(text, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium, textAlign = TextAlign.Center)
+private fun ButtonKind.colours() = LocalRobotranColours.current.let {
+    when (tone) {
+        ButtonTone.YELLOW -> ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW)
+        ButtonTone.LINK -> ButtonDefaults.textButtonColors(contentColor = it.focus, disabledContentColor = it.quiet)
+        ButtonTone.STRONG_FRAME -> ButtonDefaults.outlinedButtonColors(
+            contentColor = it.onPane,
+            disabledContentColor = it.quiet.copy(alpha = DISABLED),
+        )
 
-private fun Modifier.large() = defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
+        else -> ButtonDefaults.textButtonColors(contentColor = it.onPane)
+    }
+}
 
-private val CORNER = Corners.MEDIUM
-private val PADDING = PaddingValues(horizontal = 16.dp, vertical = 8.dp)
+@Composable
+private fun ButtonKind.border(enabled: Boolean): BorderStroke? = when (tone) {
+    ButtonTone.FRAME -> edge(LocalRobotranColours.current.quiet)
+    ButtonTone.FINE_FRAME -> edge()
+    ButtonTone.STRONG_FRAME -> if (enabled) edge(LocalRobotranColours.current.onPane, Space.HAIR) else edge()
+    else -> null
+}
+
+private const val DISABLED = 0.6f

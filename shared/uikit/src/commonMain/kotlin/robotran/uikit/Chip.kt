@@ -1,37 +1,52 @@
 package robotran.uikit
 
 import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.FilterChip
-import androidx.compose.material3.Text
+import androidx.compose.material3.FilterChipDefaults
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-
-/** The heading of a group of controls. */
-@Composable
-fun SectionName(name: String) {
-    Text(
-        name,
-        Modifier.padding(bottom = 4.dp).semantics { heading() },
-        color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        fontWeight = FontWeight.Medium,
-    )
-}
 
 /** One of several choices; the selected one has a tick. */
 @Composable
-fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) {
+fun Chip(name: String, selected: Boolean, tag: String, onClick: () -> Unit) = FilterChip(
+    selected,
+    onClick,
+    { Text(name, style = TextStyles.body) },
+    Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
+    leadingIcon = if (selected) ({ IconView(RunIcons.DONE, size = 16.dp) }) else null,
+)
+
+/**
+ * A chip in a dense row that is on or off.
+ *
+ * @param ground its ground while it is on.
+ * @param picture precedes its [name].
+ * @param others what its name may become; it has room for the longest.
+ */
+@Composable
+fun SmallChip(
+    name: String,
+    on: Boolean,
+    tag: String,
+    ground: Color,
+    picture: (@Composable () -> Unit)? = null,
+    others: List<String> = emptyList(),
+    onClick: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
     FilterChip(
-        selected = selected,
-        onClick = onClick,
-        label = { Text(name, fontSize = TextSizes.BODY) },
-        leadingIcon = if (selected) ({ RunIconView(RunIcon.DONE, side = 16.dp) }) else null,
-        modifier = Modifier.testTag(tag).focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
+        on,
+        onClick,
+        { SteadySize(name, others) { Text(it, style = TextStyles.small, maxLines = 1) } },
+        Modifier.testTag(tag).focusRing(Corners.SMALL),
+        leadingIcon = picture,
+        colors = FilterChipDefaults.filterChipColors(
+            labelColor = colours.onPane,
+            selectedContainerColor = ground,
+            selectedLabelColor = colours.onPane,
+        ),
     )
 }

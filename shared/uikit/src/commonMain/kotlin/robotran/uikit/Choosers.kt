@@ -1,6 +1,5 @@
 package robotran.uikit
 
-import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
@@ -12,13 +11,10 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -32,7 +28,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
@@ -48,7 +44,7 @@ fun IconWord(
     chosen: Boolean = false,
 ) {
     val colour = LocalRobotranColours.current.onPane
-    SignWord(word, tag, onClick, modifier, chosen) { Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } } }
+    SignWord(word, tag, onClick, modifier, chosen) { IconView(icon, colour) }
 }
 
 /**
@@ -83,9 +79,8 @@ fun SignWord(
         sign()
         Text(
             lettering.text,
+            style = TextStyle(fontSize = TextSizes.SIGN * lettering.scale, lineHeight = LineHeights.SIGN),
             color = colours.onPane,
-            fontSize = TextSizes.SIGN * lettering.scale,
-            lineHeight = LineHeights.SIGN,
             textAlign = TextAlign.Center,
             maxLines = MAX_SIGN_LINES,
         )
@@ -110,13 +105,7 @@ fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifie
             .padding(horizontal = 14.dp, vertical = 8.dp),
         Alignment.Center,
     ) {
-        Text(
-            word,
-            color = colours.onPane,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = FontWeight.Medium,
-            textAlign = TextAlign.Center,
-        )
+        Text(word, style = TextStyles.compact.medium, color = colours.onPane, textAlign = TextAlign.Center)
     }
 }
 
@@ -126,7 +115,7 @@ fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifie
 fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        if (title.isNotEmpty()) Text(title, color = colours.onPane, fontSize = TextSizes.COMPACT)
+        if (title.isNotEmpty()) Text(title, style = TextStyles.compact, color = colours.onPane)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(4.dp)) {
             choices.forEachIndexed { place, (value, word) ->
                 val isChosen = value == chosen
@@ -141,7 +130,7 @@ fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: S
                         .selectable(isChosen, role = Role.RadioButton) { onChoose(value) }
                         .padding(horizontal = 12.dp, vertical = 8.dp),
                     Alignment.Center,
-                ) { Text(word, color = if (isChosen) colours.pane else colours.onPane, fontSize = TextSizes.COMPACT) }
+                ) { Text(word, style = TextStyles.compact, color = if (isChosen) colours.pane else colours.onPane) }
             }
         }
     }
@@ -153,7 +142,7 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
     val colours = LocalRobotranColours.current
     var open by remember { mutableStateOf(false) }
     Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.COMPACT)
+        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), TextStyles.compact, color = colours.onPane)
         Box {
             Row(
                 Modifier
@@ -171,23 +160,19 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
                 Text(
                     shown,
                     Modifier.weight(1f, fill = false),
-                    colours.onPane,
-                    TextSizes.COMPACT,
+                    TextStyles.compact,
+                    color = colours.onPane,
                     maxLines = 2,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Canvas(Modifier.size(18.dp)) { with(EditIcons.DOWN) { draw(colours.onPane) } }
+                IconView(EditIcons.DOWN, colours.onPane, size = 18.dp)
             }
             AppMenu(open, { open = false }) {
                 choices.forEachIndexed { place, (value, word) ->
-                    DropdownMenuItem(
-                        text = { WithAddedFonts { Text(word, color = colours.onPane, fontSize = TextSizes.BODY) } },
-                        onClick = {
-                            open = false
-                            onChoose(value)
-                        },
-                        modifier = Modifier.testTag("$tag-$place").heightIn(min = Dimensions.TARGET),
-                    )
+                    MenuItem(word, "$tag-$place") {
+                        open = false
+                        onChoose(value)
+                    }
                 }
             }
         }

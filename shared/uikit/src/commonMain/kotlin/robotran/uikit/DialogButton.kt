@@ -6,7 +6,6 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -18,7 +17,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
@@ -38,7 +37,7 @@ fun DialogButton(
     modifier: Modifier = Modifier,
     spoken: String = label,
     isChosen: Boolean = false,
-    sign: StrokeIcon? = null,
+    sign: Icon? = null,
     onClick: () -> Unit,
 ) {
     val colours = LocalRobotranColours.current
@@ -62,13 +61,12 @@ fun DialogButton(
         if (sign == null) {
             Text(
                 label,
+                style = (if (label.length == 1) TextStyle(fontSize = signSize()) else TextStyles.body).medium,
                 color = if (isChosen) colours.pane else colours.onPane,
-                fontSize = if (label.length == 1) signSize() else TextSizes.BODY,
-                fontWeight = FontWeight.Medium,
                 textAlign = TextAlign.Center,
             )
         } else {
-            SignPicture(sign, if (isChosen) colours.pane else colours.onPane, SIGN)
+            IconView(sign, if (isChosen) colours.pane else colours.onPane, size = SIGN)
         }
     }
 }
@@ -82,9 +80,8 @@ private fun signSize(): TextUnit = (19 * minOf(1f, MOST_SCALE / LocalDensity.cur
 fun DialogHeading(label: String) = Text(
     label,
     Modifier.padding(top = 8.dp).semantics { heading() },
+    TextStyles.compact.strong,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.COMPACT,
-    fontWeight = FontWeight.SemiBold,
 )
 
 private const val MOST_SCALE = 1.4f

@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.StrokeJoin
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
+import androidx.compose.ui.unit.dp
 
 /** An icon in one colour, drawn on a square of [Icon.UNITS]. */
 class Icon(private val drawn: DrawScope.(Color) -> Unit) {
@@ -50,25 +51,46 @@ class Icon(private val drawn: DrawScope.(Color) -> Unit) {
         }
 
         /** An icon of lines, each given by the path commands `M`, `L`, `H` and `V` with absolute coordinates. */
-        fun strokes(vararg lines: String) =
-            Icon { colour -> for (line in lines) drawPath(pathOf(line), colour, style = LINE) }
+        fun strokes(vararg lines: String) = of(lines.asList())
+
+        /** An icon of [lines] of the given [width] and, below them, of filled [shapes]. */
+        fun of(lines: List<String> = emptyList(), shapes: List<String> = emptyList(), width: Float = 2f): Icon {
+            val stroke = if (width ==
+                LINE.width
+            ) {
+                LINE
+            } else {
+                Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round)
+            }
+            return Icon { colour ->
+                for (shape in shapes) drawPath(pathOf(shape).apply { close() }, colour)
+                for (line in lines) drawPath(pathOf(line), colour, style = stroke)
+            }
+        }
+
+        /** An icon of lines of two dp, however small it is. */
+        fun thin(vararg lines: String) = Icon { colour ->
+            val width = 2.dp.toPx() * UNITS / size.width
+            for (line in lines) {
+                pointsOf(line).zipWithNext { from, to -> drawLine(colour, from, to, width, StrokeCap.Round) }
+            }
+        }
 
         private fun pathOf(line: String) = Path().apply {
-            var x = 0f
-            var y = 0f
-            for ((letter, parameters) in STEP.findAll(line).map { it.groupValues[1] to it.groupValues[2] }) {
-                val numbers = parameters.trim().split(' ').map { it.toFloat() }
-                when (letter) {
-                    "H" -> x = numbers[0]
-                    "V" -> y = numbers[0]
+            pointsOf(line).forEachIndexed { place, (x, y) -> if (place == 0) moveTo(x, y) else lineTo(x, y) }
+        }
 
-                    else -> {
-                        x = numbers[0]
-                        y = numbers[1]
-                    }
+        private fun pointsOf(line: String): List<Offset> {
+            var point = Offset.Zero
+            return STEP.findAll(line).map {
+                val numbers = it.groupValues[2].trim().split(' ').map(String::toFloat)
+                point = when (it.groupValues[1]) {
+                    "H" -> point.copy(x = numbers[0])
+                    "V" -> point.copy(y = numbers[0])
+                    else -> Offset(numbers[0], numbers[1])
                 }
-                if (letter == "M") moveTo(x, y) else lineTo(x, y)
-            }
+                point
+            }.toList()
         }
 
         private val STEP = Regex("([MLHV])([0-9. ]+)")

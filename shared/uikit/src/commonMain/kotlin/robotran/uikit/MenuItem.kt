@@ -3,20 +3,41 @@ package robotran.uikit
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 
-/** A menu item large enough for a finger. */
+/** An item of an [AppMenu], with a sign before or behind its words. */
 @Composable
-fun MenuItem(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
-    onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
+fun MenuItem(
+    text: String,
+    tag: String,
+    modifier: Modifier = Modifier,
+    leading: (@Composable () -> Unit)? = null,
+    trailing: (@Composable () -> Unit)? = null,
+    onClick: () -> Unit,
+) = MenuItem(tag, onClick, modifier, leading, trailing) {
+    Text(text, style = TextStyles.body, color = LocalRobotranColours.current.onPane)
+}
+
+/** The same with any content. */
+@Composable
+fun MenuItem(
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    leading: (@Composable () -> Unit)? = null,
+    trailing: (@Composable () -> Unit)? = null,
+    content: @Composable () -> Unit,
+) = DropdownMenuItem(
+    content,
+    onClick,
+    modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
+    leadingIcon = leading,
+    trailingIcon = trailing,
 )
 
+/** Between groups of items. */
 @Composable
-fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp), color = LocalRobotranColours.current.line)
+fun MenuDivider() = HorizontalDivider(Modifier.padding(vertical = 4.dp))

@@ -15,8 +15,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -42,7 +40,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 
@@ -91,16 +88,15 @@ fun Page(
             .focusable(),
     ) {
         Row(Modifier.fillMaxWidth().padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
-            IconTouch(Icon.BACK, closeWords(spoken), "$tag-close", onClose)
+            IconButton(Icon.BACK, closeWords(spoken), "$tag-close", onClick = onClose)
             Text(
                 title,
                 Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
+                TextStyles.title.strong,
                 color = colours.onPane,
-                fontSize = TextSizes.TITLE,
-                fontWeight = FontWeight.SemiBold,
             )
         }
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         Row(Modifier.weight(1f).fillMaxWidth()) {
             Margin(scroll)
             Column(Modifier.widthIn(max = maxWidth).fillMaxSize(), content = content)

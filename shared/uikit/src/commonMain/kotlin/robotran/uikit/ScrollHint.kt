@@ -2,6 +2,7 @@ package robotran.uikit
 
 import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.gestures.ScrollableState
+import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.Offset
@@ -16,12 +17,17 @@ import androidx.compose.ui.unit.dp
  * Shows that there is more to scroll: the content of [scroll] fades into its [ground] at that edge, with an [arrow] in
  * this colour. Must precede the scroll modifier.
  */
-fun Modifier.scrollHint(scroll: ScrollableState, orientation: Orientation, ground: Color, arrow: Color): Modifier =
-    drawWithContent {
-        drawContent()
-        if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
-        if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
-    }
+@Composable
+fun Modifier.scrollHint(
+    scroll: ScrollableState,
+    orientation: Orientation = Orientation.Vertical,
+    ground: Color = LocalRobotranColours.current.pane,
+    arrow: Color = LocalRobotranColours.current.onPane,
+): Modifier = drawWithContent {
+    drawContent()
+    if (scroll.canScrollBackward) drawHint(orientation, isForward = false, ground, arrow)
+    if (scroll.canScrollForward) drawHint(orientation, isForward = true, ground, arrow)
+}
 
 private fun DrawScope.drawHint(orientation: Orientation, isForward: Boolean, ground: Color, arrow: Color) {
     val isVertical = orientation == Orientation.Vertical

@@ -12,10 +12,7 @@ import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
 import androidx.compose.material3.Switch
-import androidx.compose.material3.SwitchDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -25,11 +22,8 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.stateDescription
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 
 /** A choice of one of [choices], each with its label. */
@@ -52,7 +46,7 @@ fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, ta
                     verticalAlignment = Alignment.CenterVertically,
                 ) {
                     RadioMark(selected, Modifier.padding(12.dp))
-                    Text(words, color = colours.onPane, fontSize = TextSizes.BODY)
+                    Text(words, style = TextStyles.body, color = colours.onPane)
                 }
             }
         }
@@ -79,32 +73,15 @@ fun SizeSlider(
     Column {
         Heading(title)
         Row(verticalAlignment = Alignment.CenterVertically) {
-            Slider(
-                shown,
-                { held = it },
-                Modifier.weight(1f).testTag(tag).focusRing().semantics {
-                    contentDescription = title
-                    stateDescription = words(shown)
-                },
-                onValueChangeFinished = {
-                    held?.let(onChange)
-                    held = null
-                },
-                valueRange = range,
-                steps = steps,
-                colors = SliderDefaults.colors(
-                    thumbColor = colours.onPane,
-                    activeTrackColor = colours.onPane,
-                    inactiveTrackColor = colours.line,
-                    activeTickColor = colours.pane,
-                    inactiveTickColor = colours.quiet,
-                ),
-            )
+            Slider(shown, SliderWords(title, words(shown), tag), Modifier.weight(1f), range, steps, {
+                held?.let(onChange)
+                held = null
+            }) { held = it }
             Text(
                 words(shown),
                 Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
+                TextStyles.body,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
             )
         }
     }
@@ -123,24 +100,8 @@ fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Un
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(
-            title,
-            Modifier.weight(1f),
-            color = colours.onPane,
-            fontSize = TextSizes.LEAD,
-            fontWeight = FontWeight.Medium,
-        )
-        Switch(
-            on,
-            onCheckedChange = null,
-            colors = SwitchDefaults.colors(
-                checkedThumbColor = colours.pane,
-                checkedTrackColor = RobotranColours.RUN_GREEN,
-                uncheckedThumbColor = colours.quiet,
-                uncheckedBorderColor = colours.quiet,
-                uncheckedTrackColor = colours.pane,
-            ),
-        )
+        Text(title, Modifier.weight(1f), TextStyles.lead.medium, color = colours.onPane)
+        SwitchMark(on)
     }
 }
 
@@ -148,7 +109,6 @@ fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Un
 private fun Heading(text: String) = Text(
     text,
     Modifier.padding(bottom = 4.dp).semantics { heading() },
+    TextStyles.lead.medium,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    fontWeight = FontWeight.Medium,
 )

@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -70,18 +69,18 @@ internal fun AssignmentButtons(
         if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
         FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
             if (state.isAuthor) {
-                PrimaryButton(SchoolTexts.assignmentEdit(spoken), "assignment-edit", {
+                Button(SchoolTexts.assignmentEdit(spoken), "assignment-edit") {
                     onEvent(AssignmentEvent.MakingRequested)
-                })
-                SecondButton(SchoolTexts.handInsMenu(spoken), "assignment-hand-ins", {
+                }
+                Button(SchoolTexts.handInsMenu(spoken), "assignment-hand-ins", ButtonKind.SECOND) {
                     onEvent(HandInsEvent.Requested)
-                })
+                }
             }
             if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
             if (state.canBeginAgain) {
-                SecondButton(SchoolTexts.assignmentBeginAgain(spoken), "assignment-begin-again", {
+                Button(SchoolTexts.assignmentBeginAgain(spoken), "assignment-begin-again", ButtonKind.SECOND) {
                     onEvent(AssignmentEvent.BegunAgain)
-                })
+                }
             }
         }
     }
@@ -93,9 +92,9 @@ internal fun HandInButton(state: AssignmentState, tag: String, onEvent: (Worksho
     val words = if (state.handedInAs == null) SchoolTexts::assignmentHandIn else SchoolTexts::assignmentHandInAgain
     val open = { onEvent(AssignmentEvent.HandInRequested) }
     if (state.tries.tries > 0) {
-        PrimaryButton(words(spoken), tag, open)
+        Button(words(spoken), tag, onClick = open)
     } else {
-        SecondButton(words(spoken), tag, open)
+        Button(words(spoken), tag, ButtonKind.SECOND, onClick = open)
     }
 }
 
@@ -110,8 +109,8 @@ internal fun Goals(goals: List<GoalProgress>) {
             Arrangement.spacedBy(8.dp),
         ) {
             val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
-            RunIconView(iconFor(goal.status), Modifier.padding(top = 3.dp), side = 18.dp, colour = colour)
-            Text(goal.sentence, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.BODY)
+            IconView(iconFor(goal.status), colour, Modifier.padding(top = 3.dp), size = 18.dp)
+            Text(goal.sentence, style = TextStyles.sentence, color = colours.onPane)
         }
     }
 }

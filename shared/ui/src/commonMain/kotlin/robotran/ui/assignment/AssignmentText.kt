@@ -7,7 +7,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -72,9 +71,8 @@ private fun Picture(part: TextPart.Picture, picture: AssignmentPicture?) {
         Text(
             SchoolTexts.assignmentPictureBroken(spoken, part.description),
             Modifier.testTag("assignment-picture-broken"),
+            TextStyles.sentence,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
         )
     } else {
         // A small picture is not enlarged beyond its pixels.

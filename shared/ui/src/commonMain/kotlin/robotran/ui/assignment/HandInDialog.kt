@@ -1,7 +1,5 @@
 package robotran.ui.assignment
 
-import androidx.compose.foundation.BorderStroke
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -12,19 +10,12 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.paneTitle
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
+import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
-import androidx.compose.ui.window.DialogProperties
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -33,10 +24,10 @@ import robotran.workshop.state.HandInStep
 
 /** The sheet with which a pupil hands in. Only its buttons close it, so that no touch outside loses the hand-in. */
 @Composable
-internal fun HandInDialog(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = AppDialog(
+internal fun HandInDialog(step: HandInStep, hasShareSheet: Boolean, onEvent: (WorkshopEvent) -> Unit) = StepsDialog(
     { onEvent(AssignmentEvent.HandInClosed) },
-    DialogProperties(dismissOnClickOutside = false, usePlatformDefaultWidth = false),
-) { HandInCard(step, hasShareSheet, onEvent, Modifier.padding(16.dp)) }
+    closesByTouchOutside = false,
+) { HandInCard(step, hasShareSheet, onEvent, it) }
 
 @Composable
 private fun HandInCard(
@@ -45,35 +36,24 @@ private fun HandInCard(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val title = SchoolTexts.handInTitle(spoken)
-    val scale = LocalDensity.current.fontScale
-    Surface(
-        modifier
-            .size(WIDTH * minOf(scale, MAX_WIDENING), HEIGHT * scale)
-            .testTag("hand-in-sheet")
-            .semantics { paneTitle = title },
-        Shapes.SHEET,
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    DialogCard(title, "hand-in-sheet", modifier.sized(SIZE)) {
         BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
             val scroll = rememberScrollState()
             val scrolling = Modifier
                 .fillMaxWidth()
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
             // On a phone in landscape all scrolls, so that a code has all the height.
             if (maxHeight < LOW) {
                 Column(scrolling, Arrangement.spacedBy(12.dp)) {
-                    Title(title)
+                    DialogTitle(title)
                     Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight - TITLE, onEvent)
                     Buttons(step, onEvent)
                 }
             } else {
                 Column(Modifier.fillMaxSize(), Arrangement.spacedBy(12.dp)) {
-                    Title(title)
+                    DialogTitle(title)
                     BoxWithConstraints(Modifier.weight(1f).fillMaxWidth()) {
                         Column(scrolling.fillMaxHeight(), Arrangement.spacedBy(12.dp)) {
                             Step(step, hasShareSheet, this@BoxWithConstraints.maxHeight, onEvent)
@@ -85,15 +65,6 @@ private fun HandInCard(
         }
     }
 }
-
-@Composable
-private fun Title(label: String) = Text(
-    label,
-    Modifier.semantics { heading() },
-    fontSize = TextSizes.HEADING,
-    fontWeight = FontWeight.Medium,
-    lineHeight = LineHeights.LEAD,
-)
 
 /** @param maxHeight of what is seen at once. */
 @Composable
@@ -113,33 +84,34 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
     val back = { onEvent(AssignmentEvent.HandInBackRequested) }
     when (step) {
         is HandInStep.Asking -> {
-            OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-cancel", close)
-            MainButton(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", step.canGoOn) {
+            Button(SchoolTexts.handInCancel(spoken), "hand-in-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", ButtonKind.DIALOG_MAIN, enabled = step.canGoOn) {
                 onEvent(AssignmentEvent.HandInMade())
             }
         }
 
-        is HandInStep.Running -> OtherButton(SchoolTexts.handInCancel(spoken), "hand-in-stop", back)
+        is HandInStep.Running -> Button(
+            SchoolTexts.handInCancel(spoken),
+            "hand-in-stop",
+            ButtonKind.DIALOG_OTHER,
+            onClick = back,
+        )
 
         is HandInStep.HasErrors -> {
-            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
-            MainButton(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway") {
+            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway", ButtonKind.DIALOG_MAIN) {
                 onEvent(AssignmentEvent.HandInMade(withErrors = true))
             }
         }
 
         is HandInStep.Ready -> {
-            OtherButton(SchoolTexts.handInBack(spoken), "hand-in-back", back)
-            MainButton(SchoolTexts.handInClose(spoken), "hand-in-close", onClick = close)
+            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(SchoolTexts.handInClose(spoken), "hand-in-close", ButtonKind.DIALOG_MAIN, onClick = close)
         }
     }
 }
 
-private val WIDTH = 600.dp
-
-/** With large text the sheet becomes wider up to here; beyond, its lines would be too long. */
-private const val MAX_WIDENING = 1.4f
-private val HEIGHT = 720.dp
+private val SIZE = DpSize(600.dp, 720.dp)
 
 /** Below this height, title and buttons would leave too little room for a code. */
 private val LOW = 400.dp

@@ -70,16 +70,16 @@ private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (Works
     Explanation(words, Modifier.testTag("hand-in-ready").semantics { liveRegion = LiveRegionMode.Polite })
     Explanation(SchoolTexts.handInHow(spoken))
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        PrimaryButton(SchoolTexts.handInFile(spoken), "hand-in-file", {
+        Button(SchoolTexts.handInFile(spoken), "hand-in-file") {
             onEvent(AssignmentEvent.HandInFileSaved)
-        })
+        }
         if (step.link != null) {
             val copy = if (step.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
-            SecondButton(copy(spoken), "hand-in-link", { onEvent(AssignmentEvent.HandInLinkCopied) })
+            Button(copy(spoken), "hand-in-link", ButtonKind.SECOND) { onEvent(AssignmentEvent.HandInLinkCopied) }
             if (hasShareSheet) {
-                SecondButton(SchoolTexts.handInShare(spoken), "hand-in-share", {
+                Button(SchoolTexts.handInShare(spoken), "hand-in-share", ButtonKind.SECOND) {
                     onEvent(AssignmentEvent.HandInLinkShared)
-                })
+                }
             }
         }
     }

@@ -11,9 +11,6 @@ import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.LinearProgressIndicator
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -35,19 +32,17 @@ import robotran.workshop.state.HandInStep
 
 @Composable
 internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Unit) {
-    OutlinedTextField(
+    TextField(
         step.name,
         { onEvent(AssignmentEvent.NameEntered(it.take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS))) },
         Modifier.fillMaxWidth().testTag("hand-in-name"),
-        label = { Text(step.wanted.ifBlank { SchoolTexts.handInName(spoken) }) },
-        singleLine = true,
-        keyboardOptions = KeyboardOptions(
+        step.wanted.ifBlank { SchoolTexts.handInName(spoken) },
+        keyboard = KeyboardOptions(
             capitalization = KeyboardCapitalization.Words,
             autoCorrectEnabled = false,
             imeAction = ImeAction.Done,
         ),
-        keyboardActions = KeyboardActions(onDone = { onEvent(AssignmentEvent.HandInMade()) }),
-        colors = fieldColours(),
+        onKeyboard = KeyboardActions(onDone = { onEvent(AssignmentEvent.HandInMade()) }),
     )
     val best = step.best
     when {
@@ -96,7 +91,7 @@ private fun Choice(label: String, isChosen: Boolean, tag: String, onClick: () ->
         Alignment.CenterVertically,
     ) {
         RadioMark(isChosen)
-        Text(label, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+        Text(label, Modifier.weight(1f), TextStyles.label)
     }
 }
 
@@ -111,14 +106,8 @@ internal fun RunningView(step: HandInStep.Running) {
 
 /** @param part of the work that is done, 0..1. */
 @Composable
-internal fun ProgressBar(part: Float, tag: String) = LinearProgressIndicator(
-    { part },
-    Modifier.fillMaxWidth().height(10.dp).testTag(tag),
-    color = RobotranColours.RUN_GREEN,
-    trackColor = LocalRobotranColours.current.line,
-    gapSize = 0.dp,
-    drawStopIndicator = {},
-)
+internal fun ProgressBar(part: Float, tag: String) =
+    Progress({ part }, Modifier.fillMaxWidth().height(10.dp).testTag(tag))
 
 @Composable
 internal fun ErrorsView(step: HandInStep.HasErrors) {
@@ -130,9 +119,8 @@ internal fun ErrorsView(step: HandInStep.HasErrors) {
 internal fun Quiet(label: String, tag: String) = Text(
     label,
     Modifier.testTag(tag),
+    TextStyles.remark,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.SMALL,
-    lineHeight = LineHeights.SMALL,
 )
 
 private const val MAX_REASONS = 5

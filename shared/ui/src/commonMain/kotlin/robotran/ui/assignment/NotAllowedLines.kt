@@ -2,7 +2,6 @@ package robotran.ui.assignment
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -78,7 +77,7 @@ internal fun NotAllowedStrip(all: List<NotAllowed>, program: String, maxHeight: 
             .heightIn(max = maxHeight)
             .background(colours.errorPane)
             .testTag("program-not-allowed")
-            .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+            .scrollHint(scroll, ground = colours.errorPane)
             .verticalScroll(scroll)
             .padding(horizontal = 16.dp),
     ) { NotAllowedLines(own, onShow) }

@@ -1,15 +1,11 @@
 package robotran.ui.brick
 
-import androidx.compose.foundation.BorderStroke
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -47,33 +43,27 @@ internal fun BrickHint(
 ) {
     val words = brickHintWords(state, isSolved) ?: return
     val colours = LocalRobotranColours.current
-    Surface(
-        modifier.fillMaxWidth(),
-        Shapes.MEDIUM,
-        colours.pane,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(modifier.fillMaxWidth()) {
         Row {
             val scroll = rememberScrollState()
             Column(
                 Modifier
                     .weight(1f)
-                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .scrollHint(scroll)
                     .verticalScroll(scroll)
                     .padding(12.dp),
             ) {
                 Text(
                     words,
                     Modifier.testTag("brick-hint").semantics { liveRegion = LiveRegionMode.Polite },
+                    TextStyles.label,
                     color = colours.onPane,
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.LABEL,
                 )
                 BelowBrickHint(state, Modifier.padding(top = 8.dp))
             }
             action()
             if (onClose != null) {
-                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "brick-hint-close", onClose)
+                IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "brick-hint-close", onClick = onClose)
             }
         }
     }

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -25,18 +24,17 @@ internal fun CourseLine(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit) 
         Text(
             SchoolTexts.coursePlace(spoken, open.course, open.number, open.count),
             Modifier.testTag("course-place"),
+            TextStyles.compact.copy(lineHeight = LineHeights.LABEL),
             color = colours.quiet,
-            fontSize = TextSizes.COMPACT,
-            lineHeight = LineHeights.LABEL,
         )
         FlowRow(Modifier, Arrangement.spacedBy(4.dp)) {
-            QuietButton(SchoolTexts.courseBack(spoken), "course-line-back", {
+            Button(SchoolTexts.courseBack(spoken), "course-line-back", ButtonKind.QUIET) {
                 onEvent(CourseEvent.OpenCourseRequested)
-            })
+            }
             open.next?.let { next ->
-                QuietButton(SchoolTexts.courseNext(spoken, next), "course-line-next", {
+                Button(SchoolTexts.courseNext(spoken, next), "course-line-next", ButtonKind.QUIET) {
                     onEvent(CourseEvent.NextTaskChosen)
-                })
+                }
             }
         }
     }

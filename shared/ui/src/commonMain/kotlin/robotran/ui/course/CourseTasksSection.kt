@@ -1,13 +1,10 @@
 package robotran.ui.course
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Alignment
@@ -45,17 +42,17 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
         }
         ComesIntoView(page.problem) { page.problem?.let { CourseErrorText(it) } }
         Chips {
-            SecondButton(SchoolTexts.courseAddFiles(spoken), "course-add-files", {
+            Button(SchoolTexts.courseAddFiles(spoken), "course-add-files", ButtonKind.SECOND) {
                 onEvent(CourseEvent.FilesRequested)
-            })
-            if (page.works == null) {
-                SecondButton(SchoolTexts.courseAddWorks(spoken), "course-add-works", {
-                    onEvent(CourseEvent.WorksShown(true))
-                })
             }
-            QuietButton(SchoolTexts.makeUndo(spoken), "course-undo", {
+            if (page.works == null) {
+                Button(SchoolTexts.courseAddWorks(spoken), "course-add-works", ButtonKind.SECOND) {
+                    onEvent(CourseEvent.WorksShown(true))
+                }
+            }
+            Button(SchoolTexts.makeUndo(spoken), "course-undo", ButtonKind.QUIET, enabled = page.canUndo) {
                 onEvent(CourseEvent.UndoRequested)
-            }, enabled = page.canUndo)
+            }
         }
         page.works?.let { Works(it, onEvent) }
         Quiet(SchoolTexts.courseTasksHelp(spoken), "course-tasks-help")
@@ -66,12 +63,7 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
 private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val title = task.world.title
-    Surface(
-        Modifier.fillMaxWidth().testTag("course-row-$index"),
-        shape = Shapes.MEDIUM,
-        color = colours.pane,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(Modifier.fillMaxWidth().testTag("course-row-$index")) {
         BoxWithConstraints(Modifier.padding(start = 16.dp, end = 4.dp)) {
             // A title beside the buttons needs room for some words.
             val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
@@ -79,9 +71,8 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
                 Text(
                     "${index + 1}  $title",
                     modifier.padding(vertical = 12.dp),
+                    TextStyles.sentence,
                     color = colours.onPane,
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.BODY,
                 )
             }
             if (isBroad) {
@@ -101,22 +92,29 @@ private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEve
 
 @Composable
 private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) = Row {
-    RoundButton(
-        StrokeIcons.UP,
+    IconButton(
+        ThinIcons.UP,
         SchoolTexts.courseUp(spoken, title),
         "course-up-$index",
+        IconButtonKind.SMALL,
         enabled = index > 0,
     ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
-    RoundButton(
-        StrokeIcons.DOWN,
+    IconButton(
+        ThinIcons.DOWN,
         SchoolTexts.courseDown(spoken, title),
         "course-down-$index",
+        IconButtonKind.SMALL,
         enabled = index < count - 1,
     ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
-    IconTouch(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index", {
+    IconButton(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index") {
         onEvent(CourseEvent.TaskOpened(index))
-    })
-    RoundButton(Cross, SchoolTexts.courseTakeOut(spoken, title), "course-take-out-$index") {
+    }
+    IconButton(
+        ThinIcons.CROSS,
+        SchoolTexts.courseTakeOut(spoken, title),
+        "course-take-out-$index",
+        IconButtonKind.SMALL,
+    ) {
         onEvent(CourseEvent.TaskRemoved(index))
     }
 }
@@ -133,14 +131,14 @@ private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
         Chips {
             for (work in works) {
                 val name = if (work.name == work.title) work.name else "${work.title} (${work.name})"
-                SecondButton(SchoolTexts.courseAdd(spoken, name), "course-work-${work.id}", {
+                Button(SchoolTexts.courseAdd(spoken, name), "course-work-${work.id}", ButtonKind.SECOND) {
                     onEvent(CourseEvent.WorkAdded(work.id))
-                })
+                }
             }
         }
-        QuietButton(SchoolTexts.courseWorksClose(spoken), "course-works-close", {
+        Button(SchoolTexts.courseWorksClose(spoken), "course-works-close", ButtonKind.QUIET) {
             onEvent(CourseEvent.WorksShown(false))
-        })
+        }
     }
 }
 

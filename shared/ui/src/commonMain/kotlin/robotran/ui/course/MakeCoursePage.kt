@@ -70,15 +70,15 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
         }
         Quiet(SchoolTexts.makeGiveHelp(spoken), "course-give-help")
         Chips {
-            PrimaryButton(SchoolTexts.makeTeacherFile(spoken), "course-teacher-file", {
+            Button(SchoolTexts.makeTeacherFile(spoken), "course-teacher-file") {
                 onEvent(CourseEvent.TeacherFileSaved)
-            })
-            PrimaryButton(SchoolTexts.makePupilFile(spoken), "course-pupil-file", {
+            }
+            Button(SchoolTexts.makePupilFile(spoken), "course-pupil-file") {
                 onEvent(CourseEvent.PupilFileSaved)
-            })
-            SecondButton(SchoolTexts.makePupilLink(spoken), "course-link", {
+            }
+            Button(SchoolTexts.makePupilLink(spoken), "course-link", ButtonKind.SECOND) {
                 onEvent(CourseEvent.LinkRequested)
-            })
+            }
         }
         ComesIntoView(page.savedAs) { SaveResult(page.savedAs, null, "course-saved") }
         ComesIntoView(page.link?.run { link ?: problem }) { page.link?.let { CourseLink(it, page, onEvent) } }

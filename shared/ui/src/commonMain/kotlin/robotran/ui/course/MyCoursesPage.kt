@@ -1,6 +1,5 @@
 package robotran.ui.course
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
@@ -15,15 +14,12 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
@@ -58,15 +54,15 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
                     Arrangement.spacedBy(8.dp),
                     Arrangement.spacedBy(8.dp),
                 ) {
-                    SecondButton(SchoolTexts.courseOpen(spoken), "courses-open", {
+                    Button(SchoolTexts.courseOpen(spoken), "courses-open", ButtonKind.SECOND) {
                         onEvent(DocumentEvent.OpenRequested)
-                    })
-                    SecondButton(SchoolTexts.courseOpenLink(spoken), "courses-open-link", {
+                    }
+                    Button(SchoolTexts.courseOpenLink(spoken), "courses-open-link", ButtonKind.SECOND) {
                         onEvent(DocumentEvent.LinkPastingRequested)
-                    })
-                    SecondButton(SchoolTexts.courseMake(spoken), "courses-make", {
+                    }
+                    Button(SchoolTexts.courseMake(spoken), "courses-make", ButtonKind.SECOND) {
                         onEvent(CourseEvent.MakingRequested(null))
-                    })
+                    }
                 }
             }
         }
@@ -77,12 +73,7 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
 @Composable
 private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Surface(
-        Modifier.fillMaxWidth(),
-        shape = Shapes.MEDIUM,
-        color = colours.pane,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(Modifier.fillMaxWidth()) {
         Row(verticalAlignment = Alignment.CenterVertically) {
             Column(
                 Modifier
@@ -95,35 +86,19 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     .padding(16.dp),
                 Arrangement.spacedBy(4.dp),
             ) {
-                Text(
-                    course.title,
-                    color = colours.onPane,
-                    fontSize = TextSizes.LEAD,
-                    lineHeight = LineHeights.LEAD,
-                    fontWeight = FontWeight.SemiBold,
-                )
+                Text(course.title, style = TextStyles.leadSentence.strong, color = colours.onPane)
                 Text(
                     SchoolTexts.courseDone(spoken, course.done, course.count),
+                    style = TextStyles.body,
                     color = colours.quiet,
-                    fontSize = TextSizes.BODY,
                 )
                 if (course.isForTeachers) {
-                    Text(
-                        SchoolTexts.courseForTeachers(spoken),
-                        color = colours.quiet,
-                        fontSize = TextSizes.BODY,
-                        lineHeight = LineHeights.BODY,
-                    )
+                    Text(SchoolTexts.courseForTeachers(spoken), style = TextStyles.sentence, color = colours.quiet)
                 }
             }
-            IconTouch(
-                Icon.CLOSE,
-                SchoolTexts.courseRemove(spoken, course.title),
-                "course-remove-${course.key}",
-                {
-                    onEvent(CourseEvent.RemovalRequested(course.key))
-                },
-            )
+            IconButton(Icon.CLOSE, SchoolTexts.courseRemove(spoken, course.title), "course-remove-${course.key}") {
+                onEvent(CourseEvent.RemovalRequested(course.key))
+            }
         }
     }
 }
@@ -131,12 +106,12 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
     val keep = { onEvent(CourseEvent.RemovalRequested(null)) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.courseRemoveTitle(spoken),
         keep,
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "course-remove-no", keep)
-            MainButton(SchoolTexts.courseRemoveYes(spoken), "course-remove-yes") {
+            Button(DocumentTexts.cancel(spoken), "course-remove-no", ButtonKind.DIALOG_OTHER, onClick = keep)
+            Button(SchoolTexts.courseRemoveYes(spoken), "course-remove-yes", ButtonKind.DIALOG_MAIN) {
                 onEvent(CourseEvent.Removed)
             }
         },

@@ -23,13 +23,13 @@ import robotran.workshop.state.OpenCourseTask
 internal fun NextInCourse(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit, handIn: @Composable () -> Unit) {
     FlowRow(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         open.next?.let { next ->
-            PrimaryButton(SchoolTexts.courseNext(spoken, next), "solved-course-next", {
+            Button(SchoolTexts.courseNext(spoken, next), "solved-course-next") {
                 onEvent(CourseEvent.NextTaskChosen)
-            })
+            }
         }
         handIn()
-        SecondButton(SchoolTexts.courseBack(spoken), "solved-course", {
+        Button(SchoolTexts.courseBack(spoken), "solved-course", ButtonKind.SECOND) {
             onEvent(CourseEvent.OpenCourseRequested)
-        })
+        }
     }
 }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -40,16 +39,16 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
             Text(
                 SchoolTexts.courseDone(spoken, page.done, page.tasks.size),
                 Modifier.testTag("course-done"),
+                TextStyles.compact,
                 color = LocalRobotranColours.current.quiet,
-                fontSize = TextSizes.COMPACT,
             )
             if (next == null) {
                 Explanation(SchoolTexts.courseAllDone(spoken), Modifier.testTag("course-all-done"))
             } else {
                 val words = if (page.tasks.none { it.isBegun }) SchoolTexts::courseBegin else SchoolTexts::courseGoOn
-                PrimaryButton(words(spoken, page.tasks[next].title), "course-go-on", {
+                Button(words(spoken, page.tasks[next].title), "course-go-on") {
                     onEvent(CourseEvent.TaskChosen(next))
-                })
+                }
             }
             StationPath(
                 page.tasks.mapIndexed { index, task ->
@@ -67,12 +66,12 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
 @Composable
 private fun TeachersButtons(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) =
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        SecondButton(SchoolTexts.handInsMenu(spoken), "course-hand-ins", {
+        Button(SchoolTexts.handInsMenu(spoken), "course-hand-ins", ButtonKind.SECOND) {
             onEvent(CourseEvent.HandInsRequested(page.key))
-        })
-        SecondButton(SchoolTexts.courseChange(spoken), "course-change", {
+        }
+        Button(SchoolTexts.courseChange(spoken), "course-change", ButtonKind.SECOND) {
             onEvent(CourseEvent.MakingRequested(page.key))
-        })
+        }
     }
 
 @Composable

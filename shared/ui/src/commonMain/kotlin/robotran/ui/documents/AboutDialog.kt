@@ -12,10 +12,17 @@ import robotran.workshop.state.DocumentDialog
 @Composable
 internal fun AboutDialog(dialog: DocumentDialog.About, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.about(spoken),
         close,
-        buttons = { MainButton(DocumentTexts.understood(spoken), "document-done", onClick = close) },
+        buttons = {
+            Button(
+                DocumentTexts.understood(spoken),
+                "document-done",
+                ButtonKind.DIALOG_MAIN,
+                onClick = close,
+            )
+        },
     ) {
         if (dialog.version.isNotEmpty()) {
             Explanation(DocumentTexts.aboutVersion(spoken, dialog.version), Modifier.testTag("version"))

@@ -2,7 +2,6 @@ package robotran.ui.documents
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
@@ -12,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -52,7 +50,7 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
         FlowRow(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.errorPane, colours.onPane)
+                .scrollHint(scroll, ground = colours.errorPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             Arrangement.spacedBy(8.dp),
@@ -63,24 +61,23 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                 Modifier.align(Alignment.CenterVertically).padding(vertical = 8.dp).semantics {
                     liveRegion = LiveRegionMode.Assertive
                 },
+                TextStyles.label,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.LABEL,
             )
             if (error != AutosaveError.TooLong) {
-                OtherButton(DocumentTexts.saveAs(spoken), "trouble-save-as") {
+                Button(DocumentTexts.saveAs(spoken), "trouble-save-as", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.SaveAsRequested)
                 }
             }
             if (error == AutosaveError.Full) {
-                OtherButton(DocumentTexts.myWork(spoken), "trouble-my-work") {
+                Button(DocumentTexts.myWork(spoken), "trouble-my-work", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.ProjectListRequested)
                 }
             }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "trouble-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "trouble-close") {
             onEvent(DocumentEvent.WarningShown(false))
-        })
+        }
     }
 }
 

@@ -38,34 +38,38 @@ internal fun DocumentDialogs(
 @Composable
 private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEvent: (DocumentEvent) -> Unit) {
     val answer = { answer: DocumentAnswer -> onEvent(DocumentEvent.Answered(answer)) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.changedTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.changedTheirs(spoken), "changed-theirs") {
+            Button(DocumentTexts.changedTheirs(spoken), "changed-theirs", ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.TAKE_THEIRS)
             }
-            OtherButton(DocumentTexts.changedOver(spoken), "changed-over") {
+            Button(DocumentTexts.changedOver(spoken), "changed-over", ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.GO_ON)
             }
-            MainButton(DocumentTexts.changedAs(spoken), "changed-as") { answer(DocumentAnswer.SAVE_AS) }
+            Button(
+                DocumentTexts.changedAs(spoken),
+                "changed-as",
+                ButtonKind.DIALOG_MAIN,
+            ) { answer(DocumentAnswer.SAVE_AS) }
         },
     ) { Explanation(DocumentTexts.changedHelp(spoken)) }
 }
 
 @Composable
 private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
-    DialogFrame(
+    Dialog(
         DocumentTexts.lossTitle(spoken),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "document-cancel") {
+            Button(DocumentTexts.cancel(spoken), "document-cancel", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.DialogClosed)
             }
-            OtherButton(DocumentTexts.lossGoOn(spoken), "loss-go-on") {
+            Button(DocumentTexts.lossGoOn(spoken), "loss-go-on", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }
-            MainButton(DocumentTexts.saveAs(spoken), "loss-save-as") {
+            Button(DocumentTexts.saveAs(spoken), "loss-save-as", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
             }
         },
@@ -75,10 +79,17 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
 @Composable
 private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.refusedTitle(spoken),
         close,
-        buttons = { MainButton(DocumentTexts.understood(spoken), "document-done", onClick = close) },
+        buttons = {
+            Button(
+                DocumentTexts.understood(spoken),
+                "document-done",
+                ButtonKind.DIALOG_MAIN,
+                onClick = close,
+            )
+        },
     ) {
         Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
         Explanation(DocumentTexts.refusedHelp(spoken))

@@ -11,14 +11,14 @@ import robotran.workshop.state.DocumentDialog
 /** Asks whether to go on with what is newer in My work, or to open the file as it is. Neither is lost. */
 @Composable
 internal fun NewerInMyWorkDialog(dialog: DocumentDialog.NewerInMyWork, onEvent: (DocumentEvent) -> Unit) {
-    DialogFrame(
+    Dialog(
         DocumentTexts.newerTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.newerFile(spoken), "newer-file") {
+            Button(DocumentTexts.newerFile(spoken), "newer-file", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = false))
             }
-            MainButton(DocumentTexts.newerWork(spoken), "newer-work") {
+            Button(DocumentTexts.newerWork(spoken), "newer-work", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = true))
             }
         },

@@ -37,12 +37,7 @@ internal fun ProjectActions(work: ProjectListEntry, onEvent: (DocumentEvent) -> 
         onEvent(event)
     }
     Box {
-        IconTouch(
-            Icon.MORE,
-            DocumentTexts.workActions(spoken, nameOf(work)),
-            "actions-$id",
-            { isOpen = true },
-        )
+        IconButton(Icon.MORE, DocumentTexts.workActions(spoken, nameOf(work)), "actions-$id") { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             MenuItem(DocumentTexts.rename(spoken), "rename-$id") {
                 choose(DocumentEvent.ProjectRenamingRequested(id))
@@ -71,10 +66,16 @@ internal fun RenamingRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Uni
             if (mayBeDone) done()
         }
         FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            OtherButton(DocumentTexts.cancel(spoken), "rename-cancel") {
+            Button(DocumentTexts.cancel(spoken), "rename-cancel", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.ProjectRenamed(null))
             }
-            MainButton(DocumentTexts.nameDone(spoken), "rename-done", mayBeDone, done)
+            Button(
+                DocumentTexts.nameDone(spoken),
+                "rename-done",
+                ButtonKind.DIALOG_MAIN,
+                enabled = mayBeDone,
+                onClick = done,
+            )
         }
     }
 }
@@ -91,7 +92,7 @@ internal fun DeletedRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             DocumentTexts.deleted(spoken, nameOf(work)),
             Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
         )
-        OtherButton(DocumentTexts.bringBack(spoken), "delete-undo") {
+        Button(DocumentTexts.bringBack(spoken), "delete-undo", ButtonKind.DIALOG_OTHER) {
             onEvent(DocumentEvent.ProjectDeletionUndone)
         }
     }

@@ -9,8 +9,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -26,7 +24,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.DocumentTexts
@@ -60,23 +57,18 @@ internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
     val words =
         DocumentTexts.menu(spoken, state.name.ifEmpty { DocumentTexts.untitled(spoken) })
     val condition = conditionOf(state)
-    DropdownMenuItem(
-        text = {
-            Text(
-                listOfNotNull(signOf(state), words).joinToString(" "),
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
-            )
-        },
-        onClick = onClick,
-        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-menu").semantics {
+    MenuItem(
+        "work-menu",
+        onClick,
+        Modifier.semantics {
             contentDescription = words
             if (condition != null) stateDescription = condition
         },
-        trailingIcon = { SmallIcon(MORE_ICON, colours.quiet) },
-    )
+        trailing = { SmallIcon(MORE_ICON, colours.quiet) },
+    ) {
+        val named = listOfNotNull(signOf(state), words).joinToString(" ")
+        Text(named, style = TextStyles.body, color = colours.onPane, maxLines = 1, overflow = TextOverflow.Ellipsis)
+    }
 }
 
 /** The sign for the save status before the project's name; null if all is saved. */
@@ -115,13 +107,12 @@ private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        signOf(state)?.let { Text(it, color = colours.onPane, fontSize = TextSizes.SIGN) }
+        signOf(state)?.let { Text(it, style = TextStyles.sign, color = colours.onPane) }
         Text(
             name,
             Modifier.weight(1f, fill = false),
+            TextStyles.body.medium,
             color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            fontWeight = FontWeight.Medium,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )

@@ -1,12 +1,6 @@
 package robotran.ui.documents
 
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.ExportTexts
@@ -32,7 +26,7 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     }
     if (state.error != null) {
         ProjectMenuItem(DocumentTexts::notKept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
-        HorizontalDivider(color = LocalRobotranColours.current.line)
+        HorizontalDivider()
     }
     ProjectMenuItem(DocumentTexts::new, "new") { choose(DocumentEvent.NewRequested) }
     for (brick in OTHER_BRICKS) {
@@ -43,14 +37,14 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     ProjectMenuItem(DocumentTexts::myWork, "my-work") { choose(DocumentEvent.ProjectListRequested) }
     ProjectMenuItem(DocumentTexts::open, "open") { choose(DocumentEvent.OpenRequested) }
     ProjectMenuItem(DocumentTexts::openLink, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     ProjectMenuItem(DocumentTexts::rename, "rename") { choose(DocumentEvent.RenameRequested) }
     if (state.fileName != null) {
         ProjectMenuItem(DocumentTexts::save, "save") { choose(DocumentEvent.SaveRequested) }
     }
     ProjectMenuItem(DocumentTexts::saveAs, "save-as") { choose(DocumentEvent.SaveAsRequested) }
     ProjectMenuItem(DocumentTexts::share, "share-link") { choose(DocumentEvent.LinkRequested) }
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     if (state.canSend) ProjectMenuItem(SendTexts::robot, "send-robot") { choose(SendEvent.Requested) }
     ProjectMenuItem(ExportTexts::title, "show") { choose(ExportEvent.Requested) }
     ProjectMenuItem(SchoolTexts::makeTitle, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
@@ -59,18 +53,12 @@ internal fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> 
     val kit = if (state.hasFirmwareImage) NqcTexts::documentsFirmwareImage else DocumentTexts::kit
     ProjectMenuItem(kit, "kit") { choose(DocumentEvent.KitRequested) }
     if (state.hasGoals) {
-        HorizontalDivider(color = LocalRobotranColours.current.line)
+        HorizontalDivider()
         ProjectMenuItem(SchoolTexts::handInsMenu, "hand-ins") { choose(HandInsEvent.Requested) }
     }
 }
 
 @Composable
 private fun ProjectMenuItem(label: Label, tag: String, sign: String = "", onClick: () -> Unit) {
-    DropdownMenuItem(
-        text = {
-            Text(sign + label(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
-        },
-        onClick = onClick,
-        modifier = Modifier.heightIn(min = Dimensions.TARGET).testTag("work-$tag"),
-    )
+    MenuItem(sign + label(spoken), "work-$tag", onClick = onClick)
 }

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
@@ -24,7 +23,6 @@ import androidx.compose.ui.layout.ContentScale
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
@@ -67,24 +65,18 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             SheetPicture(work)
             Column(Modifier.weight(1f)) {
                 val colours = LocalRobotranColours.current
-                Text(
-                    nameOf(work),
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.LABEL,
-                    fontWeight = FontWeight.Medium,
-                )
+                Text(nameOf(work), style = TextStyles.label.medium)
                 val title = work.world?.let { titleOf(it) }
                 val holds = listOfNotNull(title?.takeIf { it != work.entry.name }) + work.programs
                 // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
+                    style = TextStyles.remark,
                     color = colours.quiet,
-                    fontSize = TextSizes.SMALL,
-                    lineHeight = LineHeights.SMALL,
                     maxLines = 1,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Text(timeOf(work), color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+                Text(timeOf(work), style = TextStyles.remark, color = colours.quiet)
             }
         }
         ProjectActions(work, onEvent)

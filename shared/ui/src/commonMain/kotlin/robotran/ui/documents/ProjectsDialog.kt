@@ -1,7 +1,6 @@
 package robotran.ui.documents
 
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -27,17 +26,25 @@ internal fun ProjectsDialog(
     onEvent: (DocumentEvent) -> Unit,
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.myWork(spoken),
         close,
         buttons = {
-            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
+            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
             for (brick in OTHER_BRICKS) {
-                OtherButton(BrickLabels.of(brick).newProject(spoken), "works-new-${brick.name.lowercase()}") {
+                Button(
+                    BrickLabels.of(brick).newProject(spoken),
+                    "works-new-${brick.name.lowercase()}",
+                    ButtonKind.DIALOG_OTHER,
+                ) {
                     onEvent(DocumentEvent.NewWithBrick(brick))
                 }
             }
-            MainButton(DocumentTexts.new(spoken), "works-new") { onEvent(DocumentEvent.NewRequested) }
+            Button(
+                DocumentTexts.new(spoken),
+                "works-new",
+                ButtonKind.DIALOG_MAIN,
+            ) { onEvent(DocumentEvent.NewRequested) }
         },
         notice = dialog.notice?.let { { ListNotice(noticeText(it), it.isError) } },
     ) {
@@ -53,7 +60,7 @@ internal fun ProjectsDialog(
             )
 
             else -> projects.forEachIndexed { number, work ->
-                if (number > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
+                if (number > 0) HorizontalDivider()
                 when (work.entry.id) {
                     dialog.renaming -> RenamingRow(work, onEvent)
                     dialog.deleted -> DeletedRow(work, onEvent)

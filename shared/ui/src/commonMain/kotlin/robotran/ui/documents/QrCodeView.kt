@@ -70,17 +70,22 @@ internal fun LinkAsQrCode(
         val side = Modifier.widthIn(max = minOf(maxSide, MAX_SIDE)).fillMaxWidth()
         QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, "qr-code")
     }
-    if (isForClass) SecondButton(large, "qr-show-large", { isLarge = true })
+    if (isForClass) Button(large, "qr-show-large", ButtonKind.SECOND) { isLarge = true }
     if (isLarge) LargeQrCode(code) { isLarge = false }
 }
 
 /** [code] as large as the screen has room for, on white also at night, as projectors and cameras need it. */
 @Composable
 internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
-    AppDialog(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
+    DialogWindow(onClose, DialogProperties(usePlatformDefaultWidth = false)) {
         val name = DocumentTexts.qrCode(spoken)
         val close = @Composable {
-            PrimaryButton(SchoolTexts.handInClose(spoken), "qr-large-close", onClose, Modifier.padding(8.dp))
+            Button(
+                SchoolTexts.handInClose(spoken),
+                "qr-large-close",
+                modifier = Modifier.padding(8.dp),
+                onClick = onClose,
+            )
         }
         BoxWithConstraints(
             Modifier

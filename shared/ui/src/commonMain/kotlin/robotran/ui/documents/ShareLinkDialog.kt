@@ -1,8 +1,6 @@
 package robotran.ui.documents
 
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -24,19 +22,19 @@ internal fun ShareLinkDialog(
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val link = dialog.link
     val tooLong = dialog.tooLong
-    DialogFrame(
+    Dialog(
         DocumentTexts.shareTitle(spoken),
         close,
         buttons = {
-            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
+            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
             if (link != null && hasShareSheet) {
-                OtherButton(DocumentTexts.shareElsewhere(spoken), "link-share") {
+                Button(DocumentTexts.shareElsewhere(spoken), "link-share", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.LinkShared)
                 }
             }
             if (link != null) {
                 val words = if (dialog.copied) DocumentTexts::copied else DocumentTexts::copy
-                MainButton(words(spoken), "link-copy") { onEvent(DocumentEvent.LinkCopied) }
+                Button(words(spoken), "link-copy", ButtonKind.DIALOG_MAIN) { onEvent(DocumentEvent.LinkCopied) }
             }
         },
     ) {
@@ -52,15 +50,15 @@ internal fun ShareLinkDialog(
 @Composable
 internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         DocumentTexts.shareFileTitle(spoken),
         close,
         buttons = {
-            OtherButton(DocumentTexts.close(spoken), "document-cancel", close)
-            OtherButton(DocumentTexts.shareSite(spoken), "share-site") {
+            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(DocumentTexts.shareSite(spoken), "share-site", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.SiteRequested)
             }
-            MainButton(DocumentTexts.saveAs(spoken), "share-save-as") {
+            Button(DocumentTexts.saveAs(spoken), "share-save-as", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.SaveAsRequested)
             }
         },
@@ -72,14 +70,13 @@ private fun LinkItself(link: String) {
     val colours = LocalRobotranColours.current
     Explanation(DocumentTexts.shareHelp(spoken))
     LocalLinkNote(link)
-    OutlinedTextField(
+    TextField(
         link,
-        onValueChange = {},
+        { },
         Modifier.fillMaxWidth().testTag("link-text"),
-        readOnly = true,
-        label = { Text(DocumentTexts.linkLabel(spoken)) },
-        maxLines = MAX_LINES,
-        colors = fieldColours(),
+        DocumentTexts.linkLabel(spoken),
+        1..MAX_LINES,
+        extras = FieldExtras(isReadOnly = true),
     )
     val length = DocumentTexts.shareLength(spoken, link.length)
     Text(
@@ -87,8 +84,8 @@ private fun LinkItself(link: String) {
         Modifier.testTag("link-length").semantics {
             liveRegion = LiveRegionMode.Polite
         },
+        TextStyles.small,
         color = colours.quiet,
-        fontSize = TextSizes.SMALL,
     )
     if (link.length > LONG) Explanation(DocumentTexts.shareLong(spoken))
     LinkAsQrCode(link)

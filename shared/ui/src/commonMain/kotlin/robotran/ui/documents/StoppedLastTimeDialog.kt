@@ -17,20 +17,20 @@ internal fun StoppedLastTimeDialog(dialog: DocumentDialog.StoppedLastTime, onEve
         is StoppedWork.Stored, StoppedWork.OfFiles -> DocumentTexts.stoppedProject(spoken, name)
         is StoppedWork.OfLink -> DocumentTexts.stoppedLink(spoken)
     }
-    DialogFrame(
+    Dialog(
         title,
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            OtherButton(DocumentTexts.stoppedOpen(spoken), "stopped-open") {
+            Button(DocumentTexts.stoppedOpen(spoken), "stopped-open", ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.StoppedWorkOpened)
             }
             // Files are where they came from.
             if (dialog.work != StoppedWork.OfFiles) {
-                OtherButton(DocumentTexts.stoppedSave(spoken), "stopped-save") {
+                Button(DocumentTexts.stoppedSave(spoken), "stopped-save", ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.StoppedWorkSaved)
                 }
             }
-            MainButton(DocumentTexts.myWork(spoken), "stopped-my-work") {
+            Button(DocumentTexts.myWork(spoken), "stopped-my-work", ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.ProjectListRequested)
             }
         },

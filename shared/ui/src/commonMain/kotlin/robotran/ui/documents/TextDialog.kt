@@ -3,8 +3,6 @@ package robotran.ui.documents
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -77,12 +75,12 @@ private fun TextDialog(
 ) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val mayBeDone = value.text.isNotBlank()
-    DialogFrame(
+    Dialog(
         title,
         close,
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "document-cancel", close)
-            MainButton(doneWords, "document-done", mayBeDone, onDone)
+            Button(DocumentTexts.cancel(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(doneWords, "document-done", ButtonKind.DIALOG_MAIN, enabled = mayBeDone, onClick = onDone)
         },
     ) {
         if (help != null) Explanation(help)
@@ -105,7 +103,7 @@ internal fun OneLine(
 ) {
     val focus = remember { FocusRequester() }
     LaunchedEffect(Unit) { focus.requestFocus() }
-    OutlinedTextField(
+    TextField(
         value,
         onValue,
         Modifier.fillMaxWidth().focusRequester(focus).testTag("document-text").onPreviewKeyEvent {
@@ -113,11 +111,9 @@ internal fun OneLine(
             if (isReturn && it.type == KeyEventType.KeyDown) onReturn()
             isReturn
         },
-        label = { Text(label) },
-        isError = isError,
-        singleLine = true,
-        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
-        keyboardActions = KeyboardActions(onDone = { onReturn() }),
-        colors = fieldColours(),
+        label,
+        keyboard = KeyboardOptions(imeAction = ImeAction.Done),
+        onKeyboard = KeyboardActions(onDone = { onReturn() }),
+        extras = FieldExtras(isError),
     )
 }

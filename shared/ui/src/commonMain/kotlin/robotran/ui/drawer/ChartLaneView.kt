@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.rememberUpdatedState
@@ -29,7 +28,6 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -70,7 +68,7 @@ internal fun Lane(
     ) {
         Column(Modifier.width(76.dp * LocalDensity.current.fontScale)) {
             val title = if (unit.isEmpty()) name else "$name\n$unit"
-            Text(title, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+            Text(title, style = TextStyles.caption, color = colours.quiet)
         }
         Canvas(
             Modifier
@@ -96,9 +94,8 @@ internal fun Lane(
         Text(
             value ?: NO_VALUE,
             Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
+            TextStyles.compact.strong,
             color = colours.onPane,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = FontWeight.SemiBold,
             textAlign = TextAlign.End,
             maxLines = 1,
         )

@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableIntStateOf
@@ -55,22 +54,22 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            RunIconButton(
-                RunIcon.LESS,
+            IconButton(
+                RunIcons.LESS,
                 RunTexts.chartCoarser(spoken),
                 "chart-coarser",
-                {
-                    zoom--
-                },
+                IconButtonKind.RUN,
                 enabled = zoom > 0,
-            )
-            RunIconButton(
-                RunIcon.MORE,
+            ) {
+                zoom--
+            }
+            IconButton(
+                RunIcons.MORE,
                 RunTexts.chartFiner(spoken),
                 "chart-finer",
-                { zoom++ },
+                IconButtonKind.RUN,
                 enabled = zoom < MAX_ZOOM,
-            )
+            ) { zoom++ }
         }
         if (shown.isEmpty()) {
             return EmptyDrawer(
@@ -91,8 +90,8 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     Text(
                         time?.let { "${secondsText(it)} s" }.orEmpty(),
                         Modifier.testTag("chart-time"),
+                        TextStyles.small,
                         color = LocalRobotranColours.current.quiet,
-                        fontSize = TextSizes.SMALL,
                     )
                 }
             }

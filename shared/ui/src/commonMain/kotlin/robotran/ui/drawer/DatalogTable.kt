@@ -3,12 +3,9 @@ package robotran.ui.drawer
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -18,7 +15,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.legofirmware.device.DatalogEntry
@@ -46,19 +43,13 @@ internal fun DatalogTable(
             Text(
                 NqcTexts.runDatalog(spoken),
                 Modifier.weight(1f).semantics { heading() },
+                TextStyles.small.medium,
                 color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                fontWeight = FontWeight.Medium,
             )
-            TextButton(
-                onSave,
-                Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("datalog-save").focusRing(),
-            ) {
-                Text(NqcTexts.runDatalogSave(spoken), color = colours.focus, fontSize = TextSizes.COMPACT)
-            }
+            Button(NqcTexts.runDatalogSave(spoken), "datalog-save", ButtonKind.SMALL_LINK, onClick = onSave)
         }
         Column(Modifier.widthIn(max = MAX_WIDTH)) {
-            val head = codeStyle(colours.quiet).copy(fontFamily = null, fontSize = TextSizes.SMALL)
+            val head = codeStyle(colours.quiet).copy(fontFamily = FontFamily.Default, fontSize = TextSizes.SMALL)
             Cells(
                 NqcTexts.runDatalogNumber(spoken),
                 NqcTexts.runDatalogSource(spoken),
@@ -70,8 +61,8 @@ internal fun DatalogTable(
                 Text(
                     NqcTexts.runDatalogMore(spoken, left),
                     Modifier.padding(vertical = 4.dp),
+                    TextStyles.small,
                     color = colours.quiet,
-                    fontSize = TextSizes.SMALL,
                 )
             }
             for (index in left until datalog.size) Entry(index + 1, datalog[index], variables)
@@ -91,9 +82,9 @@ private fun Entry(number: Int, entry: DatalogEntry, variables: Map<Int, String>)
 private fun Cells(number: String, source: String, value: String, style: TextStyle, modifier: Modifier) {
     Row(modifier.fillMaxWidth().padding(vertical = 2.dp), Arrangement.spacedBy(12.dp)) {
         val right = style.copy(textAlign = TextAlign.End)
-        Text(number, Modifier.weight(1f), style = right, maxLines = 1)
-        Text(source, Modifier.weight(2f), style = style, maxLines = 1)
-        Text(value, Modifier.weight(1f), style = right, maxLines = 1)
+        Text(number, Modifier.weight(1f), right, maxLines = 1)
+        Text(source, Modifier.weight(2f), style, maxLines = 1)
+        Text(value, Modifier.weight(1f), right, maxLines = 1)
     }
 }
 

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -36,7 +35,7 @@ import robotran.workshop.state.DrawerTab
 @Composable
 internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", { onTab(null) })
+        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN) { onTab(null) }
     }
 }
 
@@ -52,13 +51,20 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
         Text(
             tab.word(spoken),
             Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
+            TextStyles.compact.strong,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = FontWeight.SemiBold,
             maxLines = 1,
         )
-        if (onTwo != null) RunIconButton(RunIcon.TWO, RunTexts.drawerTwo(spoken), "drawer-two", onTwo)
-        RunIconButton(RunIcon.DOWN, RunTexts.drawerClose(spoken), "drawer-close", onClose)
+        if (onTwo != null) {
+            IconButton(
+                RunIcons.TWO,
+                RunTexts.drawerTwo(spoken),
+                "drawer-two",
+                IconButtonKind.RUN,
+                onClick = onTwo,
+            )
+        }
+        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN, onClick = onClose)
     }
 }
 
@@ -66,7 +72,7 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
     TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
-        RunIconButton(RunIcon.CLOSE, RunTexts.drawerOne(spoken), "beside-close", { onTab(null) })
+        IconButton(RunIcons.CLOSE, RunTexts.drawerOne(spoken), "beside-close", IconButtonKind.RUN) { onTab(null) }
     }
 }
 
@@ -79,7 +85,6 @@ private fun TabRow(
     isSteady: Boolean = false,
     buttons: @Composable () -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     BoxWithConstraints(modifier.fillMaxWidth().padding(horizontal = 8.dp)) {
         val isSlim = maxWidth < SLIM
@@ -88,7 +93,7 @@ private fun TabRow(
                 Modifier
                     .weight(1f)
                     .testTag("$tag-names")
-                    .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+                    .scrollHint(scroll, Orientation.Horizontal)
                     .horizontalScroll(scroll),
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
             ) {
@@ -139,9 +144,8 @@ private fun TabName(
         SteadySize(selected, if (isSteady) listOf(true, false) else emptyList()) {
             Text(
                 tab.word(spoken),
+                style = TextStyles.compact.strongIf(it, FontWeight.Medium),
                 color = if (it) colours.onPane else colours.quiet,
-                fontSize = TextSizes.COMPACT,
-                fontWeight = if (it) FontWeight.SemiBold else FontWeight.Medium,
                 maxLines = 1,
             )
         }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -22,7 +21,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
 import robotran.ui.texts.RunTexts
@@ -59,9 +57,9 @@ internal fun GoalChip(
         RunTexts.goalsCount(spoken, count.all, count.all)
     }
     val icon = when {
-        count.allMet -> RunIcon.DONE
-        count.failed > 0 -> RunIcon.CLOSE
-        else -> RunIcon.OPEN
+        count.allMet -> RunIcons.DONE
+        count.failed > 0 -> RunIcons.CLOSE
+        else -> RunIcons.OPEN
     }
     Row(
         modifier
@@ -80,21 +78,14 @@ internal fun GoalChip(
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        RunIconView(icon, side = 18.dp, colour = if (icon == RunIcon.CLOSE) colours.error else colours.onPane)
+        IconView(icon, if (icon == RunIcons.CLOSE) colours.error else colours.onPane, size = 18.dp)
         SteadySize(
             shown,
             if (isShort) listOf(longest) else listOf(longest, allMet),
             alignment = Alignment.CenterStart,
         ) {
             val semantics = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
-            Text(
-                it,
-                semantics,
-                color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.SMALL,
-                fontWeight = FontWeight.Medium,
-            )
+            Text(it, semantics, TextStyles.tightLabel.medium, color = colours.onPane)
         }
     }
 }

@@ -8,8 +8,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.LinearProgressIndicator
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -17,7 +15,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
@@ -46,21 +43,13 @@ internal fun GoalsView(
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
             val colour = LocalRobotranColours.current.onPane
-            Text(
-                task.trim(),
-                Modifier.testTag("goals-task"),
-                color = colour,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.BODY,
-            )
+            Text(task.trim(), Modifier.testTag("goals-task"), TextStyles.sentence, color = colour)
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
                 RunTexts.goalsAll(spoken),
+                style = TextStyles.cardTitle.strong,
                 color = LocalRobotranColours.current.onPane,
-                fontSize = TextSizes.LEAD,
-                lineHeight = LineHeights.BODY,
-                fontWeight = FontWeight.SemiBold,
             )
         }
         goals.forEachIndexed { index, goal -> GoalRow(goal, listOf(index), shortfalls, onEvent) }
@@ -81,20 +70,19 @@ private fun GoalRow(
         Arrangement.spacedBy(12.dp),
     ) {
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
-        RunIconView(iconFor(goal.status), Modifier.padding(top = 2.dp), colour = colour)
+        IconView(iconFor(goal.status), colour, Modifier.padding(top = 2.dp), size = 20.dp)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
-            Text(goal.sentence, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+            Text(goal.sentence, style = TextStyles.label, color = colours.onPane)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
-                LinearProgressIndicator(
+                Progress(
                     { goal.progress.toFloat() },
                     Modifier.weight(1f).height(6.dp).clearAndSetSemantics { },
-                    color = if (goal.status == GoalStatus.MET) RobotranColours.RUN_GREEN else colours.onPane,
-                    trackColor = colours.line,
-                    drawStopIndicator = { },
+                    if (goal.status == GoalStatus.MET) RobotranColours.RUN_GREEN else colours.onPane,
+                    gap = 4.dp,
                 )
                 val wordColour = if (goal.status == GoalStatus.FAILED) colours.error else colours.quiet
                 // The row's state already contains it, so screen readers would read it twice.
-                Text(word, Modifier.clearAndSetSemantics { }, color = wordColour, fontSize = TextSizes.SMALL)
+                Text(word, Modifier.clearAndSetSemantics { }, TextStyles.small, color = wordColour)
             }
             shortfalls.find { it.where == where }?.let { ShortfallRow(it, onEvent) }
             goal.parts.forEachIndexed { index, part -> GoalRow(part, where + index, shortfalls, onEvent) }
@@ -103,7 +91,7 @@ private fun GoalRow(
 }
 
 internal fun iconFor(status: GoalStatus) = when (status) {
-    GoalStatus.MET -> RunIcon.DONE
-    GoalStatus.FAILED -> RunIcon.CLOSE
-    GoalStatus.PENDING -> RunIcon.OPEN
+    GoalStatus.MET -> RunIcons.DONE
+    GoalStatus.FAILED -> RunIcons.CLOSE
+    GoalStatus.PENDING -> RunIcons.OPEN
 }

@@ -15,9 +15,6 @@ import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
 import androidx.compose.foundation.lazy.rememberLazyListState
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.derivedStateOf
@@ -65,35 +62,33 @@ internal fun LogView(state: LogState, onEvent: (RunEvent) -> Unit, modifier: Mod
 private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
     val filter = state.filter
     val search = RunTexts.logSearch(spoken)
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
         Modifier
             .fillMaxWidth()
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .padding(vertical = 4.dp),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        OutlinedTextField(
+        TextField(
             filter.text,
             { onEvent(RunEvent.LogFiltered(filter.copy(text = it))) },
             Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics {
                 contentDescription = search
             },
-            placeholder = { Text(search, maxLines = 1) },
-            singleLine = true,
+            extras = FieldExtras(placeholder = search),
         )
         Text(
             RunTexts.logCount(spoken, state.entries.size, state.total.toInt()),
             Modifier.testTag("log-count"),
+            TextStyles.small,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.SMALL,
             maxLines = 1,
         )
-        ToolButton(RunTexts::logCopy, "log-copy") { onEvent(RunEvent.LogCopied) }
-        ToolButton(RunTexts::logSave, "log-save") { onEvent(RunEvent.LogSaved) }
+        Button(RunTexts.logCopy(spoken), "log-copy", ButtonKind.TOOL) { onEvent(RunEvent.LogCopied) }
+        Button(RunTexts.logSave(spoken), "log-save", ButtonKind.TOOL) { onEvent(RunEvent.LogSaved) }
         Chip(RunTexts.logProgram(spoken), filter.sourceLines != null, "log-program") {
             onEvent(
                 RunEvent.LogFiltered(
@@ -128,26 +123,13 @@ private fun CallLogFilter.switched(group: CallGroup): CallLogFilter {
 }
 
 @Composable
-private fun ToolButton(name: Label, tag: String, onClick: () -> Unit) {
-    TextButton(onClick, Modifier.testTag(tag).focusRing()) {
-        Text(
-            name(spoken),
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.COMPACT,
-            maxLines = 1,
-        )
-    }
-}
-
-@Composable
 private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
     val list = rememberLazyListState()
-    val colours = LocalRobotranColours.current
     FollowEnd(list, entries.size)
     BoxWithConstraints(modifier) {
         val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
         val style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
-        val hint = Modifier.scrollHint(list, Orientation.Vertical, colours.pane, colours.onPane)
+        val hint = Modifier.scrollHint(list)
         LazyColumn(hint.fillMaxSize().testTag("log"), list) {
             items(entries.size) { LogRow(entries[it], showsCode, style) }
         }
@@ -174,16 +156,16 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
         Text(
             "${entry.milliseconds}",
             Modifier.width(64.dp * scale),
-            style = style.copy(color = colours.quiet, textAlign = TextAlign.End),
+            style.copy(color = colours.quiet, textAlign = TextAlign.End),
         )
         Text(
             if (troubled) "! ${entry.meaning}" else entry.meaning,
             Modifier.weight(1.4f),
-            style = if (troubled) style.copy(color = colours.error) else style,
+            if (troubled) style.copy(color = colours.error) else style,
         )
         if (showsCode) {
             val quiet = style.copy(color = colours.quiet)
-            Text(callText(entry), Modifier.weight(1f), style = quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
+            Text(callText(entry), Modifier.weight(1f), quiet, maxLines = 1, overflow = TextOverflow.Ellipsis)
         }
         Text(
             when {
@@ -192,7 +174,7 @@ private fun LogRow(entry: LoggedCall, showsCode: Boolean, style: TextStyle) {
                 else -> RunTexts.logLine(spoken, entry.sourceLine)
             },
             Modifier.width(84.dp * scale),
-            style = style.copy(color = colours.quiet),
+            style.copy(color = colours.quiet),
             maxLines = 1,
         )
     }

@@ -15,8 +15,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableFloatStateOf
@@ -76,7 +74,7 @@ internal fun RunDrawer(
             DrawerGrip(height, max.value, { height = it })
             val shownHeight = height.coerceIn(MIN_HEIGHT, maxOf(MIN_HEIGHT, max.value)).dp
             OneOrTwo(tab, state, onEvent, shownHeight)
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
         }
     }
 }
@@ -106,14 +104,14 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEven
                     { onEvent(RunEvent.DrawerChosen(null)) },
                     onTwo = showTwo.takeIf { hasRoom && beside == null },
                 )
-                HorizontalDivider(color = colours.line)
+                HorizontalDivider()
                 DrawerContent(tab, state, onEvent, Modifier.fillMaxWidth().height(height))
             }
             if (beside != null) {
                 VerticalDivider(Modifier.height(height + Dimensions.TARGET), color = colours.line)
                 Column(Modifier.weight(1f)) {
                     BesideTabs(beside, { onEvent(RunEvent.DrawerBesideChosen(it)) })
-                    HorizontalDivider(color = colours.line)
+                    HorizontalDivider()
                     DrawerContent(beside, state, onEvent, Modifier.fillMaxWidth().height(height))
                 }
             }
@@ -128,7 +126,7 @@ internal fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, m
     val colours = LocalRobotranColours.current
     Column(modifier.testTag("drawer").fillMaxSize().background(colours.pane)) {
         DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         DrawerContent(tab, state, onEvent, Modifier.weight(1f).fillMaxWidth())
     }
 }

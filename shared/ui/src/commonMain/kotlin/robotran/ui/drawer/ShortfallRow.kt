@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.CircleShape
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -64,14 +63,11 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
             Text(
                 sentence,
                 Modifier.testTag("shortfall-text"),
+                TextStyles.label.medium.copy(textDecoration = if (canShow) TextDecoration.Underline else null),
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.LABEL,
-                fontWeight = FontWeight.Medium,
-                textDecoration = if (canShow) TextDecoration.Underline else null,
             )
             lineText(mark)?.let {
-                Text(it, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+                Text(it, style = TextStyles.remark, color = colours.quiet)
             }
         }
     }
@@ -104,9 +100,8 @@ private fun PinNumber(number: Int) {
     ) {
         Text(
             "$number",
+            style = TextStyles.small.copy(fontWeight = FontWeight.Bold),
             color = RobotranColours.ON_COLOUR,
-            fontSize = TextSizes.SMALL,
-            fontWeight = FontWeight.Bold,
             textAlign = TextAlign.Center,
         )
     }

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -20,7 +19,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
 import robotran.ui.texts.SheetTexts
@@ -71,13 +69,7 @@ private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) 
             },
         Alignment.Center,
     ) {
-        Text(
-            SheetTexts.task(spoken),
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.SMALL,
-            fontWeight = FontWeight.Medium,
-        )
+        Text(SheetTexts.task(spoken), style = TextStyles.tightLabel.medium, color = colours.onPane)
     }
 }
 

@@ -13,8 +13,6 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -63,7 +61,7 @@ internal fun VariablesView(state: VariablesState, onEvent: (RunEvent) -> Unit, m
                     onEvent,
                     Modifier.width(width * CALLS_SHARE).fillMaxHeight().verticalScroll(rememberScrollState()),
                 )
-                VerticalDivider(color = LocalRobotranColours.current.line)
+                VerticalDivider()
                 Column(Modifier.weight(1f).fillMaxHeight().verticalScroll(rememberScrollState())) {
                     Scopes(state.scopes, Modifier.fillMaxWidth())
                     DatalogTable(state.datalog, state.variableNames, save, Modifier.fillMaxWidth())
@@ -114,9 +112,8 @@ private fun Frame(frame: CallFrame, selected: Boolean, index: Int, onClick: () -
     ) {
         Text(
             RunTexts.frame(spoken, frame.name, frame.sourceLine),
+            style = TextStyles.compact.strongIf(selected),
             color = colours.onPane,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = if (selected) FontWeight.SemiBold else FontWeight.Normal,
         )
     }
 }
@@ -128,9 +125,8 @@ private fun Scopes(scopes: List<ShownScope>, modifier: Modifier) {
         if (scopes.all { it.variables.isEmpty() }) {
             Text(
                 RunTexts.variablesNone(spoken),
+                style = TextStyles.denseLines,
                 color = LocalRobotranColours.current.quiet,
-                fontSize = TextSizes.COMPACT,
-                lineHeight = LineHeights.SMALL,
             )
         }
     }
@@ -143,9 +139,8 @@ private fun Scope(scope: ShownScope) {
         Text(
             scope.name,
             Modifier.padding(bottom = 4.dp).semantics { heading() },
+            TextStyles.small.medium,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.SMALL,
-            fontWeight = FontWeight.Medium,
         )
         for (variable in scope.variables) Variable(variable)
     }
@@ -165,12 +160,12 @@ private fun Variable(variable: ShownVariable) {
             .padding(horizontal = 8.dp, vertical = 4.dp),
         horizontalArrangement = Arrangement.spacedBy(12.dp),
     ) {
-        Text(variable.name, Modifier.weight(1f), style = codeStyle(colours.quiet))
+        Text(variable.name, Modifier.weight(1f), codeStyle(colours.quiet))
         Text(
             // A sign in addition to the colour.
             if (variable.changed) "• ${variable.value}" else variable.value,
             Modifier.weight(2f),
-            style = codeStyle().copy(fontWeight = if (variable.changed) FontWeight.Bold else FontWeight.Normal),
+            codeStyle().copy(fontWeight = if (variable.changed) FontWeight.Bold else FontWeight.Normal),
         )
     }
 }

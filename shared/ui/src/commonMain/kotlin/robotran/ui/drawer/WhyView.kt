@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -54,11 +53,5 @@ private fun emptyWords(state: RunPaneState): Label =
 
 @Composable
 private fun Sentence(text: String, tag: String) {
-    Text(
-        text,
-        Modifier.testTag(tag),
-        color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.BODY,
-        lineHeight = LineHeights.LABEL,
-    )
+    Text(text, Modifier.testTag(tag), TextStyles.label, color = LocalRobotranColours.current.onPane)
 }

@@ -1,6 +1,5 @@
 package robotran.ui.editing
 
-import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
@@ -9,7 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -19,7 +17,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.uikit.*
@@ -29,9 +26,8 @@ import robotran.uikit.*
 internal fun ChosenName(text: String, tag: String) = Text(
     text,
     Modifier.testTag(tag).semantics { heading() },
+    TextStyles.lead.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    fontWeight = FontWeight.SemiBold,
 )
 
 /** Something in a list, for choosing without seeing or pointing, with a sign if it [isWrong]. */
@@ -58,7 +54,7 @@ internal fun ChoosingRow(
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(text, Modifier.weight(1f), color = colours.onPane, fontSize = TextSizes.BODY)
-        if (isWrong) Canvas(Modifier.size(22.dp)) { with(EditIcons.WARNING) { draw(colours.error) } }
+        Text(text, Modifier.weight(1f), TextStyles.body, color = colours.onPane)
+        if (isWrong) IconView(EditIcons.WARNING, colours.error, size = 22.dp)
     }
 }

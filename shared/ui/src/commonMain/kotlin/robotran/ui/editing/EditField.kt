@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -104,7 +103,7 @@ internal fun EditField(
             if (text.isEmpty() &&
                 words.hint.isNotEmpty()
             ) {
-                Text(words.hint, color = colours.quiet, fontSize = TextSizes.BODY)
+                Text(words.hint, style = TextStyles.body, color = colours.quiet)
             }
             inner()
         },
@@ -116,8 +115,8 @@ internal fun EditField(
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.small,
     color = LocalRobotranColours.current.error,
-    fontSize = TextSizes.SMALL,
 )
 
 private val FIELD_CORNER = Corners.SMALL

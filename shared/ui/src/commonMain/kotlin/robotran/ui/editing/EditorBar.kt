@@ -4,23 +4,17 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.RowScope
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.alpha
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.disabled
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.language.history.History
@@ -60,20 +54,13 @@ internal fun <T : Any> EditorBar(
         }
         beforeDone()
         Button(
-            onDone,
-            Modifier.padding(
-                start = 4.dp,
-            ).testTag("$tag-done").focusRing().defaultMinSize(minHeight = Dimensions.TARGET),
-            shape = Shapes.MEDIUM,
-            colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        ) {
-            Text(
-                WorldEditorTexts.done(spoken),
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
+            WorldEditorTexts.done(spoken),
+            "$tag-done",
+            ButtonKind.EDITOR_BAR,
+            Modifier.padding(start = 4.dp),
+            style = TextStyles.body.strong,
+            onClick = onDone,
+        )
     }
 }
 
@@ -86,7 +73,7 @@ internal fun BarTool(
     withWords: Boolean,
     modifier: Modifier = Modifier,
     onClick: () -> Unit,
-) = IconTouch(icon, words, tag, onClick, modifier, label = words.takeIf { withWords })
+) = IconButton(icon, words, tag, modifier = modifier, label = words.takeIf { withWords }, onClick = onClick)
 
 /** A tool that is on or off. */
 @Composable

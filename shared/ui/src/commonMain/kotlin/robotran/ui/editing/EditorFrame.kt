@@ -10,8 +10,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -82,7 +80,7 @@ internal fun <P : EditorTab> EditorFrame(
         val height = maxHeight
         Column(Modifier.fillMaxSize()) {
             bar(width >= WORDS_WIDTH * scale)
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             val isUpright = ScreenLayout.of(width, height + LocalKeyboardHeight.current, scale) == ScreenLayout.UPRIGHT
             val columns = if (width >= TWO_COLUMNS * scale) parts.columns else 1
             when {
@@ -103,9 +101,9 @@ private fun <P : EditorTab> Beside(parts: EditorParts<P>, columns: Int, panel: D
     FollowChosen(parts, tab) { tab = it }
     Row(Modifier.fillMaxSize()) {
         parts.palette(columns, Modifier.fillMaxHeight().background(colours.pane))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         parts.canvas(Modifier.weight(1f))
-        VerticalDivider(color = colours.line)
+        VerticalDivider()
         Column(Modifier.width(panel)) {
             EditorTabs(parts.tabs, tab, parts.tabWidth) { tab = it }
             parts.panel(tab, { tab = it }, Modifier)
@@ -122,10 +120,10 @@ private fun <P : EditorTab> Under(parts: EditorParts<P>, height: Dp) {
     Column(Modifier.fillMaxSize()) {
         Row(Modifier.weight(1f)) {
             parts.palette(1, Modifier.fillMaxHeight().background(colours.pane))
-            VerticalDivider(color = colours.line)
+            VerticalDivider()
             parts.canvas(Modifier.weight(1f))
         }
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         EditorTabs(parts.tabs, tab, parts.tabWidth) { tab = it }
         parts.panel(tab, { tab = it }, Modifier.height(height * PANEL_SHARE_UPRIGHT))
     }
@@ -139,9 +137,9 @@ private fun <P : EditorTab> Below(parts: EditorParts<P>, height: Dp) {
     FollowChosen(parts, tab) { if (tab != null) tab = it }
     Column(Modifier.fillMaxSize()) {
         parts.canvas(Modifier.weight(1f))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         parts.palette(null, Modifier.fillMaxWidth().background(colours.pane))
-        HorizontalDivider(color = colours.line)
+        HorizontalDivider()
         EditorTabs(parts.tabs, tab, parts.tabWidth) { tab = if (tab == it) null else it }
         tab?.let { open -> parts.panel(open, { tab = it }, Modifier.height(height * PANEL_SHARE)) }
     }

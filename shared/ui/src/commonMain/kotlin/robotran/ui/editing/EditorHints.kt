@@ -2,7 +2,6 @@ package robotran.ui.editing
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
@@ -10,7 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
@@ -53,15 +51,15 @@ internal fun EditorHints(
                 .weight(1f, fill = false)
                 .testTag(tag)
                 .semantics { liveRegion = LiveRegionMode.Polite }
-                .scrollHint(scroll, Orientation.Vertical, pane, colours.onPane)
+                .scrollHint(scroll, ground = pane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
             if (show != null) WordButton(WorldEditorTexts.showTrouble(spoken), show.tag, show.onClick)
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "$tag-close", onClose)
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "$tag-close", onClick = onClose)
     }
 }
 

@@ -16,15 +16,12 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.uikit.*
@@ -44,7 +41,7 @@ internal fun <P : EditorTab> EditorTabs(tabs: List<P>, open: P?, minWidth: Dp, o
         Modifier
             .fillMaxWidth()
             .background(colours.pane)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
         Arrangement.spacedBy(4.dp),
@@ -66,14 +63,13 @@ internal fun <P : EditorTab> EditorTabs(tabs: List<P>, open: P?, minWidth: Dp, o
                 Text(
                     tab.title(spoken),
                     Modifier.padding(top = 12.dp, bottom = 8.dp),
+                    TextStyles.compact.strong,
                     color = if (isOpen) colours.onPane else colours.quiet,
-                    fontSize = TextSizes.COMPACT,
-                    fontWeight = FontWeight.SemiBold,
                     maxLines = 1,
                 )
                 Box(Modifier.fillMaxWidth().height(3.dp).background(if (isOpen) colours.onPane else Color.Transparent))
             }
         }
     }
-    HorizontalDivider(color = colours.line)
+    HorizontalDivider()
 }

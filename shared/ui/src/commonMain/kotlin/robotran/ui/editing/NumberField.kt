@@ -1,13 +1,11 @@
 package robotran.ui.editing
 
+import kotlin.math.round
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -16,10 +14,6 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import robotran.editing.Field
 import robotran.editing.WorldEditorTexts
@@ -48,10 +42,10 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(label, Modifier.weight(1f), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
-            IconTouch(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "${field.tag}-less", {
+            Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
+            IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "${field.tag}-less") {
                 stepBy(-spec.step)
-            })
+            }
             EditFieldBox(wrong != null, Modifier.width(figureWidth())) {
                 EditField(
                     draft ?: written(value),
@@ -67,16 +61,23 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
                     },
                 )
             }
-            IconTouch(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "${field.tag}-more", {
+            IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "${field.tag}-more") {
                 stepBy(spec.step)
-            })
+            }
         }
         if (wrong != null) Wrong(wrong)
         spec.slider?.let { slider ->
-            NumberSlider(label, value, slider, spec.step, "${field.tag}-slider", {
+            val usual = slider.start.toFloat()..slider.endInclusive.toFloat()
+            Slider(
+                value.toFloat().coerceIn(usual),
+                SliderWords(label, written(value), "${field.tag}-slider"),
+                Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
+                usual,
+                onSettle = scope::settle,
+            ) {
                 draft = null
-                change(it)
-            }, scope::settle)
+                change(round(it / spec.step) * spec.step)
+            }
         }
     }
 }
@@ -84,34 +85,5 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
 /** The field grows with the text, but leaves room for its neighbours. */
 @Composable
 private fun figureWidth() = 68.dp * LocalDensity.current.fontScale.coerceIn(1f, 1.5f)
-
-@Composable
-private fun NumberSlider(
-    label: String,
-    value: Double,
-    usual: ClosedRange<Double>,
-    step: Double,
-    tag: String,
-    onChange: (Double) -> Unit,
-    onSettle: () -> Unit,
-) {
-    val colours = LocalRobotranColours.current
-    val range = usual.start.toFloat()..usual.endInclusive.toFloat()
-    Slider(
-        value.toFloat().coerceIn(range),
-        { onChange(kotlin.math.round(it / step) * step) },
-        Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing().semantics {
-            contentDescription = label
-            stateDescription = written(value)
-        },
-        valueRange = range,
-        onValueChangeFinished = onSettle,
-        colors = SliderDefaults.colors(
-            thumbColor = colours.onPane,
-            activeTrackColor = colours.onPane,
-            inactiveTrackColor = colours.line,
-        ),
-    )
-}
 
 private const val PERCENT = 100.0

@@ -1,12 +1,10 @@
 package robotran.ui.editing
 
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.uikit.*
 
@@ -15,9 +13,8 @@ import robotran.uikit.*
 internal fun RowHeading(text: String) = Text(
     text,
     Modifier.padding(top = 12.dp, bottom = 2.dp).semantics { heading() },
+    TextStyles.body.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    fontWeight = FontWeight.SemiBold,
 )
 
 /** A sentence of help or a placeholder for an empty list. */
@@ -25,6 +22,6 @@ internal fun RowHeading(text: String) = Text(
 internal fun HelpText(text: String, modifier: Modifier = Modifier) = Text(
     text,
     modifier.padding(vertical = 6.dp),
+    TextStyles.compact,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.COMPACT,
 )

@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.CircleShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -42,7 +41,7 @@ internal fun <T> Swatches(
 ) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = colours.onPane, fontSize = TextSizes.COMPACT)
+        Text(title, style = TextStyles.compact, color = colours.onPane)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(4.dp), Arrangement.spacedBy(4.dp)) {
             choices.forEachIndexed { place, (value, word) ->
                 val isChosen = value == chosen
@@ -64,7 +63,7 @@ internal fun <T> Swatches(
                             28.dp,
                         ).background(colourOf(value), CircleShape).border(1.dp, colours.quiet, CircleShape),
                     )
-                    Text(word, color = colours.onPane, fontSize = TextSizes.SIGN, maxLines = 1)
+                    Text(word, style = TextStyles.sign, color = colours.onPane, maxLines = 1)
                 }
             }
         }

@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -36,7 +35,7 @@ internal fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refu
         else -> refusal.takeIf { field.isRefused && typed != field.text }
     }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.COMPACT)
+        Text(title, style = TextStyles.compact, color = LocalRobotranColours.current.onPane)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
                 typed ?: field.text,

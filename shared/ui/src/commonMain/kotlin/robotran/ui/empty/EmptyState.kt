@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -54,9 +53,8 @@ internal fun EmptyState(picture: EmptyPicture, label: String, tag: String, modif
 private fun EmptyWords(label: String, tag: String, align: TextAlign, modifier: Modifier = Modifier) = Text(
     label,
     modifier.testTag(tag),
+    TextStyles.sentence,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.BODY,
     textAlign = align,
 )
 

@@ -13,14 +13,14 @@ import robotran.workshop.state.ShowStep
 internal fun ExportButtons(state: ExportState, onEvent: (ExportEvent) -> Unit, modifier: Modifier = Modifier) {
     val (first, others) = actionsOf(state)
     ButtonRows(modifier) {
-        OtherButton(first.words(spoken), first.tag) { onEvent(first.event) }
+        Button(first.words(spoken), first.tag, ButtonKind.DIALOG_OTHER) { onEvent(first.event) }
         for (action in others.dropLast(1)) {
-            OtherButton(action.words(spoken), action.tag) {
+            Button(action.words(spoken), action.tag, ButtonKind.DIALOG_OTHER) {
                 onEvent(action.event)
             }
         }
         others.lastOrNull()?.let { main ->
-            MainButton(main.words(spoken), main.tag) { onEvent(main.event) }
+            Button(main.words(spoken), main.tag, ButtonKind.DIALOG_MAIN) { onEvent(main.event) }
         }
     }
 }

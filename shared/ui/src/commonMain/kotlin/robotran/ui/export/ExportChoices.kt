@@ -1,9 +1,7 @@
 package robotran.ui.export
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -20,8 +18,6 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -32,7 +28,6 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.texts.ExportTexts
@@ -50,13 +45,12 @@ import robotran.world.World
 internal fun ExportChoices(state: ExportState, world: World, session: SessionState, onEvent: (WorkshopEvent) -> Unit) {
     val choices = ShowChoice.entries.filter { it != ShowChoice.VIDEO || state.canRecord }
     val scroll = rememberScrollState()
-    val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxSize()) {
         val columns = if (maxWidth >= TWO_COLUMNS * LocalDensity.current.fontScale) 2 else 1
         Column(
             Modifier
                 .fillMaxWidth()
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll),
             Arrangement.spacedBy(GAP),
         ) {
@@ -93,10 +87,7 @@ private fun ChoiceButton(
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .clickable(enabled, role = Role.Button, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = colours.pane,
-        contentColor = colours.onPane,
-        border = BorderStroke(1.dp, colours.line),
+        RoundedCornerShape(CORNER),
     ) {
         Row(
             Modifier.heightIn(min = MIN_HEIGHT).padding(12.dp).alpha(if (enabled) 1f else UNAVAILABLE),
@@ -105,19 +96,9 @@ private fun ChoiceButton(
         ) {
             Canvas(Modifier.size(PICTURE_WIDTH, PICTURE_HEIGHT)) { with(choice) { draw(sheet, session, colours) } }
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
-                Text(
-                    choice.words(spoken),
-                    fontSize = TextSizes.BODY,
-                    lineHeight = LineHeights.LABEL,
-                    fontWeight = FontWeight.Medium,
-                )
+                Text(choice.words(spoken), style = TextStyles.label.medium)
                 val help = if (enabled) choice.help else ExportTexts::noRun
-                Text(
-                    help(spoken),
-                    color = colours.quiet,
-                    fontSize = TextSizes.SMALL,
-                    lineHeight = LineHeights.SMALL,
-                )
+                Text(help(spoken), style = TextStyles.remark, color = colours.quiet)
             }
         }
     }

@@ -1,6 +1,7 @@
 package robotran.ui.export
 
 import androidx.compose.ui.graphics.Color
+import robotran.uikit.*
 
 /** The colours of the small pictures of what a pupil can show: things of paper and film, the same in all themes. */
 internal object ExportColours {

@@ -12,8 +12,6 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.LinearProgressIndicator
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -24,7 +22,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.ExportTexts
 import robotran.uikit.*
@@ -38,13 +35,7 @@ import kotlin.math.roundToInt
 @Composable
 internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ExportEvent) -> Unit) {
     Column(Modifier.fillMaxSize().verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
-        Text(
-            ExportTexts.speedTitle(spoken),
-            Modifier.semantics { heading() },
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.BODY,
-            fontWeight = FontWeight.Medium,
-        )
+        Text(ExportTexts.speedTitle(spoken), Modifier.semantics { heading() }, TextStyles.cardTitle.medium)
         Column(Modifier.selectableGroup()) {
             for (speed in step.speeds) {
                 SpeedRow(speed, speed == step.chosen) { onEvent(ExportEvent.SpeedChosen(speed)) }
@@ -74,8 +65,8 @@ private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
         } else {
             ExportTexts.speedTimes(spoken, speed.factor)
         }
-        Text(words, Modifier.weight(1f), fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
-        Text(ExportTexts.seconds(spoken, speed.seconds), color = colours.quiet, fontSize = TextSizes.BODY)
+        Text(words, Modifier.weight(1f), TextStyles.label)
+        Text(ExportTexts.seconds(spoken, speed.seconds), style = TextStyles.body, color = colours.quiet)
     }
 }
 
@@ -91,18 +82,13 @@ internal fun MakingView(step: ShowStep.Making) {
         Text(
             words,
             Modifier.fillMaxWidth().testTag("show-making").semantics { liveRegion = LiveRegionMode.Polite },
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.BODY,
+            TextStyles.cardTitle,
         )
-        LinearProgressIndicator(
+        Progress(
             { step.progress },
             Modifier.fillMaxWidth().height(10.dp).testTag("show-progress").semantics { contentDescription = percent },
-            color = RobotranColours.RUN_GREEN,
-            trackColor = colours.line,
-            gapSize = 0.dp,
-            drawStopIndicator = {},
         )
-        Text(percent, color = colours.quiet, fontSize = TextSizes.BODY)
+        Text(percent, style = TextStyles.body, color = colours.quiet)
     }
 }
 
@@ -133,9 +119,8 @@ private fun ExportResult(label: String, tag: String, isError: Boolean = false) {
         Text(
             label,
             Modifier.fillMaxWidth().testTag(tag).semantics { liveRegion = LiveRegionMode.Polite },
+            TextStyles.leadSentence,
             color = if (isError) colours.error else colours.onPane,
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.LEAD,
         )
     }
 }

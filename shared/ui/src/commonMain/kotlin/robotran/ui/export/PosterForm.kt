@@ -2,7 +2,6 @@ package robotran.ui.export
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.border
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -14,8 +13,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -47,11 +44,10 @@ internal fun PosterForm(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) ->
             }
         } else {
             val scroll = rememberScrollState()
-            val colours = LocalRobotranColours.current
             Column(
                 Modifier
                     .fillMaxSize()
-                    .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                    .scrollHint(scroll)
                     .verticalScroll(scroll),
                 Arrangement.spacedBy(8.dp),
             ) {
@@ -75,23 +71,12 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) -
         onEvent(ExportEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
-    Text(
-        ExportTexts.posterPrivate(spoken),
-        color = quiet,
-        fontSize = TextSizes.SMALL,
-        lineHeight = LineHeights.SMALL,
-    )
+    Text(ExportTexts.posterPrivate(spoken), style = TextStyles.remark, color = quiet)
 }
 
 @Composable
-private fun PosterField(value: String, label: String, tag: String, onChange: (String) -> Unit) = OutlinedTextField(
-    value,
-    onChange,
-    Modifier.fillMaxWidth().testTag(tag),
-    label = { Text(label) },
-    singleLine = true,
-    colors = fieldColours(),
-)
+private fun PosterField(value: String, label: String, tag: String, onChange: (String) -> Unit) =
+    TextField(value, onChange, Modifier.fillMaxWidth().testTag(tag), label)
 
 @Composable
 private fun PosterPreview(poster: Poster, modifier: Modifier) {

@@ -1,8 +1,6 @@
 package robotran.ui.handins
 
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -10,7 +8,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import robotran.projects.AssignmentLimits
 import robotran.ui.texts.SchoolTexts
@@ -23,20 +20,19 @@ import robotran.workshop.state.HandInRow
 internal fun CommentField(row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
     // The field keeps its caret while the state follows.
     var text by remember(row.id) { mutableStateOf(TextFieldValue(row.comment)) }
-    OutlinedTextField(
+    TextField(
         text,
         { changed ->
-            if (changed.text.length > AssignmentLimits.MAXIMUM_TEXT_CHARACTERS) return@OutlinedTextField
+            if (changed.text.length > AssignmentLimits.MAXIMUM_TEXT_CHARACTERS) return@TextField
             if (changed.text != text.text) onEvent(HandInsEvent.CommentChanged(row.id, changed.text))
             text = changed
         },
         Modifier.fillMaxWidth().tabLeaves().testTag("hand-in-comment"),
-        textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
-        label = { Text(SchoolTexts.handInComment(spoken, row.name)) },
-        supportingText = { Text(SchoolTexts.handInCommentHelp(spoken), fontSize = TextSizes.SMALL) },
-        minLines = MIN_LINES,
-        shape = Shapes.MEDIUM,
-        colors = fieldColours(),
+        SchoolTexts.handInComment(spoken, row.name),
+        MIN_LINES..Int.MAX_VALUE,
+        extras = FieldExtras(shape = Shapes.MEDIUM) {
+            Text(SchoolTexts.handInCommentHelp(spoken), style = TextStyles.small)
+        },
     )
 }
 

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -94,7 +93,7 @@ private fun CardWords(row: HandInRow, task: HandInTask) {
     VerdictMark(row.verdict)
     row.results?.let { graded ->
         if (graded.runs.size > 1) RunMarks(graded, task.plan)
-        Text(runsText(graded), color = colours.onPane, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+        Text(runsText(graded), style = TextStyles.caption, color = colours.onPane)
     }
     val parameters = listOfNotNull(
         row.lines.takeIf { it > 0 }?.let { SchoolTexts.handInsLines(spoken, it) },
@@ -102,12 +101,7 @@ private fun CardWords(row: HandInRow, task: HandInTask) {
         row.results?.seconds?.let { SchoolTexts.handInsSeconds(spoken, secondsText(it)) },
     )
     if (parameters.isNotEmpty()) {
-        Text(
-            parameters.joinToString(" · "),
-            color = colours.quiet,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.TIGHT,
-        )
+        Text(parameters.joinToString(" · "), style = TextStyles.caption, color = colours.quiet)
     }
     for (remark in remarksOf(row)) RemarkLine(remark)
     CommentLine(row)

@@ -10,13 +10,11 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import robotran.projects.ProjectProgram
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
@@ -43,9 +41,8 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
         val (title, programs) = other
         Text(
             SchoolTexts.handInEqualLines(spoken),
+            style = TextStyles.remark,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.SMALL,
         )
         if (isWide) {
             Row(horizontalArrangement = Arrangement.spacedBy(Space.SMALL)) {
@@ -98,9 +95,8 @@ private fun BesideChoice(
     Text(
         SchoolTexts.handInBeside(spoken),
         Modifier.align(Alignment.CenterVertically),
+        TextStyles.compact.medium,
         color = colours.quiet,
-        fontSize = TextSizes.COMPACT,
-        fontWeight = FontWeight.Medium,
     )
     choices.forEachIndexed { index, (value, words) ->
         Row(
@@ -115,13 +111,13 @@ private fun BesideChoice(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             RadioMark(value == chosen, Modifier.padding(Space.MEDIUM))
-            Text(words, color = colours.onPane, fontSize = TextSizes.COMPACT)
+            Text(words, style = TextStyles.compact, color = colours.onPane)
         }
     }
     if (hasOthers) {
-        QuietButton(SchoolTexts.handInBesideOther(spoken), "hand-in-beside-other", {
+        Button(SchoolTexts.handInBesideOther(spoken), "hand-in-beside-other", ButtonKind.QUIET) {
             onEvent(HandInsEvent.ComparisonsRequested)
-        })
+        }
     }
 }
 

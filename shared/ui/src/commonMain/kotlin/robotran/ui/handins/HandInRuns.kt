@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -17,7 +16,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import robotran.assignments.grading.GradedHandIn
 import robotran.assignments.grading.GradedRun
 import robotran.assignments.grading.GradingPlan
@@ -41,12 +39,7 @@ internal fun HandInRuns(
     onEvent: (HandInsEvent) -> Unit,
 ) = Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM)) {
     PartTitle(SchoolTexts::handInGoals)
-    Text(
-        SchoolTexts.handInRunsHelp(spoken),
-        color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        lineHeight = LineHeights.SMALL,
-    )
+    Text(SchoolTexts.handInRunsHelp(spoken), style = TextStyles.remark, color = LocalRobotranColours.current.quiet)
     for (world in plan.worlds) {
         RunsInWorld(row, worldName(world.name), graded.runsIn(world.name), onEvent)
     }
@@ -59,19 +52,17 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
         Text(
             SchoolTexts.handInWorldRuns(spoken, world, met.size, runs.size),
             Modifier.semantics { heading() },
+            TextStyles.label.strong,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.LABEL,
-            fontWeight = FontWeight.SemiBold,
         )
         RunTouches(row, world, runs, onEvent)
         var areAllShown by remember(row.id) { mutableStateOf(false) }
         for (run in if (areAllShown) unmet else unmet.take(FEW)) UnmetRun(row, run, onEvent)
         val more = unmet.size - FEW
         if (more > 0 && !areAllShown) {
-            QuietButton(SchoolTexts.handInMoreRuns(spoken, more), "hand-in-more-runs", {
+            Button(SchoolTexts.handInMoreRuns(spoken, more), "hand-in-more-runs", ButtonKind.QUIET) {
                 areAllShown = true
-            })
+            }
         }
     }
 
@@ -83,17 +74,16 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
         Column(Modifier.weight(1f).padding(top = Space.SMALL), Arrangement.spacedBy(Space.TINY)) {
             Text(
                 SchoolTexts.handInSeed(spoken, grade.seed),
+                style = TextStyles.small.medium,
                 color = LocalRobotranColours.current.quiet,
-                fontSize = TextSizes.SMALL,
-                fontWeight = FontWeight.Medium,
             )
             for (goal in grade.report.goals) GoalLine(goal)
             grade.report.error?.let { Reason(isMet = false, it) }
         }
         val replay = SchoolTexts.handInReplaySeed(spoken, grade.seed)
-        IconTouch(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}", {
+        IconButton(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}") {
             onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, grade.seed)))
-        })
+        }
     }
 
 @Composable

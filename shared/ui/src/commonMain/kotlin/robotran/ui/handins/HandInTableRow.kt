@@ -14,7 +14,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -114,7 +113,7 @@ internal fun HandInTableRow(
 @Composable
 internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val words = SchoolTexts.handInsRemoveOne(spoken, row.name)
-    IconTouch(EditIcons.DELETE, words, "hand-in-row-remove-$index", { onEvent(HandInsEvent.HandInRemoved(row.id)) })
+    IconButton(EditIcons.DELETE, words, "hand-in-row-remove-$index") { onEvent(HandInsEvent.HandInRemoved(row.id)) }
 }
 
 /** The beginning of the teacher's comment, with a sign. */
@@ -126,10 +125,8 @@ internal fun CommentLine(row: HandInRow) {
         SmallIcon(COMMENT_ICON, colours.onPane, size = 16.dp)
         Text(
             words,
+            style = TextStyles.caption.medium,
             color = colours.onPane,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.TIGHT,
-            fontWeight = FontWeight.Medium,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )
@@ -140,9 +137,9 @@ internal fun CommentLine(row: HandInRow) {
 @Composable
 internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return Spacer(Modifier.width(Dimensions.TARGET))
-    IconTouch(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index", {
+    IconButton(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index") {
         onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
-    })
+    }
 }
 
 @Composable
@@ -173,20 +170,14 @@ private fun RunsCell(row: HandInRow, plan: GradingPlan) =
     Column(Modifier.width(scaled(RUNS_WIDTH)), Arrangement.spacedBy(Space.TINY)) {
         val graded = row.results ?: return@Column
         if (graded.runs.size > 1) RunMarks(graded, plan, hasNames = false)
-        Text(
-            shortRunsText(graded),
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.TIGHT,
-        )
+        Text(shortRunsText(graded), style = TextStyles.caption, color = LocalRobotranColours.current.onPane)
     }
 
 @Composable
 internal fun RemarkLine(label: String) = Text(
     label,
+    style = TextStyles.caption,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.SMALL,
-    lineHeight = LineHeights.TIGHT,
     maxLines = MAX_REMARK_LINES,
     overflow = TextOverflow.Ellipsis,
 )
@@ -195,8 +186,8 @@ internal fun RemarkLine(label: String) = Text(
 private fun Figure(label: String) = Text(
     label,
     Modifier.width(scaled(FIGURE_WIDTH)),
+    TextStyles.compact,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.COMPACT,
     textAlign = TextAlign.End,
     maxLines = 1,
 )
@@ -205,11 +196,9 @@ private fun Figure(label: String) = Text(
 private fun Title(label: Label, modifier: Modifier, align: TextAlign = TextAlign.Start) = Text(
     label(spoken),
     modifier,
+    TextStyles.caption.medium,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.SMALL,
-    fontWeight = FontWeight.Medium,
     textAlign = align,
-    lineHeight = LineHeights.TIGHT,
     maxLines = 2,
     overflow = TextOverflow.Ellipsis,
 )

@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.key
@@ -21,7 +20,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
@@ -80,12 +78,12 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             VerdictMark(row.verdict, inMiddle)
             row.results?.let { Words(runsText(it), inMiddle) }
             state.rows.getOrNull(index - 1)?.let { before ->
-                QuietButton(SchoolTexts.handInPrevious(spoken, before.name), "hand-in-previous", {
+                Button(SchoolTexts.handInPrevious(spoken, before.name), "hand-in-previous", ButtonKind.QUIET) {
                     show(before)
-                })
+                }
             }
             state.rows.getOrNull(index + 1)?.let { next ->
-                QuietButton(SchoolTexts.handInNext(spoken, next.name), "hand-in-next", { show(next) })
+                Button(SchoolTexts.handInNext(spoken, next.name), "hand-in-next", ButtonKind.QUIET) { show(next) }
             }
         }
         for (remark in remarksOf(row)) Words(remark)
@@ -94,23 +92,23 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             verticalArrangement = Arrangement.spacedBy(Space.SMALL),
         ) {
             row.results?.let { graded ->
-                PrimaryButton(SchoolTexts.handInReplay(spoken), "hand-in-replay", {
+                Button(SchoolTexts.handInReplay(spoken), "hand-in-replay") {
                     onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
-                })
+                }
             }
             if (row.hasInputs && row.results != null) {
-                SecondButton(SchoolTexts.handInReplayOwn(spoken), "hand-in-replay-own", {
+                Button(SchoolTexts.handInReplayOwn(spoken), "hand-in-replay-own", ButtonKind.SECOND) {
                     onEvent(HandInsEvent.ReplayRequested(row.id, null))
-                })
+                }
             }
             if (row.graded != null) {
-                SecondButton(SchoolTexts.handInFeedback(spoken), "hand-in-feedback", {
+                Button(SchoolTexts.handInFeedback(spoken), "hand-in-feedback", ButtonKind.SECOND) {
                     onEvent(HandInsEvent.FeedbackFileRequested(row.id))
-                })
+                }
             }
-            QuietButton(SchoolTexts.handInRemove(spoken), "hand-in-remove", {
+            Button(SchoolTexts.handInRemove(spoken), "hand-in-remove", ButtonKind.QUIET) {
                 onEvent(HandInsEvent.HandInRemoved(row.id))
-            })
+            }
         }
     }
 
@@ -132,18 +130,16 @@ private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent)
 internal fun PartTitle(label: Label) = Text(
     label(spoken),
     Modifier.semantics { heading() },
+    TextStyles.lead.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    fontWeight = FontWeight.SemiBold,
 )
 
 @Composable
 internal fun Words(label: String, modifier: Modifier = Modifier) = Text(
     label,
     modifier,
+    TextStyles.label,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.LABEL,
 )
 
 private val PICTURE_HEIGHT = 380.dp

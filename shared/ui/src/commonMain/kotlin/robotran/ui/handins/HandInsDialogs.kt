@@ -8,8 +8,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -22,7 +20,6 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.DocumentTexts
@@ -47,12 +44,17 @@ internal fun HandInsDialogs(state: HandInsState, onEvent: (HandInsEvent) -> Unit
 private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
     var text by remember { mutableStateOf(TextFieldValue()) }
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInsPasteTitle(spoken),
         close,
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "hand-ins-paste-cancel", close)
-            MainButton(SchoolTexts.handInsPasteDone(spoken), "hand-ins-paste-done", text.text.isNotBlank()) {
+            Button(DocumentTexts.cancel(spoken), "hand-ins-paste-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(
+                SchoolTexts.handInsPasteDone(spoken),
+                "hand-ins-paste-done",
+                ButtonKind.DIALOG_MAIN,
+                enabled = text.text.isNotBlank(),
+            ) {
                 onEvent(HandInsEvent.LinksPasted(text.text))
             }
         },
@@ -60,7 +62,7 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
         val focus = remember { FocusRequester() }
         LaunchedEffect(Unit) { focus.requestFocus() }
         Explanation(SchoolTexts.handInsPasteHelp(spoken))
-        OutlinedTextField(
+        TextField(
             text,
             { text = it },
             Modifier.fillMaxWidth()
@@ -68,10 +70,8 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
                 .tabLeaves()
                 .focusRequester(focus)
                 .testTag("hand-ins-links"),
-            textStyle = TextStyle(LocalRobotranColours.current.onPane, TextSizes.BODY),
-            label = { Text(SchoolTexts.handInsPasteLabel(spoken)) },
-            minLines = LINES,
-            colors = fieldColours(),
+            SchoolTexts.handInsPasteLabel(spoken),
+            LINES..Int.MAX_VALUE,
         )
     }
 }
@@ -79,12 +79,12 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
 @Composable
 private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInsRemoveTitle(spoken),
         close,
         buttons = {
-            OtherButton(DocumentTexts.cancel(spoken), "hand-ins-remove-cancel", close)
-            MainButton(SchoolTexts.handInsRemove(spoken), "hand-ins-remove-done") {
+            Button(DocumentTexts.cancel(spoken), "hand-ins-remove-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(SchoolTexts.handInsRemove(spoken), "hand-ins-remove-done", ButtonKind.DIALOG_MAIN) {
                 onEvent(HandInsEvent.RemovalConfirmed)
             }
         },
@@ -95,10 +95,17 @@ private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
 @Composable
 private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val close = { onEvent(HandInsEvent.DialogClosed) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.handInBesideTitle(spoken),
         close,
-        buttons = { OtherButton(DocumentTexts.cancel(spoken), "hand-in-beside-cancel", close) },
+        buttons = {
+            Button(
+                DocumentTexts.cancel(spoken),
+                "hand-in-beside-cancel",
+                ButtonKind.DIALOG_OTHER,
+                onClick = close,
+            )
+        },
     ) {
         Column(Modifier.fillMaxWidth().selectableGroup()) {
             val alike = state.openedRow?.alike.orEmpty().associate { it.id to it.isEqual }

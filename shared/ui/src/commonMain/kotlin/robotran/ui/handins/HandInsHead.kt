@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -38,12 +37,7 @@ internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (Han
             HandInsKind.WORLD -> HelpText(SchoolTexts.handInsWorld(spoken))
         }
         if (hasActions) HandInsActions(state, onEvent)
-        Text(
-            SchoolTexts.handInsLocal(spoken),
-            color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.SMALL,
-        )
+        Text(SchoolTexts.handInsLocal(spoken), style = TextStyles.remark, color = LocalRobotranColours.current.quiet)
     }
 
 /** What can be done with all hand-ins. */
@@ -55,24 +49,24 @@ internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit
         horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
         verticalArrangement = Arrangement.spacedBy(Space.SMALL),
     ) {
-        PrimaryButton(SchoolTexts.handInsChoose(spoken), "hand-ins-choose", {
+        Button(SchoolTexts.handInsChoose(spoken), "hand-ins-choose") {
             onEvent(HandInsEvent.FilesRequested)
-        })
-        SecondButton(SchoolTexts.handInsPaste(spoken), "hand-ins-paste", {
+        }
+        Button(SchoolTexts.handInsPaste(spoken), "hand-ins-paste", ButtonKind.SECOND) {
             onEvent(HandInsEvent.PastingRequested)
-        })
+        }
         for (kind in state.scanners) ScanButton(kind, onEvent)
         if (state.rows.isEmpty()) return@FlowRow
-        SecondButton(SchoolTexts.handInsCsv(spoken), "hand-ins-csv", { onEvent(HandInsEvent.CsvRequested) })
-        SecondButton(SchoolTexts.handInsHtml(spoken), "hand-ins-html", {
+        Button(SchoolTexts.handInsCsv(spoken), "hand-ins-csv", ButtonKind.SECOND) { onEvent(HandInsEvent.CsvRequested) }
+        Button(SchoolTexts.handInsHtml(spoken), "hand-ins-html", ButtonKind.SECOND) {
             onEvent(HandInsEvent.PageRequested)
-        })
-        SecondButton(SchoolTexts.handInsFeedback(spoken), "hand-ins-feedback", {
+        }
+        Button(SchoolTexts.handInsFeedback(spoken), "hand-ins-feedback", ButtonKind.SECOND) {
             onEvent(HandInsEvent.FeedbackRequested)
-        })
-        QuietButton(SchoolTexts.handInsRemove(spoken), "hand-ins-remove", {
+        }
+        Button(SchoolTexts.handInsRemove(spoken), "hand-ins-remove", ButtonKind.QUIET) {
             onEvent(HandInsEvent.RemovalRequested)
-        })
+        }
     }
 
 @Composable
@@ -83,9 +77,8 @@ private fun HelpText(label: String) = Text(
         .background(LocalRobotranColours.current.invite, Shapes.MEDIUM)
         .padding(Space.MEDIUM)
         .testTag("hand-ins-remark"),
+    TextStyles.label,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.LABEL,
 )
 
 /** What came of the last action, until it is dismissed. Screen readers announce it. */
@@ -105,17 +98,16 @@ internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent)
             Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").semantics {
                 liveRegion = LiveRegionMode.Polite
             },
+            TextStyles.label,
             color = if (message.isError) colours.error else colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.LABEL,
         )
         if (message is HandInsMessage.Removed) {
-            QuietButton(SchoolTexts.handInsUndo(spoken), "hand-ins-undo", {
+            Button(SchoolTexts.handInsUndo(spoken), "hand-ins-undo", ButtonKind.QUIET) {
                 onEvent(HandInsEvent.RemovalUndone)
-            })
+            }
         }
-        IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "hand-ins-told-close", {
+        IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "hand-ins-told-close") {
             onEvent(HandInsEvent.MessageDismissed)
-        })
+        }
     }
 }

@@ -10,8 +10,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.LinearProgressIndicator
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -20,7 +18,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
@@ -83,16 +80,16 @@ private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit)
                 },
             )
             val colours = LocalRobotranColours.current
-            LinearProgressIndicator(
+            Progress(
                 { progress.part },
                 Modifier.fillMaxWidth().testTag("hand-ins-progress"),
-                color = colours.good,
-                trackColor = colours.line,
+                colours.good,
+                gap = Space.TINY,
             )
         }
-        SecondButton(DocumentTexts.cancel(spoken), "hand-ins-cancel", {
+        Button(DocumentTexts.cancel(spoken), "hand-ins-cancel", ButtonKind.SECOND) {
             onEvent(HandInsEvent.GradingCancelled)
-        })
+        }
     }
 
 /** Nobody wants to watch seconds jump to and fro. */
@@ -108,17 +105,17 @@ private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
         val waiting = state.counts[HandInVerdict.WAITING] ?: 0
         val words = SchoolTexts.handInsStopped(spoken, state.rows.size - waiting, state.rows.size)
         Line(words, Modifier.weight(1f))
-        SecondButton(SchoolTexts.handInsGoOn(spoken), "hand-ins-go-on", {
+        Button(SchoolTexts.handInsGoOn(spoken), "hand-ins-go-on", ButtonKind.SECOND) {
             onEvent(HandInsEvent.GradingResumed)
-        })
+        }
     }
 
 @Composable
 private fun Line(label: String, modifier: Modifier = Modifier) = Text(
     label,
     modifier.testTag("hand-ins-status").semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.body,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
 )
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -135,9 +132,8 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
     Text(
         SchoolTexts.handInsOrder(spoken),
         Modifier.align(Alignment.CenterVertically),
+        TextStyles.compact.medium,
         color = colours.quiet,
-        fontSize = TextSizes.COMPACT,
-        fontWeight = FontWeight.Medium,
     )
     for ((value, words) in choices) {
         Row(
@@ -150,7 +146,7 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
             verticalAlignment = Alignment.CenterVertically,
         ) {
             RadioMark(value == order, Modifier.padding(Space.MEDIUM))
-            Text(words(spoken), color = colours.onPane, fontSize = TextSizes.COMPACT)
+            Text(words(spoken), style = TextStyles.compact, color = colours.onPane)
         }
     }
 }

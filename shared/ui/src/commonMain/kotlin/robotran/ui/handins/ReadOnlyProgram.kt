@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.text.selection.SelectionContainer
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -23,7 +22,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
@@ -51,16 +49,11 @@ internal fun ReadOnlyPrograms(
     modifier: Modifier = Modifier,
 ) = Column(modifier.testTag(tag), Arrangement.spacedBy(Space.SMALL)) {
     if (besides.isNotEmpty()) {
-        Text(
-            title,
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
-            fontWeight = FontWeight.SemiBold,
-        )
+        Text(title, style = TextStyles.body.strong, color = LocalRobotranColours.current.onPane)
     }
     for (program in programs) {
         for (file in program.files) {
-            Text(file.name, color = LocalRobotranColours.current.quiet, fontSize = TextSizes.SMALL)
+            Text(file.name, style = TextStyles.small, color = LocalRobotranColours.current.quiet)
             CodeLines(file.text, program.language, besides)
         }
     }
@@ -91,7 +84,7 @@ private fun CodeLines(text: String, language: ProgramLanguage, besides: List<Pro
                 Text(
                     line,
                     Modifier.fillMaxWidth().marked(isEqual, colours).padding(horizontal = Space.MEDIUM),
-                    style = style,
+                    style,
                     softWrap = false,
                 )
             }

@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -63,13 +62,7 @@ private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
         Alignment.CenterHorizontally,
     ) {
         Canvas(Modifier.size(MARK)) { drawMark(grade.passed, size.width, colours) }
-        Text(
-            "${grade.seed}",
-            color = colours.onPane,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.TIGHT,
-            maxLines = 1,
-        )
+        Text("${grade.seed}", style = TextStyles.caption, color = colours.onPane, maxLines = 1)
     }
 }
 

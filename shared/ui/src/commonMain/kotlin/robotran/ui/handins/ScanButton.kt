@@ -24,5 +24,5 @@ internal fun ScanButton(kind: QrScannerKind, onEvent: (HandInsEvent) -> Unit) {
         done = SchoolTexts.handInsScanDone(spoken),
     )
     val tag = if (kind == QrScannerKind.PICTURES) "hand-ins-scan-pictures" else "hand-ins-scan"
-    SecondButton(label, tag, { onEvent(HandInsEvent.ScanRequested(kind, words)) })
+    Button(label, tag, ButtonKind.SECOND) { onEvent(HandInsEvent.ScanRequested(kind, words)) }
 }

@@ -1,8 +1,6 @@
 package robotran.ui.handins
 
 import androidx.compose.foundation.layout.BoxWithConstraints
-import androidx.compose.material3.LocalTextStyle
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -13,6 +11,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Constraints
+import robotran.uikit.*
 
 /**
  * Text that is shortened in its middle where there is no room, since names of files often end with the pupil's. Screen
@@ -21,7 +20,7 @@ import androidx.compose.ui.unit.Constraints
 @Composable
 internal fun ShortenedText(label: String, style: TextStyle, maxLines: Int, modifier: Modifier = Modifier) =
     BoxWithConstraints(modifier.clearAndSetSemantics { text = AnnotatedString(label) }) {
-        val whole = LocalTextStyle.current.merge(style)
+        val whole = style.asWritten()
         val measurer = rememberTextMeasurer()
         val width = constraints.maxWidth
         val shown = remember(label, whole, maxLines, width, measurer) {

@@ -5,7 +5,6 @@ import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -34,18 +33,14 @@ internal fun VerdictMark(verdict: HandInVerdict, modifier: Modifier = Modifier, 
         if (count != null) {
             Text(
                 "$count",
+                style = TextStyles.compact.copy(lineHeight = LineHeights.TIGHT, fontWeight = FontWeight.Bold),
                 color = colour,
-                fontSize = TextSizes.COMPACT,
-                lineHeight = LineHeights.TIGHT,
-                fontWeight = FontWeight.Bold,
             )
         }
         Text(
             (if (count == null || count == 1) verdict.words else verdict.wordsOfSeveral)(spoken),
+            style = TextStyles.compact.strong.copy(lineHeight = LineHeights.TIGHT),
             color = colour,
-            fontSize = TextSizes.COMPACT,
-            lineHeight = LineHeights.TIGHT,
-            fontWeight = FontWeight.SemiBold,
         )
     }
 }

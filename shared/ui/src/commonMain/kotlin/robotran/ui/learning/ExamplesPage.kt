@@ -10,14 +10,12 @@ import androidx.compose.foundation.lazy.grid.LazyGridScope
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
@@ -49,8 +47,8 @@ internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (
             item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
                 Text(
                     LearningTexts.examplesAdded(spoken),
+                    style = TextStyles.body,
                     color = LocalRobotranColours.current.quiet,
-                    fontSize = TextSizes.BODY,
                 )
             }
             val isFirst = { set: ExampleSet -> set.language == current && (set.brick == null || set.brick == brick) }
@@ -63,13 +61,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
     item(span = { GridItemSpan(maxLineSpan) }, key = set.name) {
         val colour = LocalRobotranColours.current.onPane
         val words = Modifier.padding(top = 8.dp).semantics { heading() }
-        Text(
-            set.title(spoken),
-            words,
-            color = colour,
-            fontSize = TextSizes.LEAD,
-            fontWeight = FontWeight.SemiBold,
-        )
+        Text(set.title(spoken), words, TextStyles.lead.strong, color = colour)
     }
     items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
         ExampleCard(name, set.idOf(name), aboutExample(set, name, spoken)) {
@@ -82,8 +74,8 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
 private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
-        Text(name, color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
-        Text(about, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
+        Text(name, style = TextStyles.body.strong, color = colours.onPane)
+        Text(about, style = TextStyles.remark, color = colours.quiet)
     }
 }
 

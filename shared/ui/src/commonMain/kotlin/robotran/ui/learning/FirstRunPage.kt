@@ -1,8 +1,6 @@
 package robotran.ui.learning
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
@@ -18,8 +16,6 @@ import androidx.compose.foundation.layout.wrapContentWidth
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -27,7 +23,6 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.max
@@ -86,7 +81,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     val isLow = room == WelcomeRoom.LOW
-    Box(modifier.scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet), Alignment.Center) {
+    Box(modifier.scrollHint(scroll, arrow = colours.quiet), Alignment.Center) {
         Column(
             Modifier
                 .fillMaxWidth()
@@ -98,23 +93,16 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
         ) {
             Text(
                 LearningTexts.welcome(spoken),
+                style = (if (isLow) TextStyles.sentence else TextStyles.headingLines).medium,
                 color = colours.onPane,
-                fontSize = if (isLow) TextSizes.BODY else TextSizes.HEADING,
-                lineHeight = if (isLow) LineHeights.BODY else LineHeights.HEADING,
-                fontWeight = FontWeight.Medium,
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            QuietButton(LearningTexts.mapAll(spoken), "try-lessons", {
+            Button(LearningTexts.mapAll(spoken), "try-lessons", ButtonKind.QUIET) {
                 onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-            })
+            }
             if (room == WelcomeRoom.HIGH) {
-                Text(
-                    LearningTexts.welcomeAgain(spoken),
-                    color = colours.quiet,
-                    fontSize = TextSizes.SMALL,
-                    lineHeight = LineHeights.SMALL,
-                )
+                Text(LearningTexts.welcomeAgain(spoken), style = TextStyles.remark, color = colours.quiet)
             }
         }
     }
@@ -164,9 +152,9 @@ private fun ElementRef(
         modifier.testTag(
             tag,
         ).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = if (isFirst) RobotranColours.YELLOW else colours.pane,
-        border = if (isFirst) null else BorderStroke(1.dp, colours.quiet),
+        RoundedCornerShape(CORNER),
+        if (isFirst) RobotranColours.YELLOW else colours.pane,
+        if (isFirst) null else edge(colours.quiet),
     ) {
         Row(
             Modifier.padding(horizontal = Space.LARGE, vertical = Space.MEDIUM),
@@ -175,8 +163,8 @@ private fun ElementRef(
         ) {
             SmallIcon(icon, onGround, size = ICON)
             Column(Modifier.weight(1f), verticalArrangement = Arrangement.spacedBy(Space.HAIR)) {
-                Text(title, color = onGround, fontSize = TextSizes.HEADING, fontWeight = FontWeight.SemiBold)
-                help?.let { Text(it, color = onGround, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL) }
+                Text(title, style = TextStyles.heading.strong, color = onGround)
+                help?.let { Text(it, style = TextStyles.label, color = onGround) }
             }
         }
     }

@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.background
 import androidx.compose.foundation.focusable
 import androidx.compose.foundation.horizontalScroll
@@ -12,9 +11,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
@@ -31,7 +27,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.unit.dp
 import robotran.learning.WordHelp
 import robotran.ui.texts.LearningTexts
@@ -57,10 +53,9 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             }
             .focusRequester(focus)
             .focusable(),
-        shape = Shapes.LARGE,
-        color = colours.pane,
+        Shapes.LARGE,
+        border = edge(colours.quiet),
         shadowElevation = 6.dp,
-        border = BorderStroke(1.dp, colours.quiet),
     ) {
         Column {
             Row(
@@ -70,16 +65,14 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                 Text(
                     state.help.found?.word ?: title,
                     Modifier.weight(1f).testTag("help-title").semantics { heading() },
-                    style = if (state.help.found == null) codeStyle().copy(fontFamily = null) else codeStyle(),
-                    fontSize = TextSizes.HEADING,
-                    lineHeight = LineHeights.HEADING,
-                    fontWeight = FontWeight.SemiBold,
+                    (if (state.help.found == null) codeStyle().copy(fontFamily = FontFamily.Default) else codeStyle())
+                        .strong.copy(fontSize = TextSizes.HEADING, lineHeight = LineHeights.HEADING),
                 )
-                IconTouch(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close", {
+                IconButton(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close") {
                     onEvent(LearningEvent.PageClosed)
-                })
+                }
             }
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
             state.help.found?.let { HelpOnWord(it, state, onEvent) } ?: NoHelp(state, onEvent)
         }
     }
@@ -89,19 +82,9 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
 private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.verticalScroll(rememberScrollState()).padding(20.dp), Arrangement.spacedBy(12.dp)) {
-        Text(
-            help.sentence,
-            Modifier.testTag("help-sentence"),
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
-        )
+        Text(help.sentence, Modifier.testTag("help-sentence"), TextStyles.sentence, color = colours.onPane)
         if (help.sentenceLanguage != state.language) {
-            Text(
-                LearningTexts.helpInEnglish(spoken),
-                color = colours.quiet,
-                fontSize = TextSizes.COMPACT,
-            )
+            Text(LearningTexts.helpInEnglish(spoken), style = TextStyles.compact, color = colours.quiet)
         }
         Label(LearningTexts.helpForms(spoken))
         Column { for (form in help.forms) Text(form, style = codeStyle()) }
@@ -109,18 +92,18 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
             Label(LearningTexts.helpExample(spoken))
             val ground = Modifier.fillMaxWidth().background(colours.desk, Shapes.SMALL)
             Box(ground.horizontalScroll(rememberScrollState()).padding(12.dp)) {
-                Text(example.trimEnd(), Modifier.testTag("help-example"), style = codeStyle(), softWrap = false)
+                Text(example.trimEnd(), Modifier.testTag("help-example"), codeStyle(), softWrap = false)
             }
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
             if (help.example != null) {
-                PrimaryButton(LearningTexts.helpTry(spoken), "help-try", {
+                Button(LearningTexts.helpTry(spoken), "help-try") {
                     onEvent(LearningEvent.ExampleTried)
-                })
+                }
             }
-            QuietButton(LearningTexts.helpAll(spoken), "help-all", {
+            Button(LearningTexts.helpAll(spoken), "help-all", ButtonKind.QUIET) {
                 onEvent(LearningEvent.WordChosen(null))
-            })
+            }
         }
     }
 }
@@ -137,9 +120,8 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     Text(
         text,
         Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"),
+        TextStyles.sentence,
         color = LocalRobotranColours.current.onPane,
-        fontSize = TextSizes.BODY,
-        lineHeight = LineHeights.BODY,
     )
     WordList(state, onEvent)
 }
@@ -148,7 +130,6 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 private fun Label(text: String) = Text(
     text,
     Modifier.semantics { heading() },
+    TextStyles.compact.strong,
     color = LocalRobotranColours.current.quiet,
-    fontSize = TextSizes.COMPACT,
-    fontWeight = FontWeight.SemiBold,
 )

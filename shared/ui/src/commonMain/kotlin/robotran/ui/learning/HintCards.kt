@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
@@ -13,7 +12,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Hint
 import robotran.learning.HintStage
@@ -46,12 +44,7 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
         Arrangement.spacedBy(4.dp),
     ) {
         val line = hint.line?.let { " · ${LearningTexts.hintLine(spoken, it)}" }.orEmpty()
-        Text(
-            "${hint.stage.title(spoken)}$line",
-            color = colours.onPane,
-            fontSize = TextSizes.SMALL,
-            fontWeight = FontWeight.SemiBold,
-        )
+        Text("${hint.stage.title(spoken)}$line", style = TextStyles.small.strong, color = colours.onPane)
         MarkedText(if (inBlocks) hint.textInBlocks else hint.text, colour = colours.onPane)
     }
 }

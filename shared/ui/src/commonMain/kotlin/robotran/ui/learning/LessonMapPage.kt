@@ -7,13 +7,11 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.lazy.rememberLazyListState
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
 import robotran.learning.Strand
@@ -61,21 +59,14 @@ private fun StrandOnMap(
         Text(
             strand.title(state.language),
             Modifier.semantics { heading() },
+            TextStyles.pageTitle,
             color = colours.onPane,
-            fontSize = TextSizes.TITLE,
-            lineHeight = LineHeights.HEADING,
-            fontWeight = FontWeight.SemiBold,
         )
-        Text(
-            strand.about(state.language),
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.LABEL,
-        )
+        Text(strand.about(state.language), style = TextStyles.label, color = colours.onPane)
         Text(
             LearningTexts.stepsDone(spoken, done, strand.lessons.size),
+            style = TextStyles.compact,
             color = colours.quiet,
-            fontSize = TextSizes.COMPACT,
         )
         StationPath(
             strand.lessons.map { lesson ->

@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.Color
@@ -26,10 +25,8 @@ internal fun MarkedText(
     Text(
         marked(text, code.copy(background = background)),
         modifier,
+        TextStyles.sentence.copy(fontWeight = weight),
         color = colour,
-        fontSize = TextSizes.BODY,
-        lineHeight = LineHeights.BODY,
-        fontWeight = weight,
     )
 }
 

@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.Image
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
@@ -13,7 +12,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Surface
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.produceState
@@ -66,9 +64,7 @@ internal fun <T : Any> PictureCard(
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .clickable(role = Role.Button, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = colours.pane,
-        border = BorderStroke(1.dp, colours.line),
+        RoundedCornerShape(CORNER),
     ) {
         Column {
             CardPicture(

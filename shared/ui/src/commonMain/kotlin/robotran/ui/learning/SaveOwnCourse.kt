@@ -18,12 +18,12 @@ import robotran.workshop.state.SavedOwnCourse
 internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     // Several such buttons on a page sound alike otherwise.
     val words = SchoolTexts.courseSaveOwnOf(spoken, title)
-    QuietButton(
+    Button(
         SchoolTexts.courseSaveOwn(spoken),
         "course-save-$name",
-        { onEvent(CourseEvent.OwnCourseSaved(name)) },
-        modifier = Modifier.semantics { contentDescription = words },
-    )
+        ButtonKind.QUIET,
+        Modifier.semantics { contentDescription = words },
+    ) { onEvent(CourseEvent.OwnCourseSaved(name)) }
     if (saved?.name != name) return
     val error = saved.error
     val news = Modifier.testTag("course-saved-$name").semantics { liveRegion = LiveRegionMode.Polite }

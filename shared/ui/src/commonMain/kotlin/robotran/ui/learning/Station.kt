@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.CircleShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -22,7 +21,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.semantics.traversalIndex
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.Dp
@@ -91,19 +89,16 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
                 Text(
                     "$number",
                     Modifier.clearAndSetSemantics { },
+                    TextStyles.lead.strong,
                     color = if (isNext) RobotranColours.ON_YELLOW else colours.onPane,
-                    fontSize = TextSizes.LEAD,
-                    fontWeight = FontWeight.SemiBold,
                 )
             }
         }
         Text(
             title,
             Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+            TextStyles.small.strongIf(isNext).copy(lineHeight = TITLE_LINE),
             color = colours.onPane,
-            fontSize = TextSizes.SMALL,
-            lineHeight = TITLE_LINE,
-            fontWeight = if (isNext) FontWeight.SemiBold else FontWeight.Normal,
             textAlign = TextAlign.Center,
             maxLines = TITLE_LINES,
             overflow = TextOverflow.Ellipsis,
@@ -112,9 +107,8 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
             Text(
                 note,
                 Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+                TextStyles.small.copy(lineHeight = TITLE_LINE),
                 color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                lineHeight = TITLE_LINE,
                 textAlign = TextAlign.Center,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,

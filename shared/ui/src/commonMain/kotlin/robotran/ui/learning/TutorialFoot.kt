@@ -110,11 +110,11 @@ private fun Buttons(
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     val words = tutorial.first(spoken)
     if (tutorial.isLoaded) {
-        SecondButton(words, "run-step", { onEvent(RunEvent.RunPressed) })
+        Button(words, "run-step", ButtonKind.SECOND) { onEvent(RunEvent.RunPressed) }
     } else {
-        PrimaryButton(words, "try-step", {
+        Button(words, "try-step", help = LearningTexts.tryStepHelp(spoken)) {
             onEvent(LearningEvent.StepTried)
-        }, help = LearningTexts.tryStepHelp(spoken))
+        }
     }
 }
 
@@ -122,11 +122,11 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isLoaded) {
-        QuietButton(LearningTexts.beginAgain(spoken), "begin-again", {
+        Button(LearningTexts.beginAgain(spoken), "begin-again", ButtonKind.QUIET) {
             onEvent(LearningEvent.StepRestarted)
-        })
+        }
     }
-    QuietButton(tutorial.last(spoken), "leave-tutorial", { onEvent(LearningEvent.TutorialClosed) })
+    Button(tutorial.last(spoken), "leave-tutorial", ButtonKind.QUIET) { onEvent(LearningEvent.TutorialClosed) }
 }
 
 /** The same as a menu, if there is too little room. */
@@ -138,7 +138,7 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        IconTouch(Icon.MORE, LearningTexts.stepMore(spoken), "step-more", { open = true })
+        IconButton(Icon.MORE, LearningTexts.stepMore(spoken), "step-more") { open = true }
         AppMenu(open, { open = false }) {
             if (tutorial.isLoaded) {
                 MenuItem(LearningTexts.beginAgain(spoken), "begin-again") {
@@ -151,12 +151,12 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
 }
 
 @Composable
-private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) = QuietButton(
+private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) = Button(
     LearningTexts.previous(spoken),
     "previous-step",
-    { onEvent(LearningEvent.StepChosen(tutorial.step - 1)) },
+    ButtonKind.QUIET,
     enabled = tutorial.step > 0,
-)
+) { onEvent(LearningEvent.StepChosen(tutorial.step - 1)) }
 
 /** After the last step, opens the worlds. */
 @Composable
@@ -171,7 +171,16 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
             },
         )
     }
-    if (done) PrimaryButton(words, "next-step", next) else SecondButton(words, "next-step", next)
+    if (done) {
+        Button(words, "next-step", onClick = next)
+    } else {
+        Button(
+            words,
+            "next-step",
+            ButtonKind.SECOND,
+            onClick = next,
+        )
+    }
 }
 
 private val TutorialState.isAtEnd: Boolean get() = step == Lessons.all.lastIndex

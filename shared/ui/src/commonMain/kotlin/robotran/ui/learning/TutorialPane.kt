@@ -1,7 +1,6 @@
 package robotran.ui.learning
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -10,8 +9,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
@@ -20,7 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.LearningTexts
 import robotran.uikit.*
@@ -42,9 +39,9 @@ internal fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit
         val maxFoot = maxHeight * FOOT_SHARE
         Column(Modifier.fillMaxSize()) {
             TutorialStrip(state, onEvent)
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
             key(tutorial.step) { Step(state, tutorial, isBroad, onEvent, Modifier.weight(1f)) }
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
             TutorialFoot(tutorial, state.isStepDone, isBroad, maxFoot, onEvent)
         }
     }
@@ -58,12 +55,11 @@ private fun Step(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     val scrolled = modifier
         .fillMaxSize()
         .testTag("tutorial-text")
-        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+        .scrollHint(scroll)
         .verticalScroll(scroll)
         .padding(horizontal = 20.dp, vertical = 16.dp)
     if (isBroad) {
@@ -85,11 +81,12 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
     Text(
         text.title,
         Modifier.testTag("step-title").semantics { heading() },
-        color = LocalRobotranColours.current.onPane,
         // A long word of a larger title would be broken on a phone.
-        fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,
-        lineHeight = LineHeights.HEADING,
-        fontWeight = FontWeight.SemiBold,
+        TextStyle(
+            fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,
+            lineHeight = LineHeights.HEADING,
+        ).strong,
+        color = LocalRobotranColours.current.onPane,
     )
     for (paragraph in text.paragraphs) MarkedText(paragraph)
 }

@@ -10,11 +10,8 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -30,7 +27,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
@@ -73,7 +69,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                     lessons.size,
                 )
                 val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", color = colours.onPane, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
+                Text("$name$title", style = TextStyles.body.medium, color = colours.onPane)
                 StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
@@ -86,19 +82,18 @@ private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Un
     val folded = tutorial.isFolded
     if (folded && tutorial.hints.isNotEmpty()) {
         // After a try that failed, the hint is one touch away.
-        SecondButton(LearningTexts.hint(spoken), "folded-hint", {
+        Button(LearningTexts.hint(spoken), "folded-hint", ButtonKind.SECOND) {
             onEvent(LearningEvent.TutorialFolded(false))
-        })
+        }
     }
-    IconTouch(MAP_ICON, LearningTexts.map(spoken), "lesson-map", {
+    IconButton(MAP_ICON, LearningTexts.map(spoken), "lesson-map") {
         onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-    })
-    IconTouch(
+    }
+    IconButton(
         if (folded) UNFOLD_ICON else FOLD_ICON,
         if (folded) LearningTexts.unfold(spoken) else LearningTexts.fold(spoken),
         "fold-tutorial",
-        { onEvent(LearningEvent.TutorialFolded(!folded)) },
-    )
+    ) { onEvent(LearningEvent.TutorialFolded(!folded)) }
 }
 
 /** Returns to the step with its program and world; the open project is saved. */
@@ -131,16 +126,15 @@ private fun ReturnStrip(
             SmallIcon(Icon.BACK, colours.onPane)
             Text(
                 "${LearningTexts.learningReturn(spoken)}: ${tutorial.current.text(state.language).title}",
+                style = TextStyles.body.medium,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.Medium,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconTouch(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial", {
+        IconButton(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial") {
             onEvent(LearningEvent.TutorialClosed)
-        })
+        }
     }
 }
 
@@ -162,15 +156,14 @@ private fun StepList(
             } else {
                 "${place + 1} $title"
             }
-            DropdownMenuItem(
-                text = { Text(named, color = colours.onPane, fontSize = TextSizes.BODY) },
-                onClick = {
-                    onClose()
-                    onEvent(LearningEvent.StepChosen(Lessons.all.indexOf(step)))
-                },
-                modifier = Modifier.testTag("tutorial-step-${place + 1}").heightIn(min = Dimensions.TARGET),
-                trailingIcon = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
-            )
+            MenuItem(
+                named,
+                "tutorial-step-${place + 1}",
+                trailing = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
+            ) {
+                onClose()
+                onEvent(LearningEvent.StepChosen(Lessons.all.indexOf(step)))
+            }
         }
     }
 }

@@ -8,7 +8,6 @@ import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -22,7 +21,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.LearningTexts
 import robotran.uikit.*
@@ -57,12 +55,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         ) {
             if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
             val title = if (state.isStepDone) LearningTexts::taskDone else LearningTexts::task
-            Text(
-                title(spoken),
-                color = colours.onPane,
-                fontSize = TextSizes.LEAD,
-                fontWeight = FontWeight.SemiBold,
-            )
+            Text(title(spoken), style = TextStyles.lead.strong, color = colours.onPane)
         }
         MarkedText(text.task)
         TaskHelps(
@@ -101,9 +94,8 @@ internal fun TaskHelps(
             Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
                 liveRegion = LiveRegionMode.Polite
             },
+            TextStyles.sentence,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
         )
     }
 }
@@ -126,7 +118,7 @@ private fun Help(labels: List<Label>, index: Int, tag: String, onClick: () -> Un
     val words = labels.map { it(spoken) }
     Box {
         for (word in words) Box(Modifier.drawWithContent { }.clearAndSetSemantics { }) { ButtonSize(word) }
-        SecondButton(words[index], tag, onClick, Modifier.matchParentSize())
+        Button(words[index], tag, ButtonKind.SECOND, Modifier.matchParentSize(), onClick = onClick)
     }
 }
 

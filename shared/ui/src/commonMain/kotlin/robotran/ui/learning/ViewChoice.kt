@@ -1,6 +1,5 @@
 package robotran.ui.learning
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -14,8 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -26,7 +23,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
 import robotran.ui.texts.BlockTexts
@@ -46,10 +42,8 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
         Text(
             LearningTexts.view(spoken),
             Modifier.semantics { heading() },
+            TextStyles.cardTitle.strong,
             color = colours.onPane,
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.BODY,
-            fontWeight = FontWeight.SemiBold,
         )
         BoxWithConstraints {
             if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
@@ -63,12 +57,7 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
             }
         }
         if (withPictures) {
-            Text(
-                LearningTexts.viewAgain(spoken),
-                color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                lineHeight = LineHeights.SMALL,
-            )
+            Text(LearningTexts.viewAgain(spoken), style = TextStyles.remark, color = colours.quiet)
         }
     }
 }
@@ -113,9 +102,8 @@ private fun OneView(
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .selectable(isChosen, role = Role.RadioButton, onClick = onClick),
-        shape = RoundedCornerShape(CORNER),
-        color = colours.pane,
-        border = if (isChosen) BorderStroke(3.dp, colours.focus) else BorderStroke(1.dp, colours.quiet),
+        RoundedCornerShape(CORNER),
+        border = if (isChosen) edge(colours.focus, 3.dp) else edge(colours.quiet),
     ) {
         Column(Modifier.padding(Space.MEDIUM), Arrangement.spacedBy(Space.SMALL)) {
             if (withPicture) {
@@ -127,10 +115,10 @@ private fun OneView(
             }
             Row(verticalAlignment = Alignment.CenterVertically, horizontalArrangement = Arrangement.spacedBy(8.dp)) {
                 RadioMark(isChosen)
-                Text(title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
+                Text(title, style = TextStyles.lead.strong, color = colours.onPane)
             }
             if (withPicture) {
-                Text(help, color = colours.onPane, fontSize = TextSizes.BODY, lineHeight = LineHeights.LABEL)
+                Text(help, style = TextStyles.label, color = colours.onPane)
             }
         }
     }

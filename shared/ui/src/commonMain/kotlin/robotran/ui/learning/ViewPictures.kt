@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -20,6 +19,7 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
@@ -28,7 +28,6 @@ import robotran.programs.blockLanguage
 import robotran.programs.support
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.editor.CodeColours
 import robotran.ui.program.editor.codeColours
@@ -63,15 +62,14 @@ private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {
-        Sign(GroupSigns.of(group), look.ink, 14.dp)
+        IconView(GroupSigns.of(group), look.ink, size = 14.dp)
         for ((word, isSocket) in words) {
             val ground = Modifier.clip(Shapes.TINY).background(look.socket).padding(horizontal = 4.dp)
             Text(
                 word,
                 if (isSocket) ground else Modifier,
+                TextStyle(fontSize = pictureSize(), lineHeight = pictureSize()),
                 color = if (isSocket) look.socketInk else look.ink,
-                fontSize = pictureSize(),
-                lineHeight = pictureSize(),
                 maxLines = 1,
             )
         }

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.BoxScope
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -86,7 +85,7 @@ private fun BoxScope.Command(text: String, paperBottom: Dp) = Text(
         .padding(top = paperBottom + Space.SMALL)
         .background(LocalRobotranColours.current.pane, Shapes.SMALL)
         .padding(horizontal = Space.MEDIUM, vertical = Space.TINY),
-    style = codeStyle(),
+    codeStyle(),
     maxLines = 1,
 )
 

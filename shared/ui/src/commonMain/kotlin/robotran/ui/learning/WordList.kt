@@ -13,14 +13,12 @@ import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.items
 import androidx.compose.foundation.selection.selectable
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
@@ -63,7 +61,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
                 val name = language.texts.helpName[brick]?.invoke(spoken) ?: language.ownName
-                Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
+                Text(name, style = TextStyles.body, color = colours.onPane)
             }
         }
     }
@@ -81,7 +79,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 20.dp, vertical = 6.dp),
     ) {
-        Text(help.word, style = codeStyle(), fontWeight = FontWeight.SemiBold)
-        Text(help.sentence, color = colours.quiet, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
+        Text(help.word, style = codeStyle().strong)
+        Text(help.sentence, style = TextStyles.compactLines, color = colours.quiet)
     }
 }

@@ -3,12 +3,10 @@ package robotran.ui.learning
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
 import robotran.learning.GalleryWorld
@@ -26,18 +24,13 @@ internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
-        Text(shown.title, color = colours.onPane, fontSize = TextSizes.LEAD, fontWeight = FontWeight.SemiBold)
+        Text(shown.title, style = TextStyles.lead.strong, color = colours.onPane)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            Text(
-                world.level.title(spoken),
-                color = colours.quiet,
-                fontSize = TextSizes.COMPACT,
-                fontWeight = FontWeight.Medium,
-            )
+            Text(world.level.title(spoken), style = TextStyles.compact.medium, color = colours.quiet)
             if (world.name in done) DoneMark()
         }
-        Text(robotOf(world.plainWorld), color = colours.quiet, fontSize = TextSizes.COMPACT)
-        Text(shown.task, color = colours.onPane, fontSize = TextSizes.COMPACT, lineHeight = LineHeights.COMPACT)
+        Text(robotOf(world.plainWorld), style = TextStyles.compact, color = colours.quiet)
+        Text(shown.task, style = TextStyles.compactLines, color = colours.onPane)
         for (harder in world.harder) Harder(harder, language, harder.name in done) { onChoose(harder) }
     }
 }
@@ -47,7 +40,7 @@ private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onC
     val title = remember(world, language) { world.world(language).title }
     val words = LearningTexts.harder(spoken, title)
     val mark = if (isDone) " · ${LearningTexts.worldDoneMark(spoken)}" else ""
-    SecondButton("$words$mark", "world-${world.name}", onClick, Modifier.fillMaxWidth())
+    Button("$words$mark", "world-${world.name}", ButtonKind.SECOND, Modifier.fillMaxWidth(), onClick = onClick)
 }
 
 @Composable
@@ -56,7 +49,7 @@ private fun DoneMark() {
     Row(horizontalArrangement = Arrangement.spacedBy(4.dp), verticalAlignment = Alignment.CenterVertically) {
         SmallIcon(DONE_ICON, colours.onPane, size = 18.dp)
         val done = LearningTexts.worldDoneMark(spoken)
-        Text(done, color = colours.onPane, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
+        Text(done, style = TextStyles.compact.strong, color = colours.onPane)
     }
 }
 

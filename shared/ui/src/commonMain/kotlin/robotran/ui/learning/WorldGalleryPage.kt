@@ -14,9 +14,6 @@ import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.OutlinedTextFieldDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -31,7 +28,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import robotran.assignments.course.OwnCourses
 import robotran.brick.kind.BrickKind
@@ -70,7 +66,7 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             verticalArrangement = Arrangement.spacedBy(16.dp),
         ) {
             item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
-                Text(LearningTexts.worldsKept(spoken), color = colours.quiet, fontSize = TextSizes.BODY)
+                Text(LearningTexts.worldsKept(spoken), style = TextStyles.body, color = colours.quiet)
             }
             item(span = { GridItemSpan(maxLineSpan) }, key = "search") {
                 Column(verticalArrangement = Arrangement.spacedBy(8.dp)) {
@@ -109,36 +105,20 @@ private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
 
 @Composable
 private fun Search(query: String, onAsk: (String) -> Unit) {
-    val colours = LocalRobotranColours.current
     val field = remember { FocusRequester() }
-    OutlinedTextField(
-        value = query,
-        onValueChange = onAsk,
-        modifier = Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
-        textStyle = TextStyle(fontSize = TextSizes.BODY),
-        label = { Text(LearningTexts.worldsSearch(spoken)) },
-        singleLine = true,
-        trailingIcon = if (query.isEmpty()) {
-            null
-        } else {
-            {
-                IconTouch(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear", {
-                    onAsk("")
-                    // Whoever clears it wants to type something else.
-                    field.requestFocus()
-                })
-            }
-        },
-        shape = Shapes.MEDIUM,
-        colors = OutlinedTextFieldDefaults.colors(
-            focusedTextColor = colours.onPane,
-            unfocusedTextColor = colours.onPane,
-            focusedBorderColor = colours.focus,
-            unfocusedBorderColor = colours.quiet,
-            focusedLabelColor = colours.focus,
-            unfocusedLabelColor = colours.quiet,
-            cursorColor = colours.focus,
-        ),
+    val clear = @Composable {
+        IconButton(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear") {
+            onAsk("")
+            // Whoever clears it wants to type something else.
+            field.requestFocus()
+        }
+    }
+    TextField(
+        query,
+        onAsk,
+        Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
+        LearningTexts.worldsSearch(spoken),
+        extras = FieldExtras(shape = Shapes.MEDIUM, button = if (query.isEmpty()) null else clear),
     )
 }
 

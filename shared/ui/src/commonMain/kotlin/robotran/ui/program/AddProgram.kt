@@ -1,12 +1,8 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -14,8 +10,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.runtime.staticCompositionLocalOf
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
@@ -39,7 +33,7 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        RoundButton(Plus, ScreenTexts.programAdd(spoken), "add-program") { open = true }
+        IconButton(ThinIcons.PLUS, ScreenTexts.programAdd(spoken), "add-program", IconButtonKind.SMALL) { open = true }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
@@ -47,16 +41,16 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         ) {
             if (state.hasRoom) NewPrograms(state.brick, choose) else Note(ScreenTexts.programNoRoom(spoken))
             state.program.language.texts.newFile?.let { words ->
-                Choice(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) }
+                MenuItem(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) }
             }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
-                Choice(ScreenTexts.programReopenNamed(spoken, closed), "reopen-closed") {
+                MenuItem(ScreenTexts.programReopenNamed(spoken, closed), "reopen-closed") {
                     choose(ProgramEvent.ProgramReopened)
                 }
             }
             if (state.hasRoom) {
-                HorizontalDivider(color = LocalRobotranColours.current.line)
-                Choice(ScreenTexts.programExamples(spoken), "examples") {
+                HorizontalDivider()
+                MenuItem(ScreenTexts.programExamples(spoken), "examples") {
                     choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
                 }
             }
@@ -75,9 +69,9 @@ private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     val languages = ProgramLanguage.entries.filter { it in allowed && brick in it.support.bricks }
     for (language in languages) {
         if (language.support.isForExperts && languages.size > 1 && !hasMore) {
-            Choice(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }
+            MenuItem(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }
         } else {
-            Choice(language.texts.newProgram(spoken), "new-${language.name.lowercase()}") {
+            MenuItem(language.texts.newProgram(spoken), "new-${language.name.lowercase()}") {
                 onEvent(ProgramEvent.NewProgramRequested(language))
             }
         }
@@ -87,18 +81,5 @@ private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Note(text: String) {
     val colour = LocalRobotranColours.current.quiet
-    Text(
-        text,
-        Modifier.padding(12.dp).widthIn(max = 300.dp),
-        color = colour,
-        fontSize = TextSizes.SMALL,
-        fontWeight = FontWeight.Medium,
-    )
+    Text(text, Modifier.padding(12.dp).widthIn(max = 300.dp), TextStyles.small.medium, color = colour)
 }
-
-@Composable
-private fun Choice(text: String, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(text, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
-    onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
-)

@@ -1,13 +1,9 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -15,7 +11,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
@@ -28,12 +23,7 @@ import robotran.workshop.event.ProgramEvent
 @Composable
 internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    Surface(
-        Modifier.fillMaxWidth().padding(8.dp),
-        Shapes.MEDIUM,
-        colours.desk,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(Modifier.fillMaxWidth().padding(8.dp), color = colours.desk) {
         Row(
             Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("closed-program"),
             verticalAlignment = Alignment.CenterVertically,
@@ -41,21 +31,19 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
             Text(
                 ScreenTexts.programClosed(spoken, name),
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+                TextStyles.body,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
             )
             if (room) {
-                TextButton(
-                    { onEvent(ProgramEvent.ProgramReopened) },
-                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("reopen-program").focusRing(),
-                ) {
-                    val words = ScreenTexts.programReopen(spoken)
-                    Text(words, color = colours.focus, fontSize = TextSizes.BODY, fontWeight = FontWeight.SemiBold)
-                }
+                Button(
+                    ScreenTexts.programReopen(spoken),
+                    "reopen-program",
+                    ButtonKind.LINK,
+                ) { onEvent(ProgramEvent.ProgramReopened) }
             }
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close", {
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "closed-program-close") {
                 onEvent(ProgramEvent.ClosedMessageDismissed)
-            })
+            }
         }
     }
 }

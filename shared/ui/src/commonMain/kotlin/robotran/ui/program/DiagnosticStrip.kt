@@ -6,8 +6,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
@@ -63,17 +61,16 @@ internal fun DiagnosticStrip(
                         EditorTexts.mistakes(spoken, count)
                     },
                     Modifier.weight(1f),
+                    TextStyles.body.copy(fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal),
                     color = colours.error,
-                    fontSize = TextSizes.BODY,
-                    fontWeight = if (pointedOut) FontWeight.Bold else FontWeight.Normal,
                 )
-                TextButton(
-                    onNext,
-                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("next-mistake").focusRing(),
-                ) {
-                    val words = EditorTexts.nextMistake(spoken)
-                    Text(words, color = colours.focus, fontSize = TextSizes.COMPACT, fontWeight = FontWeight.SemiBold)
-                }
+                Button(
+                    EditorTexts.nextMistake(spoken),
+                    "next-mistake",
+                    ButtonKind.SMALL_LINK,
+                    style = TextStyles.compact.strong,
+                    onClick = onNext,
+                )
             }
         }
     }
@@ -94,8 +91,8 @@ private fun Elsewhere(diagnostic: Diagnostic, program: Program, onFix: (Diagnost
         Text(
             words,
             Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            TextStyles.body,
             color = LocalRobotranColours.current.error,
-            fontSize = TextSizes.BODY,
         )
         diagnostic.fix?.let { fix ->
             val text = program.files.firstOrNull { it.name == diagnostic.file }?.text.orEmpty()

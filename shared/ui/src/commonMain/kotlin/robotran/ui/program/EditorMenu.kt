@@ -1,11 +1,7 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.runtime.getValue
@@ -14,7 +10,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
 import robotran.ui.program.editor.EditorCommand
@@ -49,7 +44,7 @@ internal fun EditorMenu(
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        RoundButton(StrokeIcons.MORE, EditorTexts.more(spoken), "editor-more", SIGN) { open = true }
+        IconButton(ThinIcons.MORE, EditorTexts.more(spoken), "editor-more", IconButtonKind.TOOL) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {
@@ -59,22 +54,22 @@ internal fun EditorMenu(
                 }
             }
             onSend?.let { send ->
-                WordsItem(sendWords, "send-robot") {
+                MenuItem(sendWords(spoken), "send-robot") {
                     open = false
                     send()
                 }
             }
             for (kind in translations) {
                 val tag = if (kind == shown) "translation-switch" else "translation-${kind.name.lowercase()}"
-                WordsItem(kind.translationTexts.switch, tag) {
+                MenuItem(kind.translationTexts.switch(spoken), tag) {
                     open = false
                     onTranslation(kind)
                 }
             }
             val isSecond = onSend != null || translations.isNotEmpty()
-            if (isSecond) HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (isSecond) HorizontalDivider()
             for ((index, group) in toolsFor(hasText, hasFind, hasLayout).withIndex()) {
-                if (index > 0) HorizontalDivider(color = LocalRobotranColours.current.line)
+                if (index > 0) HorizontalDivider()
                 for (tool in group) {
                     ToolItem(tool) {
                         if (tool.closesMenu) {
@@ -91,27 +86,15 @@ internal fun EditorMenu(
 }
 
 @Composable
-private fun WordsItem(label: Label, tag: String, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(label(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
+private fun ToolItem(tool: Tool, onClick: () -> Unit) = MenuItem(
+    tool.words(spoken),
+    "tool-${tool.command.name.lowercase()}",
+    trailing = if (tool.keys.isEmpty()) null else ({ Keys(tool.keys) }),
     onClick = onClick,
-    modifier = Modifier.testTag(tag).heightIn(min = Dimensions.TARGET),
 )
 
 @Composable
-private fun ToolItem(tool: Tool, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(tool.words(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY) },
-    onClick = onClick,
-    modifier = Modifier.testTag("tool-${tool.command.name.lowercase()}").heightIn(min = Dimensions.TARGET),
-    trailingIcon = if (tool.keys.isEmpty()) {
-        null
-    } else {
-        (
-            {
-                Text(tool.keys, color = LocalRobotranColours.current.quiet, fontSize = TextSizes.SMALL)
-            }
-        )
-    },
-)
+private fun Keys(keys: String) = Text(keys, style = TextStyles.small, color = LocalRobotranColours.current.quiet)
 
 /**
  * An item of the menu.

@@ -40,14 +40,14 @@ internal fun EditorTools(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            RoundButton(StrokeIcons.UNDO, EditorTexts.undo(spoken), "undo", SIGN, state.canUndo) {
+            IconButton(ThinIcons.UNDO, EditorTexts.undo(spoken), "undo", IconButtonKind.TOOL, enabled = state.canUndo) {
                 onCommand(EditorCommand.Plain.UNDO)
             }
-            RoundButton(StrokeIcons.REDO, EditorTexts.redo(spoken), "redo", SIGN, state.canRedo) {
+            IconButton(ThinIcons.REDO, EditorTexts.redo(spoken), "redo", IconButtonKind.TOOL, enabled = state.canRedo) {
                 onCommand(EditorCommand.Plain.REDO)
             }
             if (places.hasFind) {
-                RoundButton(StrokeIcons.FIND, EditorTexts.find(spoken), "find-open", SIGN) {
+                IconButton(ThinIcons.FIND, EditorTexts.find(spoken), "find-open", IconButtonKind.TOOL) {
                     onCommand(EditorCommand.Plain.FIND)
                 }
             }

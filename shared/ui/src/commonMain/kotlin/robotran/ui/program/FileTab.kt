@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -17,7 +16,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.EditorTexts
 import robotran.uikit.*
@@ -62,9 +60,8 @@ internal fun FileTab(title: String, shown: Boolean, tag: String, onChoose: () ->
     ) {
         Text(
             title,
+            style = TextStyles.body.strongIf(shown),
             color = if (shown) colours.onPane else colours.quiet,
-            fontSize = TextSizes.BODY,
-            fontWeight = if (shown) FontWeight.SemiBold else FontWeight.Normal,
             maxLines = 1,
         )
     }

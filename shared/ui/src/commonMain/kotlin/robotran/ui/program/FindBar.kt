@@ -10,8 +10,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.text.BasicTextField
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.Stable
@@ -114,23 +112,49 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
                 actions::next,
             )
             val before = EditorTexts.findPrevious(spoken)
-            RoundButton(StrokeIcons.UP, before, "find-previous", enabled = count > 0, onClick = actions::previous)
-            RoundButton(
-                StrokeIcons.DOWN,
+            IconButton(
+                ThinIcons.UP,
+                before,
+                "find-previous",
+                IconButtonKind.SMALL,
+                enabled = count > 0,
+                onClick = actions::previous,
+            )
+            IconButton(
+                ThinIcons.DOWN,
                 EditorTexts.findNext(spoken),
                 "find-next",
+                IconButtonKind.SMALL,
                 enabled = count > 0,
                 onClick = actions::next,
             )
-            RoundButton(Cross, EditorTexts.findClose(spoken), "find-close", onClick = actions::close)
+            IconButton(
+                ThinIcons.CROSS,
+                EditorTexts.findClose(spoken),
+                "find-close",
+                IconButtonKind.SMALL,
+                onClick = actions::close,
+            )
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = EditorTexts.replace(spoken)
             LineField(state.replacement, words, "replace", {
                 state.replacement = it
             }, actions, Modifier.weight(1f), actions::replaceOne)
-            FindButton(EditorTexts.replaceOne(spoken), "replace-one", count > 0, actions::replaceOne)
-            FindButton(EditorTexts.replaceAll(spoken), "replace-all", count > 0, actions::replaceAll)
+            Button(
+                EditorTexts.replaceOne(spoken),
+                "replace-one",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceOne,
+            )
+            Button(
+                EditorTexts.replaceAll(spoken),
+                "replace-all",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceAll,
+            )
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             PaneChip(EditorTexts.findCase(spoken), "find-case", state.search.matchCase) {
@@ -142,8 +166,8 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             Text(
                 if (state.search.text.isEmpty()) "" else countText(count, index),
                 Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
+                TextStyles.small,
                 color = colours.onPane,
-                fontSize = TextSizes.SMALL,
             )
         }
     }
@@ -154,17 +178,6 @@ private fun countText(count: Int, index: Int): String = if (count == 0) {
     EditorTexts.findNone(spoken)
 } else {
     EditorTexts.findCount(spoken, index, count)
-}
-
-@Composable
-private fun FindButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(
-            label,
-            color = if (enabled) LocalRobotranColours.current.focus else LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.COMPACT,
-        )
-    }
 }
 
 @Composable
@@ -211,7 +224,7 @@ private fun LineField(
                 ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
                 Alignment.CenterStart,
             ) {
-                if (text.isEmpty()) Text(label, color = colours.quiet, fontSize = TextSizes.COMPACT, maxLines = 1)
+                if (text.isEmpty()) Text(label, style = TextStyles.compact, color = colours.quiet, maxLines = 1)
                 inner()
             }
         },

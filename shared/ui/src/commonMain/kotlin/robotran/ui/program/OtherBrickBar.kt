@@ -2,11 +2,8 @@ package robotran.ui.program
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -14,7 +11,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.ui.texts.BrickLabels
@@ -35,23 +31,9 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
         Text(
             labels.programIsFor(spoken, robot),
             Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            TextStyles.body,
             color = colours.error,
-            fontSize = TextSizes.BODY,
         )
-        TextButton(
-            onUse,
-            Modifier
-                .align(Alignment.End)
-                .defaultMinSize(minHeight = Dimensions.TARGET)
-                .testTag("use-other-brick")
-                .focusRing(),
-        ) {
-            Text(
-                labels.use(spoken),
-                color = colours.focus,
-                fontSize = TextSizes.BODY,
-                fontWeight = FontWeight.SemiBold,
-            )
-        }
+        Button(labels.use(spoken), "use-other-brick", ButtonKind.LINK, Modifier.align(Alignment.End), onClick = onUse)
     }
 }

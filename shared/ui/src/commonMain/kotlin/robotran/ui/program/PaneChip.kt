@@ -1,12 +1,6 @@
 package robotran.ui.program
 
-import androidx.compose.material3.FilterChip
-import androidx.compose.material3.FilterChipDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.dp
 import robotran.ui.program.editor.codeColours
 import robotran.uikit.*
 
@@ -25,17 +19,5 @@ internal fun PaneChip(
     others: List<String> = emptyList(),
     onClick: () -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
-    FilterChip(
-        selected = on,
-        onClick = onClick,
-        label = { SteadySize(words, others) { Text(it, fontSize = TextSizes.SMALL, maxLines = 1) } },
-        modifier = Modifier.testTag(tag).focusRing(8.dp),
-        leadingIcon = picture,
-        colors = FilterChipDefaults.filterChipColors(
-            labelColor = colours.onPane,
-            selectedContainerColor = codeColours().partner,
-            selectedLabelColor = colours.onPane,
-        ),
-    )
+    SmallChip(words, on, tag, codeColours().partner, picture, others, onClick)
 }

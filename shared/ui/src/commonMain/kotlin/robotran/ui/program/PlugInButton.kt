@@ -1,14 +1,9 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import robotran.simulation.state.MissingSensors
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
@@ -19,19 +14,10 @@ internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> U
     val ports = missing.sensors.map { it.port }
     val description = ports.singleOrNull()?.let { RunTexts.plugInPort(spoken, it) }
         ?: RunTexts.plugInPorts(spoken, portNumbers(ports))
-    TextButton(
-        { onPlug(missing) },
-        modifier
-            .defaultMinSize(minHeight = Dimensions.TARGET)
-            .testTag("plug-in")
-            .semantics { contentDescription = description }
-            .focusRing(),
-    ) {
-        Text(
-            if (ports.size == 1) RunTexts.plugIn(spoken) else RunTexts.plugInSeveral(spoken),
-            color = LocalRobotranColours.current.focus,
-            fontSize = TextSizes.BODY,
-            fontWeight = FontWeight.SemiBold,
-        )
-    }
+    Button(
+        if (ports.size == 1) RunTexts.plugIn(spoken) else RunTexts.plugInSeveral(spoken),
+        "plug-in",
+        ButtonKind.LINK,
+        modifier.semantics { contentDescription = description },
+    ) { onPlug(missing) }
 }

@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -206,7 +205,7 @@ private fun ShownFile(
                     1
             FindBar(find, matches.size, place, actions)
         }
-        HorizontalDivider(color = LocalRobotranColours.current.line)
+        HorizontalDivider()
         val highlighted = state.translation?.takeIf { state.isTranslated }
         val line = state.draft.lines.lineOf(state.draft.selection.caret) + 1
         val failedLine = failure?.sourceLine ?: 0

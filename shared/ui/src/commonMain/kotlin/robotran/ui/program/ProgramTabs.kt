@@ -51,7 +51,7 @@ internal fun ProgramTabs(
         Row(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Horizontal, pane, LocalRobotranColours.current.onPane)
+                .scrollHint(scroll, Orientation.Horizontal)
                 .horizontalScroll(scroll)
                 .selectableGroup(),
             verticalAlignment = Alignment.CenterVertically,
@@ -65,7 +65,12 @@ internal fun ProgramTabs(
                     FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
                     if (several && shown) {
                         val close = ScreenTexts.programClose(spoken, program.name)
-                        RoundButton(Cross, close, "close-program") { onEvent(ProgramEvent.ProgramClosed(slot)) }
+                        IconButton(
+                            ThinIcons.CROSS,
+                            close,
+                            "close-program",
+                            IconButtonKind.SMALL,
+                        ) { onEvent(ProgramEvent.ProgramClosed(slot)) }
                     }
                 }
             }
@@ -107,13 +112,12 @@ internal fun FileTabs(
     onRename: () -> Unit,
     modifier: Modifier = Modifier,
 ) {
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Row(
         modifier
             .fillMaxWidth()
             .height(Dimensions.TARGET)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .selectableGroup(),
     ) {

@@ -1,12 +1,8 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -37,41 +33,41 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
     val problem = nameError(state.programs, state.shownProgram, state.shownFile, typed.text)
     val take = { if (problem == null) onName(typed.text) }
     val focus = remember { FocusRequester() }
-    DialogFrame(
+    Dialog(
         EditorTexts.rename(spoken),
         onLeave,
         buttons = {
-            DialogButton(EditorTexts.renameCancel(spoken), "rename-cancel", true, onLeave)
-            DialogButton(EditorTexts.renameDone(spoken), "rename-done", problem == null) { take() }
+            Button(
+                EditorTexts.renameCancel(spoken),
+                "rename-cancel",
+                ButtonKind.LINK,
+                style = TextStyles.body,
+                onClick = onLeave,
+            )
+            Button(
+                EditorTexts.renameDone(spoken),
+                "rename-done",
+                ButtonKind.LINK,
+                enabled = problem == null,
+                style = TextStyles.body,
+            ) { take() }
         },
     ) {
         // A dialog is composed separately: only now does the field exist.
         LaunchedEffect(Unit) { focus.requestFocus() }
-        OutlinedTextField(
+        TextField(
             typed,
             { typed = it },
             Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
-            label = { Text(EditorTexts.name(spoken)) },
-            suffix = { Text(ending) },
-            supportingText = { problem?.let { Text(wordsFor(it)(spoken)) } },
-            isError = problem != null,
-            singleLine = true,
-            keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
-            keyboardActions = KeyboardActions(onDone = { take() }),
-            colors = fieldColours(),
+            EditorTexts.name(spoken),
+            keyboard = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
+            onKeyboard = KeyboardActions(onDone = { take() }),
+            extras = FieldExtras(problem != null, suffix = ending) { problem?.let { Text(wordsFor(it)(spoken)) } },
         )
         if (state.program.files.size > 1) {
             val remove = state.program.language.texts.removeFile
-            DialogButton(remove(spoken), "remove-class", true, onRemove)
+            Button(remove(spoken), "remove-class", ButtonKind.LINK, style = TextStyles.body, onClick = onRemove)
         }
-    }
-}
-
-@Composable
-private fun DialogButton(label: String, tag: String, enabled: Boolean, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
-    TextButton(onClick, Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag).focusRing(), enabled) {
-        Text(label, color = if (enabled) colours.focus else colours.quiet, fontSize = TextSizes.BODY)
     }
 }
 

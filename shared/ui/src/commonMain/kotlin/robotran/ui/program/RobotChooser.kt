@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.selection.selectableGroup
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -34,7 +33,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
             .fillMaxWidth()
             .background(colours.pane)
             .heightIn(min = Dimensions.TARGET)
-            .scrollHint(scroll, Orientation.Horizontal, colours.pane, colours.onPane)
+            .scrollHint(scroll, Orientation.Horizontal)
             .horizontalScroll(scroll)
             .padding(horizontal = 12.dp)
             .selectableGroup()
@@ -56,12 +55,7 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
             ) { onChoose(robot.name) }
         }
         if (state.isWorldsOwn) {
-            Text(
-                EditorTexts.worldsOwn(spoken),
-                color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                maxLines = 1,
-            )
+            Text(EditorTexts.worldsOwn(spoken), style = TextStyles.small, color = colours.quiet, maxLines = 1)
         }
     }
 }

@@ -18,9 +18,15 @@ internal fun SendButton(label: Label, hasRoom: Boolean, onClick: () -> Unit) =
 private fun SendButton(label: String, hasRoom: Boolean, onClick: () -> Unit) {
     if (hasRoom) {
         val colour = LocalRobotranColours.current.onPane
-        PaneChip(label, "send-robot", on = false, { SignPicture(StrokeIcons.SEND, colour, SIGN) }, onClick = onClick)
+        PaneChip(label, "send-robot", on = false, {
+            IconView(
+                ThinIcons.SEND,
+                colour,
+                size = SIGN,
+            )
+        }, onClick = onClick)
     } else {
-        RoundButton(StrokeIcons.SEND, label, "send-robot", SIGN, onClick = onClick)
+        IconButton(ThinIcons.SEND, label, "send-robot", IconButtonKind.TOOL, onClick = onClick)
     }
 }
 

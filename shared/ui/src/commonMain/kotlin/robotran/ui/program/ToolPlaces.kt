@@ -1,6 +1,5 @@
 package robotran.ui.program
 
-import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.rememberTextMeasurer
@@ -43,7 +42,7 @@ internal fun toolPlaces(width: Dp, hasViews: Boolean, translationWords: Label?, 
 
 @Composable
 private fun chipWidth(label: Label): Dp {
-    val style = LocalTextStyle.current.copy(fontSize = TextSizes.SMALL)
+    val style = TextStyles.small.asWritten()
     val text = rememberTextMeasurer().measure(label(spoken), style, maxLines = 1).size.width
     return with(LocalDensity.current) { text.toDp() } + CHIP
 }

@@ -1,7 +1,6 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.defaultMinSize
@@ -10,8 +9,6 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -34,7 +31,7 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
             .fillMaxWidth()
             .heightIn(max = MAX_HEIGHT * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE))
             .testTag("translation-remarks")
-            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .scrollHint(scroll)
             .verticalScroll(scroll),
     ) {
         for (note in notes) {
@@ -49,14 +46,13 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
             ) {
                 Text(
                     ScreenTexts.mistake(spoken, note.line, note.message),
+                    style = TextStyles.remark,
                     color = colours.onPane,
-                    fontSize = TextSizes.SMALL,
-                    lineHeight = LineHeights.SMALL,
                 )
             }
         }
     }
-    HorizontalDivider(color = colours.line)
+    HorizontalDivider()
 }
 
 /** Room for two notes and a part of a third. */

@@ -4,13 +4,10 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -93,23 +90,19 @@ internal fun TranslationPane(
             Text(
                 title,
                 Modifier.weight(1f),
+                TextStyles.small,
                 color = colours.onPane,
-                fontSize = TextSizes.SMALL,
                 maxLines = 2,
                 overflow = TextOverflow.Ellipsis,
             )
             if (translation != null && isNow && onKeep != null) {
-                TextButton(
-                    onKeep,
-                    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("translation-keep").focusRing(),
-                ) {
-                    Text(
-                        EditorTexts.translationKeep(spoken),
-                        color = colours.focus,
-                        fontSize = TextSizes.SMALL,
-                        maxLines = 1,
-                    )
-                }
+                Button(
+                    EditorTexts.translationKeep(spoken),
+                    "translation-keep",
+                    ButtonKind.LINK,
+                    style = TextStyles.small,
+                    onClick = onKeep,
+                )
             }
         }
         if (translation != null && isNow) TranslationNotes(translation.notes, onNote)

@@ -21,7 +21,7 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
             "view-switch",
             on = view != ProgramView.TEXT,
             others = VIEW_WORDS.map { it(spoken) },
-            picture = { SignPicture(StrokeIcons.DOWN, LocalRobotranColours.current.onPane, SIGN) },
+            picture = { IconView(ThinIcons.DOWN, LocalRobotranColours.current.onPane, size = SIGN) },
         ) { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {

@@ -1,12 +1,9 @@
 package robotran.ui.program
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -44,12 +41,7 @@ internal fun WarningList(
     val shown = warnings.take(max)
     var isClosed by remember(shown) { mutableStateOf(false) }
     if (shown.isEmpty() || isClosed) return
-    Surface(
-        modifier.fillMaxWidth().padding(8.dp),
-        Shapes.MEDIUM,
-        colours.desk,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(modifier.fillMaxWidth().padding(8.dp), color = colours.desk) {
         Row {
             Column(
                 Modifier
@@ -63,14 +55,14 @@ internal fun WarningList(
                         Text(
                             textOf(warning),
                             Modifier.weight(1f).padding(vertical = 6.dp),
+                            TextStyles.body,
                             color = colours.onPane,
-                            fontSize = TextSizes.BODY,
                         )
                         missingSensors?.takeIf { it.warning == warning }?.let { PlugInButton(it, onPlug) }
                     }
                 }
             }
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "remarks-close", { isClosed = true })
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "remarks-close") { isClosed = true }
         }
     }
 }

@@ -1,7 +1,6 @@
 package robotran.ui.robot
 
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.LocalTextStyle
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -47,7 +46,7 @@ private fun ItemButton(scope: RobotScope, view: PlanView, item: RobotItem, uprig
 @Composable
 private fun letteringOf(word: String, width: Dp): SignLettering {
     val measurer = rememberTextMeasurer()
-    val style = LocalTextStyle.current.copy(fontSize = TextSizes.SIGN)
+    val style = TextStyles.sign.asWritten()
     val density = LocalDensity.current
     return remember(word, width, style, density, measurer) {
         measurer.signLettering(word, style, with(density) { width.roundToPx() })

@@ -2,7 +2,6 @@ package robotran.ui.robot
 
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
@@ -62,7 +61,7 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     ChosenName(robotElementText(scope.robot, chosen), "robot-chosen-name")
     RobotElementActions(scope, chosen)
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     Form(scope.robot.fieldsOf(chosen), scope)
 }
 
@@ -97,7 +96,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
             Modifier.fillMaxWidth(),
         )
     }
-    HorizontalDivider(Modifier.padding(vertical = 8.dp), color = LocalRobotranColours.current.line)
+    HorizontalDivider(Modifier.padding(vertical = 8.dp))
     WordButton(
         RobotTexts.open(spoken),
         "robot-open",

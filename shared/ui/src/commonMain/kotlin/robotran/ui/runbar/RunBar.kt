@@ -67,7 +67,12 @@ internal fun RunBar(
                     StatusPlace.ABOVE -> {}
                 }
                 if (room.speed) SpeedChooser(run.speed, { onEvent(RunEvent.SpeedChosen(it)) })
-                RunIconButton(RunIcon.SETTINGS, RunTexts.more(spoken), "run-more", { panelOpen = true })
+                IconButton(
+                    RunIcons.SETTINGS,
+                    RunTexts.more(spoken),
+                    "run-more",
+                    IconButtonKind.RUN,
+                ) { panelOpen = true }
                 more?.invoke()
             }
             if (!inOneRow) Timeline(run, { onEvent(RunEvent.Scrubbed(it)) }, Modifier.fillMaxWidth())

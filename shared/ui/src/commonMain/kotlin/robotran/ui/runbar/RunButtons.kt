@@ -4,14 +4,7 @@ import androidx.compose.animation.core.Animatable
 import androidx.compose.animation.core.LinearOutSlowInEasing
 import androidx.compose.animation.core.repeatable
 import androidx.compose.animation.core.tween
-import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.LocalTextStyle
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.remember
@@ -22,11 +15,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
@@ -46,41 +35,25 @@ internal fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier
             ring.snapTo(0f)
         }
     }
-    val help = ScreenTexts.runHelp(spoken)
-    val word = ScreenTexts.run(spoken)
-    Button(
+    BarButton(
+        RunIcons.PLAY,
+        BarWords(ScreenTexts.run(spoken), ScreenTexts.runHelp(spoken)),
+        "run",
+        modifier.drawBehind { drawPulse(ring.value) }.defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else 0.dp),
+        ButtonKind.RUN,
+        room = room,
         onClick = onClick,
-        modifier = modifier
-            .testTag("run")
-            .semantics {
-                onClick(label = help, action = null)
-                if (!room) contentDescription = word
-            }
-            .drawBehind { drawPulse(ring.value) }
-            .focusRing(BAR_CORNER)
-            .defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else BAR_HEIGHT, minHeight = BAR_HEIGHT),
-        shape = RoundedCornerShape(BAR_CORNER),
-        colors = ButtonDefaults.buttonColors(RobotranColours.YELLOW, RobotranColours.ON_YELLOW),
-        contentPadding = if (room) BAR_PADDING else PaddingValues(0.dp),
-    ) {
-        RunIconView(RunIcon.PLAY, side = 18.dp)
-        if (room) {
-            Text(
-                word,
-                Modifier.padding(start = 8.dp),
-                fontSize = RUN_SIZE,
-                fontWeight = FontWeight.SemiBold,
-                maxLines = 1,
-            )
-        }
-    }
+    )
 }
 
 /** The width of Run with its label. */
 @Composable
 internal fun runButtonWidth(): Dp {
-    val style = LocalTextStyle.current.copy(fontSize = RUN_SIZE, fontWeight = FontWeight.SemiBold)
-    val text = rememberTextMeasurer().measure(ScreenTexts.run(spoken), style, maxLines = 1).size.width
+    val text = rememberTextMeasurer().measure(
+        ScreenTexts.run(spoken),
+        TextStyles.lead.strong.asWritten(),
+        maxLines = 1,
+    ).size.width
     return maxOf(MIN_RUN_WIDTH, with(LocalDensity.current) { text.toDp() } + RUN_SIGN + BAR_PADDING_WIDTH)
 }
 
@@ -88,14 +61,13 @@ internal fun runButtonWidth(): Dp {
 @Composable
 internal fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) =
     BarButton(
-        RunIcon.STOP,
-        ScreenTexts.stop(spoken),
-        ScreenTexts.stopHelp(spoken),
+        RunIcons.STOP,
+        BarWords(ScreenTexts.stop(spoken), ScreenTexts.stopHelp(spoken)),
         "stop",
-        onClick,
         modifier,
-        enabled,
-        room,
+        enabled = enabled,
+        room = room,
+        onClick = onClick,
     )
 
 /** Pauses or resumes time. */
@@ -110,7 +82,15 @@ internal fun PauseButton(
     val words = listOf(RunTexts.pause(spoken), RunTexts.goOn(spoken))
     val word = if (paused) words.last() else words.first()
     val help = if (paused) RunTexts.goOnHelp(spoken) else RunTexts.pauseHelp(spoken)
-    BarButton(if (paused) RunIcon.PLAY else RunIcon.PAUSE, word, help, "pause", onClick, modifier, enabled, room, words)
+    BarButton(
+        if (paused) RunIcons.PLAY else RunIcons.PAUSE,
+        BarWords(word, help, words),
+        "pause",
+        modifier,
+        enabled = enabled,
+        room = room,
+        onClick = onClick,
+    )
 }
 
 private fun DrawScope.drawPulse(progress: Float) {
@@ -120,11 +100,10 @@ private fun DrawScope.drawPulse(progress: Float) {
         color = RobotranColours.YELLOW.copy(alpha = 0.7f * (1f - progress)),
         topLeft = Offset(-out, -out),
         size = Size(size.width + 2 * out, size.height + 2 * out),
-        cornerRadius = CornerRadius(BAR_CORNER.toPx() + out),
+        cornerRadius = CornerRadius(Corners.LARGE.toPx() + out),
     )
 }
 
-private val RUN_SIZE = TextSizes.LEAD
 private val MIN_RUN_WIDTH = 104.dp
 
 /** Its icon with the gap to the label. */

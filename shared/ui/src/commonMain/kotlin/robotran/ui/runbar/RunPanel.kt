@@ -12,8 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -21,7 +19,6 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
@@ -44,7 +41,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
         onEvent(event)
         onClose()
     }
-    AppDialog(onDismissRequest = onClose) {
+    DialogWindow(onClose) {
         Column(
             Modifier
                 .testTag("run-panel")
@@ -60,11 +57,16 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 Text(
                     RunTexts.more(spoken),
                     Modifier.weight(1f).semantics { heading() },
+                    TextStyles.heading.strong,
                     color = colours.onPane,
-                    fontSize = TextSizes.HEADING,
-                    fontWeight = FontWeight.SemiBold,
                 )
-                RunIconButton(RunIcon.CLOSE, RunTexts.close(spoken), "run-panel-close", onClose)
+                IconButton(
+                    RunIcons.CLOSE,
+                    RunTexts.close(spoken),
+                    "run-panel-close",
+                    IconButtonKind.RUN,
+                    onClick = onClose,
+                )
             }
             Section(RunTexts::speed) {
                 for (speed in RunSpeed.entries) {
@@ -124,11 +126,7 @@ private fun Section(name: Label, content: @Composable () -> Unit) {
 
 @Composable
 private fun PanelAction(name: Label, help: Label, tag: String, onClick: () -> Unit) {
-    TextButton(
-        onClick,
-        Modifier.testTag(tag).focusRing().fillMaxWidth(),
-        shape = Shapes.MEDIUM,
-    ) {
+    ButtonFrame(tag, ButtonKind.TOOL, Modifier.fillMaxWidth(), onClick = onClick) {
         Box(Modifier.fillMaxWidth()) { Choice(name(spoken), help(spoken)) }
     }
 }

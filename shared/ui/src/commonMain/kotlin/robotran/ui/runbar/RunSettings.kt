@@ -9,10 +9,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.selection.toggleable
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Slider
-import androidx.compose.material3.Switch
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableFloatStateOf
@@ -25,7 +21,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProjectSettings
@@ -87,14 +82,10 @@ private fun Realism(realism: Double, onRealism: (Double) -> Unit) {
         SectionName("$name: $value")
         Slider(
             wanted,
-            { wanted = it },
-            Modifier.testTag("realism").focusRing().semantics {
-                contentDescription = name
-                stateDescription = value
-            },
+            SliderWords(name, value, "realism"),
             steps = REALISM_STEPS - 1,
-            onValueChangeFinished = { onRealism((wanted * REALISM_STEPS).roundToInt() / REALISM_STEPS.toDouble()) },
-        )
+            onSettle = { onRealism((wanted * REALISM_STEPS).roundToInt() / REALISM_STEPS.toDouble()) },
+        ) { wanted = it }
         Help(RunTexts::realismHelp)
     }
 }
@@ -106,17 +97,16 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
     Column {
         SectionName(name)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            OutlinedTextField(
+            TextField(
                 written,
                 { text ->
                     written = text.filter { it in '0'..'9' }.take(MAX_DIGITS)
                     written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
                 },
                 Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
-                singleLine = true,
-                keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Number),
+                keyboard = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            RunIconButton(RunIcon.NEXT, RunTexts.seedNext(spoken), "seed-next", {
+            IconButton(RunIcons.NEXT, RunTexts.seedNext(spoken), "seed-next", IconButtonKind.RUN) {
                 onSeed(
                     if (seed == Int.MAX_VALUE) {
                         1
@@ -124,7 +114,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                         seed + 1
                     },
                 )
-            })
+            }
         }
         Help(RunTexts::seedHelp)
     }
@@ -143,19 +133,13 @@ private fun Setting(name: Label, help: Label, tag: String, on: Boolean, onSwitch
         verticalAlignment = Alignment.CenterVertically,
     ) {
         Column(Modifier.weight(1f)) { Choice(name(spoken), help(spoken)) }
-        Switch(on, onCheckedChange = null)
+        SwitchMark(on)
     }
 }
 
 @Composable
 private fun Help(text: Label) {
-    Text(
-        text(spoken),
-        Modifier.padding(top = 4.dp),
-        color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        lineHeight = LineHeights.TIGHT,
-    )
+    Text(text(spoken), Modifier.padding(top = 4.dp), TextStyles.caption, color = LocalRobotranColours.current.quiet)
 }
 
 private const val REALISM_STEPS = 10

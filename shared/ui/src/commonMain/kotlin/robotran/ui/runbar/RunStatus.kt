@@ -3,7 +3,6 @@ package robotran.ui.runbar
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.height
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -12,7 +11,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.RunTexts
@@ -49,10 +47,8 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
         elsewhere ?: withRobot(run, status, statusText(status)),
         // While seeking, the timeline itself announces the position.
         modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
+        TextStyles.body.medium.copy(lineHeight = LINE),
         color = if (wrong) colours.error else colours.onPane,
-        fontSize = TextSizes.BODY,
-        lineHeight = LINE,
-        fontWeight = FontWeight.Medium,
         maxLines = lines,
         overflow = TextOverflow.Ellipsis,
     )
@@ -75,9 +71,8 @@ private fun Clock(run: RunPaneState) {
     Text(
         if (run.inPast) RunTexts.clockOf(spoken, now, secondsText(run.length)) else now,
         Modifier.testTag("clock"),
+        TextStyles.small.copy(lineHeight = LINE),
         color = LocalRobotranColours.current.quiet,
-        fontSize = TextSizes.SMALL,
-        lineHeight = LINE,
         maxLines = 1,
     )
 }

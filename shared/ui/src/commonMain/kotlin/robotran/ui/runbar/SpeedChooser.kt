@@ -1,18 +1,13 @@
 package robotran.ui.runbar
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.selected
 import androidx.compose.ui.semantics.semantics
@@ -29,22 +24,19 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
     val name = RunTexts.speed(spoken)
     val word = speed.word(spoken)
     Box(modifier) {
-        TextButton(
-            { open = true },
-            Modifier
-                .testTag("speed")
-                .focusRing()
-                .defaultMinSize(minHeight = Dimensions.TARGET)
-                .semantics {
-                    contentDescription = name
-                    stateDescription = word
-                },
-            shape = Shapes.MEDIUM,
+        ButtonFrame(
+            "speed",
+            ButtonKind.TOOL,
+            Modifier.semantics {
+                contentDescription = name
+                stateDescription = word
+            },
+            onClick = { open = true },
         ) {
             SteadySize(speed, RunSpeed.entries) {
-                Text(it.sign, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY, maxLines = 1)
+                Text(it.sign, style = TextStyles.body, color = LocalRobotranColours.current.onPane, maxLines = 1)
             }
-            RunIconView(RunIcon.UP, Modifier.padding(start = 4.dp), 16.dp, LocalRobotranColours.current.onPane)
+            IconView(RunIcons.UP, LocalRobotranColours.current.onPane, Modifier.padding(start = 4.dp), size = 16.dp)
         }
         AppMenu(open, { open = false }) {
             SpeedChoices(speed) {
@@ -59,15 +51,12 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
 @Composable
 internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
-        DropdownMenuItem(
-            text = { Text(choice.word(spoken), fontSize = TextSizes.BODY) },
-            onClick = { onSpeed(choice) },
-            modifier = Modifier
-                .testTag("speed-${choice.name.lowercase()}")
-                .defaultMinSize(minHeight = Dimensions.TARGET)
-                .semantics { selected = choice == speed },
-            leadingIcon = { RadioMark(choice == speed) },
-        )
+        MenuItem(
+            choice.word(spoken),
+            "speed-${choice.name.lowercase()}",
+            Modifier.semantics { selected = choice == speed },
+            { RadioMark(choice == speed) },
+        ) { onSpeed(choice) }
     }
 }
 

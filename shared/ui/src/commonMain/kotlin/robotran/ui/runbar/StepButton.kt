@@ -3,10 +3,7 @@ package robotran.ui.runbar
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -14,7 +11,6 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
@@ -33,13 +29,11 @@ internal fun StepButton(
 ) {
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         BarButton(
-            RunIcon.STEP,
-            RunTexts.step(spoken),
-            RunTexts.stepHelp(spoken),
+            RunIcons.STEP,
+            BarWords(RunTexts.step(spoken), RunTexts.stepHelp(spoken)),
             "step",
-            { onEvent(RunEvent.StepPressed(StepKind.INTO)) },
             room = room,
-        )
+        ) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
         if (menu) StepMenu(cursor, onEvent)
     }
 }
@@ -48,7 +42,7 @@ internal fun StepButton(
 private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        RunIconButton(RunIcon.DOWN, RunTexts.steps(spoken), "steps", { open = true })
+        IconButton(RunIcons.DOWN, RunTexts.steps(spoken), "steps", IconButtonKind.RUN) { open = true }
         AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false
@@ -83,11 +77,7 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
         StepChoice("step-to-line", RunTexts::toLine, RunTexts::toLineHelp, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {
-        DropdownMenuItem(
-            text = { Choice(choice.name(spoken), choice.help(spoken)) },
-            onClick = { onEvent(choice.event) },
-            modifier = Modifier.testTag(choice.tag).defaultMinSize(minHeight = Dimensions.TARGET),
-        )
+        MenuItem(choice.tag, { onEvent(choice.event) }) { Choice(choice.name(spoken), choice.help(spoken)) }
     }
 }
 
@@ -96,8 +86,8 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
 internal fun Choice(name: String, help: String) {
     val colours = LocalRobotranColours.current
     Column(Modifier.padding(vertical = 8.dp)) {
-        Text(name, color = colours.onPane, fontSize = TextSizes.BODY)
-        Text(help, color = colours.quiet, fontSize = TextSizes.SMALL, lineHeight = LineHeights.TIGHT)
+        Text(name, style = TextStyles.body, color = colours.onPane)
+        Text(help, style = TextStyles.caption, color = colours.quiet)
     }
 }
 

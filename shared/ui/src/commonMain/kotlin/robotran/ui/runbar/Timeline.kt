@@ -39,24 +39,24 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
     Row(modifier, verticalAlignment = Alignment.CenterVertically) {
         val previous = state.marks.lastOrNull { it.milliseconds < state.time }?.milliseconds
             ?: 0L.takeIf { state.time > 0 && !state.untouched }
-        RunIconButton(
-            RunIcon.PREVIOUS,
+        IconButton(
+            RunIcons.PREVIOUS,
             RunTexts.markPrevious(spoken),
             "mark-previous",
-            { previous?.let(onScrub) },
+            IconButtonKind.RUN,
             enabled = previous != null,
-        )
+        ) { previous?.let(onScrub) }
         Track(state, onScrub, Modifier.weight(1f))
         val next =
             state.marks.firstOrNull { it.milliseconds > state.time }?.milliseconds
                 ?: state.length.takeIf { state.inPast }
-        RunIconButton(
-            RunIcon.NEXT,
+        IconButton(
+            RunIcons.NEXT,
             RunTexts.markNext(spoken),
             "mark-next",
-            { next?.let(onScrub) },
+            IconButtonKind.RUN,
             enabled = next != null,
-        )
+        ) { next?.let(onScrub) }
     }
 }
 

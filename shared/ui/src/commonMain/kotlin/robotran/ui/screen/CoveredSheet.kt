@@ -199,11 +199,11 @@ private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?, modifie
     Box(modifier) {
         BrickHint(run.brick, isSolved = run.isSolved, onClose = { isClosed = true }) {
             if (onWholeBrick != null) {
-                IconTouch(
+                IconButton(
                     PaneIcons.BRICK_WHOLE,
                     ScreenTexts.brickWhole(spoken),
                     "brick-hint-whole",
-                    onWholeBrick,
+                    onClick = onWholeBrick,
                 )
             }
         }

@@ -10,7 +10,6 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -22,7 +21,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
@@ -45,12 +43,12 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
         if (error != null) {
             Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
                 val words = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-                Text(error, words, color = colours.onPane, fontSize = TextSizes.LEAD, lineHeight = LineHeights.LEAD)
+                Text(error, words, TextStyles.leadSentence, color = colours.onPane)
             }
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))
             EmbedBar(state.run, state.status, onEvent)
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -91,14 +89,12 @@ private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (Worksh
                 RunButton(pulsing, { onEvent(RunEvent.RunPressed) }, room = room >= WORDS_FROM)
                 StopButton(run.stoppable, { onEvent(RunEvent.StopPressed) }, room = room >= STATUS_BESIDE)
                 BarButton(
-                    RunIcon.PREVIOUS,
-                    RunTexts.startOver(spoken),
-                    RunTexts.startOverHelp(spoken),
+                    RunIcons.PREVIOUS,
+                    BarWords(RunTexts.startOver(spoken), RunTexts.startOverHelp(spoken)),
                     "start-over",
-                    { onEvent(RunEvent.StartedOver) },
                     enabled = !run.untouched,
                     room = room >= STATUS_BESIDE,
-                )
+                ) { onEvent(RunEvent.StartedOver) }
                 if (room >= STATUS_BESIDE) {
                     RunStatus(run, status, StatusSpace.BROAD, Modifier.weight(1f).padding(start = 4.dp))
                 }

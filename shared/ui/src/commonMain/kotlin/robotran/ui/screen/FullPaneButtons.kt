@@ -1,6 +1,5 @@
 package robotran.ui.screen
 
-import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
@@ -56,7 +55,7 @@ private fun FullPaneButton(icon: Icon, label: String, tag: String, on: Boolean, 
         Alignment.Center,
     ) {
         val colour = if (on) colours.pane else colours.onPane
-        Canvas(Modifier.size(24.dp)) { with(icon) { draw(colour) } }
+        IconView(icon, colour)
     }
 }
 

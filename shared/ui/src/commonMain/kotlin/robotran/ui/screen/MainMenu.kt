@@ -1,10 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.layout.Box
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -117,18 +114,16 @@ private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: (
             drawCircle(sign, SIGN.toPx() / 2, Offset(size.width - SIGN.toPx(), SIGN.toPx()))
         }
     }
-    IconTouch(Icon.MENU, ScreenTexts.menu(spoken), "menu", onClick, modifier)
+    IconButton(Icon.MENU, ScreenTexts.menu(spoken), "menu", modifier = modifier, onClick = onClick)
 }
 
 /** Returns from a submenu to the main list. */
 @Composable
-private fun BackItem(onClick: () -> Unit) = DropdownMenuItem(
-    text = {
-        Text(ScreenTexts.menu(spoken), color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
-    },
+private fun BackItem(onClick: () -> Unit) = MenuItem(
+    ScreenTexts.menu(spoken),
+    "menu-back",
+    leading = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
     onClick = onClick,
-    modifier = Modifier.testTag("menu-back").heightIn(min = Dimensions.TARGET),
-    leadingIcon = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
 )
 
 private val SIGN = 10.dp

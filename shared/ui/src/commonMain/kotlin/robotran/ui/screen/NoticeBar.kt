@@ -9,8 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -20,7 +18,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
@@ -56,13 +53,18 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                     Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
                         liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
                     },
+                    TextStyles.body,
                     color = colour,
-                    fontSize = TextSizes.BODY,
                 )
                 if (isBeside) action?.let { ActionButton(it, onEvent) }
-                IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "notice-close", {
+                IconButton(
+                    Icon.CLOSE,
+                    ScreenTexts.noticeClose(spoken),
+                    "notice-close",
+                    if (notice.isError) IconButtonKind.ERROR else IconButtonKind.PLAIN,
+                ) {
                     onEvent(WorkshopEvent.NoticeDismissed)
-                }, colour = colour)
+                }
             }
             if (!isBeside) action?.let { ActionButton(it, onEvent) }
         }
@@ -79,17 +81,11 @@ private fun ActionAlone(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit, 
 }
 
 @Composable
-private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit) = TextButton(
-    { onEvent(WorkshopEvent.NoticeTaken) },
-    Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("notice-action").focusRing(),
-) {
-    Text(
-        noticeActionText(action)(spoken),
-        color = LocalRobotranColours.current.focus,
-        fontSize = TextSizes.BODY,
-        fontWeight = FontWeight.SemiBold,
-    )
-}
+private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit) = Button(
+    noticeActionText(action)(spoken),
+    "notice-action",
+    ButtonKind.LINK,
+) { onEvent(WorkshopEvent.NoticeTaken) }
 
 /** At the usual font size, a narrower notice has its action below the text. */
 private val BESIDE = 440.dp

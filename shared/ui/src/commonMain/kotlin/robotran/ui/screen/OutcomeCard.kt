@@ -2,7 +2,6 @@ package robotran.ui.screen
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
@@ -12,7 +11,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -30,7 +28,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalShortfall
 import robotran.ui.assignment.HandInButton
@@ -90,9 +87,9 @@ internal fun OutcomeCard(
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
-                SecondButton(LearningTexts.hint(spoken), "missing-hint", {
+                Button(LearningTexts.hint(spoken), "missing-hint", ButtonKind.SECOND) {
                     onEvent(ScreenEvent.TaskShown(true))
-                })
+                }
             }
         }
     }
@@ -109,12 +106,7 @@ private fun Solved(
 ) {
     Heading(RunTexts.outcomeSolved(spoken))
     for (line in solvedText(solved)) {
-        Text(
-            line,
-            color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
-        )
+        Text(line, style = TextStyles.sentence, color = LocalRobotranColours.current.onPane)
     }
     when {
         assignment == null -> Next(solved, onEvent)
@@ -149,19 +141,19 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         for (harder in solved.harder) {
             val title = harder.world(LocalLanguage.current).title
-            PrimaryButton(LearningTexts.harder(spoken, title), "solved-${harder.name}", {
+            Button(LearningTexts.harder(spoken, title), "solved-${harder.name}") {
                 onEvent(LearningEvent.WorldChosen(harder.name))
-            })
+            }
         }
         if (next != null) {
-            PrimaryButton(LearningTexts.next(spoken), "solved-next", {
+            Button(LearningTexts.next(spoken), "solved-next") {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
-            })
+            }
         } else if (solved.harder.isEmpty()) {
-            PrimaryButton(worlds, "solved-worlds", showWorlds)
+            Button(worlds, "solved-worlds", onClick = showWorlds)
         } else {
-            SecondButton(worlds, "solved-worlds", showWorlds)
+            Button(worlds, "solved-worlds", ButtonKind.SECOND, onClick = showWorlds)
         }
     }
 }
@@ -170,10 +162,8 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
 private fun Heading(text: String) = Text(
     text,
     Modifier.semantics { heading() },
+    TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.SemiBold,
 )
 
 /** @param bar the colour of the bar at its left side. */
@@ -198,13 +188,13 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
         Column(
             Modifier
                 .weight(1f)
-                .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+                .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
                 .semantics { liveRegion = LiveRegionMode.Polite },
             Arrangement.spacedBy(4.dp),
         ) { content() }
-        IconTouch(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClose)
+        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClick = onClose)
     }
 }
 

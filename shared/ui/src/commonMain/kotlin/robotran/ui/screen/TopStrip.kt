@@ -44,16 +44,31 @@ internal fun TopStrip(
             MainMenu(document, soundOn, isEditingWorld, onEvent)
             Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
             FullPaneButtons(fullPane, onEvent)
-            IconTouch(Icon.BOOK, ScreenTexts.learnHelp(spoken), "learn", {
+            IconButton(
+                Icon.BOOK,
+                ScreenTexts.learnHelp(spoken),
+                "learn",
+                label = ScreenTexts.learn(spoken).takeIf { withWords },
+            ) {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
-            }, label = ScreenTexts.learn(spoken).takeIf { withWords })
-            IconTouch(Icon.WORLDS, ScreenTexts.worldsHelp(spoken), "worlds", {
+            }
+            IconButton(
+                Icon.WORLDS,
+                ScreenTexts.worldsHelp(spoken),
+                "worlds",
+                label = ScreenTexts.worlds(spoken).takeIf { withWords },
+            ) {
                 onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
-            }, label = ScreenTexts.worlds(spoken).takeIf { withWords })
+            }
             if (!isEditingWorld) {
-                IconTouch(Icon.SHEET_EDIT, ScreenTexts.editWorldHelp(spoken), "edit-world", {
+                IconButton(
+                    Icon.SHEET_EDIT,
+                    ScreenTexts.editWorldHelp(spoken),
+                    "edit-world",
+                    label = ScreenTexts.editWorld(spoken).takeIf { withWords },
+                ) {
                     onEvent(WorldEditEvent.EditorOpened)
-                }, label = ScreenTexts.editWorld(spoken).takeIf { withWords })
+                }
             }
         }
     }

@@ -7,13 +7,11 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.offset
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -61,7 +59,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             WorldAndProgram(state, onEvent, whole, first, Modifier.weight(1f))
             HorizontalDivider(color = line)
             runBar()
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -99,11 +97,11 @@ private fun WorldAndProgram(
                     Modifier.weight(1f),
                 )
             }
-            if (state.fullPane == null) HorizontalDivider(color = LocalRobotranColours.current.line)
+            if (state.fullPane == null) HorizontalDivider()
             if (state.fullPane != Pane.WORLD) {
                 ProgramPane(
                     state.programs,
-                    state.shownProgramRun,
+                    state.part { shownProgramRun },
                     state.settings,
                     MAX_DIAGNOSTICS,
                     onEvent,

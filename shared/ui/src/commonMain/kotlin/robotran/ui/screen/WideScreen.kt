@@ -8,14 +8,11 @@ import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.VerticalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
@@ -47,18 +44,18 @@ internal fun WideScreen(
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceIn(MIN_TUTORIAL_WIDTH, MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
             TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
                 if (isTutorialOpen && isRoomy) {
                     TutorialPane(state.learning, onEvent, Modifier.width(tutorialWidth).fillMaxHeight())
-                    VerticalDivider(color = LocalRobotranColours.current.line)
+                    VerticalDivider()
                 }
                 ProgramAndWorld(state, form, onEvent, isTutorialOpen && !isRoomy, Modifier.weight(1f))
             }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             runBar()
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -88,11 +85,11 @@ private fun ProgramAndWorld(
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
                         TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
-                        HorizontalDivider(color = LocalRobotranColours.current.line)
+                        HorizontalDivider()
                     }
                     ProgramPane(
                         state.programs,
-                        state.shownProgramRun,
+                        state.part { shownProgramRun },
                         state.settings,
                         MAX_DIAGNOSTICS,
                         onEvent,

@@ -1,7 +1,6 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -104,7 +103,7 @@ private fun SheetAndBrick(
                     .fillMaxHeight()
                     .clip(RoundedCornerShape(PaneLayout.MARGIN))
                     .background(colours.desk)
-                    .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+                    .scrollHint(scroll, ground = colours.desk)
                     .verticalScroll(scroll)
                     .padding(PaneLayout.MARGIN),
             ) {

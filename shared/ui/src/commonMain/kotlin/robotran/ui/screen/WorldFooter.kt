@@ -9,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -40,10 +39,10 @@ internal fun WorldFooter(
     val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxWidth().background(colours.pane)) {
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
-        val hasChips = state.hasTask || state.session.goals.isNotEmpty()
+        val hasChips = state.part { hasTask || session.goals.isNotEmpty() }
         val inOneRow = maxWidth >= BRICK + (TABS + if (hasChips) CHIPS else 0.dp) * scale
         Column {
-            HorizontalDivider(color = colours.line)
+            HorizontalDivider()
             Row(
                 Modifier.fillMaxWidth().padding(vertical = 4.dp).padding(end = 8.dp),
                 Arrangement.spacedBy(8.dp, Alignment.End),
@@ -51,32 +50,35 @@ internal fun WorldFooter(
             ) {
                 if (inOneRow) Tabs(state, onEvent, Modifier.weight(1f))
                 TaskAndGoals(
-                    state.hasTask,
+                    state.part { hasTask },
                     state.taskShown,
-                    state.session.goals,
+                    state.part { session.goals },
                     onEvent,
                     isSlim = true,
                     howFar = howFar(state.assignment),
                 )
                 // As large without it, so that nothing moves.
                 Box(Modifier.size(STRIP_WIDTH, STRIP_HEIGHT)) {
-                    if (!isWhole) Strip(state.run, onEvent, isLow = true)
+                    if (!isWhole) SmallBrick(state, onEvent)
                 }
-                IconTouch(
+                IconButton(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
                     if (isWhole) ScreenTexts.brickSmall(spoken) else ScreenTexts.brickWhole(spoken),
                     "brick-size",
-                    { onBrick(!isWhole) },
-                )
+                ) { onBrick(!isWhole) }
             }
             if (!inOneRow) Tabs(state, onEvent, Modifier)
         }
     }
 }
 
+/** In a scope of its own, which each frame of a run composes. */
+@Composable
+private fun SmallBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) = Strip(state.run, onEvent, isLow = true)
+
 @Composable
 private fun Tabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) =
-    FootTabs(state.run.drawer.tab, { onEvent(RunEvent.DrawerChosen(it)) }, modifier)
+    FootTabs(state.part { run.drawer.tab }, { onEvent(RunEvent.DrawerChosen(it)) }, modifier)
 
 private val STRIP_WIDTH = 186.dp
 private val STRIP_HEIGHT = 56.dp

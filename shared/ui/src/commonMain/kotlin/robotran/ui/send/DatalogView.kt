@@ -1,7 +1,6 @@
 package robotran.ui.send
 
 import androidx.compose.foundation.layout.Column
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -29,6 +28,6 @@ internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag(
 }
 
 @Composable
-private fun Line(label: String) = Text(label, color = LocalRobotranColours.current.onPane, fontSize = TextSizes.BODY)
+private fun Line(label: String) = Text(label, style = TextStyles.body, color = LocalRobotranColours.current.onPane)
 
 private const val SHOWN = 50

@@ -1,6 +1,5 @@
 package robotran.ui.send
 
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
@@ -17,7 +16,7 @@ internal fun MessageLog(messages: List<RobotMessage>) {
     val colours = LocalRobotranColours.current
     for (message in messages.asReversed()) {
         key(message.number) {
-            Text(textOf(message), Modifier.testTag("send-message"), color = colours.onPane, fontSize = TextSizes.BODY)
+            Text(textOf(message), Modifier.testTag("send-message"), TextStyles.body, color = colours.onPane)
         }
     }
 }

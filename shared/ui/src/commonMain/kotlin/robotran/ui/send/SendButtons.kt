@@ -1,13 +1,7 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.dp
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.ui.texts.SendTexts
@@ -25,23 +19,18 @@ internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier:
     ButtonRows(modifier) {
         CancelButton(step.isBusy) { onEvent(SendEvent.Cancelled) }
         for (action in actions.filter { it != main }) {
-            OtherButton(action.words(spoken), action.tag) { onEvent(action.event) }
+            Button(action.words(spoken), action.tag, ButtonKind.DIALOG_OTHER) { onEvent(action.event) }
         }
-        if (main != null) MainButton(main.words(spoken), main.tag) { onEvent(main.event) }
+        if (main != null) Button(main.words(spoken), main.tag, ButtonKind.DIALOG_MAIN) { onEvent(main.event) }
     }
 }
 
 @Composable
-private fun CancelButton(cancels: Boolean, onClick: () -> Unit) = TextButton(
-    onClick,
-    Modifier.heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag("send-cancel"),
-    colors = ButtonDefaults.textButtonColors(contentColor = LocalRobotranColours.current.onPane),
-) {
-    val words = if (cancels) SendTexts::cancel else SendTexts::close
-    SteadySize(words, listOf(SendTexts::cancel, SendTexts::close)) {
-        Text(it(spoken), fontSize = TextSizes.BODY)
+private fun CancelButton(cancels: Boolean, onClick: () -> Unit) =
+    ButtonFrame("send-cancel", ButtonKind.DIALOG_OTHER, onClick = onClick) {
+        val words = if (cancels) SendTexts::cancel else SendTexts::close
+        SteadySize(words, listOf(SendTexts::cancel, SendTexts::close)) { Text(it(spoken), style = TextStyles.body) }
     }
-}
 
 /** What can be done in [step], the most likely last. */
 private fun actionsOf(step: SendStep): List<SendAction> = when (step) {

@@ -1,6 +1,5 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -40,7 +39,7 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
                         .weight(1f)
                         .fillMaxHeight()
                         .testTag("send-words")
-                        .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.quiet)
+                        .scrollHint(scroll, arrow = colours.quiet)
                         .verticalScroll(scroll),
                     Arrangement.spacedBy(12.dp),
                 ) {

@@ -1,17 +1,11 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.PaddingValues
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.OutlinedButton
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -35,15 +29,12 @@ internal fun SlotChoice(step: SendStep.ChoosingSlot, onEvent: (SendEvent) -> Uni
 private fun SlotButton(slot: Int, isLast: Boolean, modifier: Modifier, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     val words = if (isLast) SendTexts.slotLast(spoken, slot) else SendTexts.slotNumber(spoken, slot)
-    OutlinedButton(
-        onClick,
-        modifier
-            .heightIn(min = Dimensions.TARGET)
-            .focusRing(24.dp)
-            .testTag("send-slot-$slot")
-            .semantics { contentDescription = words },
-        colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
-        border = if (isLast) BorderStroke(3.dp, colours.onPane) else BorderStroke(1.dp, colours.line),
-        contentPadding = PaddingValues(0.dp),
-    ) { Text("$slot", Modifier.clearAndSetSemantics { }, fontSize = TextSizes.HEADING) }
+    ButtonFrame(
+        "send-slot-$slot",
+        ButtonKind.DIALOG_ANSWER,
+        modifier.semantics { contentDescription = words },
+        padding = PaddingValues(0.dp),
+        border = if (isLast) edge(colours.onPane, 3.dp) else edge(),
+        onClick = onClick,
+    ) { Text("$slot", Modifier.clearAndSetSemantics { }, TextStyles.heading) }
 }

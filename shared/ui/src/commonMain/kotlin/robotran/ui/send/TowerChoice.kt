@@ -1,16 +1,8 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.OutlinedButton
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.style.TextAlign
-import androidx.compose.ui.unit.dp
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
 import robotran.ui.texts.SendTexts
@@ -22,25 +14,24 @@ import robotran.workshop.state.SendStep
 @Composable
 internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> Unit) {
     step.devices.forEachIndexed { index, device ->
-        TowerButton(nameOf(device), "send-tower-$index") { onEvent(SendEvent.TowerChosen(device)) }
+        Button(
+            nameOf(device),
+            "send-tower-$index",
+            ButtonKind.DIALOG_ANSWER,
+            Modifier.fillMaxWidth(),
+        ) { onEvent(SendEvent.TowerChosen(device)) }
     }
     // The USB tower first: it needs no adapter, so most pupils have one.
     for (kind in step.kinds.sortedByDescending { it == TowerKind.USB }) {
-        TowerButton(lookingFor(kind)(spoken), "send-look-${kind.name.lowercase()}") {
+        Button(
+            lookingFor(kind)(spoken),
+            "send-look-${kind.name.lowercase()}",
+            ButtonKind.DIALOG_ANSWER,
+            Modifier.fillMaxWidth(),
+        ) {
             onEvent(SendEvent.TowerRequested(kind))
         }
     }
-}
-
-@Composable
-private fun TowerButton(label: String, tag: String, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
-    OutlinedButton(
-        onClick,
-        Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).focusRing(24.dp).testTag(tag),
-        colors = ButtonDefaults.outlinedButtonColors(contentColor = colours.onPane),
-        border = BorderStroke(1.dp, colours.line),
-    ) { Text(label, fontSize = TextSizes.BODY, textAlign = TextAlign.Center) }
 }
 
 @Composable

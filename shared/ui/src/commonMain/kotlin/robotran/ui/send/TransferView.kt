@@ -4,8 +4,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
-import androidx.compose.material3.LinearProgressIndicator
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -24,25 +22,16 @@ import robotran.uikit.*
 internal fun TransferView(progress: TransferProgress?, counted: (Language, Int, Int) -> String = SendTexts::block) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
-        LinearProgressIndicator(
+        Progress(
             { partOf(progress) },
             Modifier.fillMaxWidth().height(8.dp).testTag("send-progress"),
-            color = RobotranColours.RUN_GREEN,
-            trackColor = colours.desk,
-            gapSize = 0.dp,
-            drawStopIndicator = { },
+            ground = colours.desk,
         )
         val words = progress?.let {
             "${counted(spoken, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
         }
         // An empty line, so that nothing moves when the first block is through.
-        Text(
-            words.orEmpty(),
-            Modifier.testTag("send-block"),
-            color = colours.quiet,
-            fontSize = TextSizes.BODY,
-            minLines = 1,
-        )
+        Text(words.orEmpty(), Modifier.testTag("send-block"), TextStyles.body, color = colours.quiet)
         if (progress != null && isWeak(progress)) {
             Explanation(SendTexts.weak(spoken), Modifier.testTag("send-weak"))
         }

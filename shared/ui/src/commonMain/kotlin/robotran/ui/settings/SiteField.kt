@@ -2,8 +2,6 @@ package robotran.ui.settings
 
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -30,28 +28,25 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
     val isWrong = text.isNotBlank() && siteAddress(text) == null
     val focus = remember { FocusRequester() }
     LaunchedEffect(requested) { if (requested) focus.requestFocus() }
-    OutlinedTextField(
+    TextField(
         text,
-        onValueChange = {
+        {
             text = it
             val address = siteAddress(it)
             if (address != null || it.isBlank()) onSite(address.orEmpty())
         },
         Modifier.fillMaxWidth().focusRequester(focus).testTag("site"),
-        label = { Text(ScreenTexts.settingsSite(spoken)) },
-        supportingText = {
+        ScreenTexts.settingsSite(spoken),
+        keyboard = KeyboardOptions(keyboardType = KeyboardType.Uri, autoCorrectEnabled = false),
+        extras = FieldExtras(isWrong) {
             Text(
                 if (isWrong) ScreenTexts.settingsSiteWrong(spoken) else ScreenTexts.settingsSiteHelp(spoken),
                 Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
                     liveRegion = LiveRegionMode.Polite
                 },
+                TextStyles.small,
                 color = if (isWrong) colours.error else colours.quiet,
-                fontSize = TextSizes.SMALL,
             )
         },
-        isError = isWrong,
-        singleLine = true,
-        keyboardOptions = KeyboardOptions(keyboardType = KeyboardType.Uri, autoCorrectEnabled = false),
-        colors = fieldColours(),
     )
 }

@@ -3,6 +3,7 @@ package robotran.ui.sheet
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import robotran.brick.kind.BrickKind
+import robotran.uikit.*
 import robotran.world.RobotColour
 import robotran.world.RobotDescription
 import kotlin.math.max

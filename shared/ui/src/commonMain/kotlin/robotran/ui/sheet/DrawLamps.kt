@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipPath
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 import robotran.world.Lamp
 import robotran.world.World
 import robotran.world.geometry.Point

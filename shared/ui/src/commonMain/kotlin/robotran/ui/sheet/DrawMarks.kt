@@ -16,6 +16,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.IntSize
+import robotran.uikit.*
 import robotran.world.Mark
 import robotran.world.MarkFigure
 import robotran.world.Shade

@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.simulation.state.RobotState
+import robotran.uikit.*
 import robotran.world.RobotPlacement
 
 /**

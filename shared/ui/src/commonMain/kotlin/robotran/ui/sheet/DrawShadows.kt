@@ -1,15 +1,12 @@
 package robotran.ui.sheet
 
-import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.geometry.RoundRect
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 
 /**
  * What stands on the paper casts a shadow to the lower right, as from a window, below everything that casts one.

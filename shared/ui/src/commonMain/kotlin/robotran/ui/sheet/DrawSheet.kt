@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import kotlin.math.round
 

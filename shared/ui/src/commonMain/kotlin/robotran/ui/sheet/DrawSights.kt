@@ -7,6 +7,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.RobotState
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.Paper
 import robotran.world.World

@@ -6,6 +6,7 @@ import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.TrailPiece
+import robotran.uikit.*
 import robotran.world.RobotPlacement
 import kotlin.math.max
 

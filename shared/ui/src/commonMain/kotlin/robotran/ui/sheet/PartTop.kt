@@ -6,6 +6,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.robotediting.SensorBody
 import robotran.simulation.state.RobotState
+import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.Facing

@@ -5,6 +5,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.geometry.RoundRect
 import androidx.compose.ui.graphics.Path
+import robotran.uikit.*
 import robotran.world.RobotDescription
 import robotran.world.geometry.Point
 import robotran.world.robot.brickSeat

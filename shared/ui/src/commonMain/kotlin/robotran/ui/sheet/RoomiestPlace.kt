@@ -1,5 +1,6 @@
 package robotran.ui.sheet
 
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 import robotran.world.geometry.centre

@@ -1,6 +1,7 @@
 package robotran.ui.sheet
 
 import robotran.simulation.state.SessionState
+import robotran.uikit.*
 import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.geometry.Point

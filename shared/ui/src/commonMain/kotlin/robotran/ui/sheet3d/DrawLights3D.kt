@@ -15,6 +15,7 @@ import robotran.ui.sheet.reachOf
 import robotran.ui.sheet.robotOutlines
 import robotran.ui.sheet.shadowOf
 import robotran.ui.sheet.towards
+import robotran.uikit.*
 import robotran.world.Lamp
 import robotran.world.World
 import robotran.world.geometry.Point

@@ -21,6 +21,7 @@ import robotran.ui.sheet.SheetDrawing
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.drawPaperLayer
 import robotran.ui.sheet.finished
+import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import robotran.world.World
 import robotran.world.geometry.Point

@@ -4,19 +4,12 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
@@ -43,7 +36,12 @@ private fun noticesWarmth(world: World) =
 internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions, inputs: FrameThrottledInput) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.SURROUNDINGS, SheetTexts.surroundings(spoken), "sheet-surroundings") {
+        IconButton(
+            SheetIcons.SURROUNDINGS,
+            SheetTexts.surroundings(spoken),
+            "sheet-surroundings",
+            IconButtonKind.FLOATING,
+        ) {
             open = true
         }
         AppMenu(open, { open = false }) {
@@ -84,18 +82,13 @@ private fun SurroundingsSlider(
     inputOf: (Float) -> SessionInput,
 ) {
     val colours = LocalRobotranColours.current
-    Text("$title: $valueWords", color = colours.onPane, fontSize = TextSizes.BODY)
+    Text("$title: $valueWords", style = TextStyles.body, color = colours.onPane)
     Slider(
-        value = value.coerceIn(range),
-        onValueChange = { inputs.send(inputOf(it)) },
-        onValueChangeFinished = inputs::flush,
-        valueRange = range,
-        colors = SliderDefaults.colors(colours.onPane, colours.onPane, inactiveTrackColor = colours.line),
-        modifier = Modifier.testTag("slider-$tag").focusRing().semantics {
-            contentDescription = title
-            stateDescription = valueWords
-        },
-    )
+        value.coerceIn(range),
+        SliderWords(title, valueWords, "slider-$tag"),
+        range = range,
+        onSettle = inputs::flush,
+    ) { inputs.send(inputOf(it)) }
 }
 
 private fun lightWords(light: Double): Label = when {

@@ -50,21 +50,26 @@ internal fun SheetControls(
         if (withZoom) {
             if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
         }
-        SheetButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), "sheet-whole") {
+        IconButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), "sheet-whole", IconButtonKind.FLOATING) {
             onEvent(SheetEvent.WholeSheetRequested)
         }
         ViewMenu(view, robotToFollow(view), onEvent)
         val isMeasuring = view.measuring != null
-        SheetButton(SheetIcons.MEASURE, SheetTexts.measure(spoken), "sheet-measure", on = isMeasuring) {
+        IconSwitch(SheetIcons.MEASURE, SheetTexts.measure(spoken), "sheet-measure", isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
             onEvent(SheetEvent.MeasuringChanged(ruler))
         }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
-        SheetButton(SheetIcons.SPACE, SheetTexts.spaceView(spoken), "sheet-3d", on = view.isIn3D) {
+        IconSwitch(SheetIcons.SPACE, SheetTexts.spaceView(spoken), "sheet-3d", view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }
         if (canShow) {
-            SheetButton(SheetIcons.SHOW, ExportTexts.title(spoken), "show") { onEvent(ExportEvent.Requested) }
+            IconButton(
+                SheetIcons.SHOW,
+                ExportTexts.title(spoken),
+                "show",
+                IconButtonKind.FLOATING,
+            ) { onEvent(ExportEvent.Requested) }
         }
     }
     val gap = Arrangement.spacedBy(GAP)
@@ -93,10 +98,22 @@ private fun SpaceZoomButtons(view: SheetViewState, onEvent: (SheetEvent) -> Unit
 
 @Composable
 private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Double) -> Unit) {
-    SheetButton(SheetIcons.NEARER, SheetTexts.nearer(spoken), "sheet-nearer", enabled = canGoNearer) {
+    IconButton(
+        SheetIcons.NEARER,
+        SheetTexts.nearer(spoken),
+        "sheet-nearer",
+        IconButtonKind.FLOATING,
+        enabled = canGoNearer,
+    ) {
         zoom(KEY_ZOOM)
     }
-    SheetButton(SheetIcons.FURTHER, SheetTexts.further(spoken), "sheet-further", enabled = canGoFurther) {
+    IconButton(
+        SheetIcons.FURTHER,
+        SheetTexts.further(spoken),
+        "sheet-further",
+        IconButtonKind.FLOATING,
+        enabled = canGoFurther,
+    ) {
         zoom(1 / KEY_ZOOM)
     }
 }

@@ -3,7 +3,6 @@ package robotran.ui.world
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
@@ -13,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -27,7 +25,6 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
@@ -107,11 +104,11 @@ internal fun TaskCard(
             }
             val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
             Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
-            IconTouch(
+            IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) SheetTexts.taskUnfold(spoken) else SheetTexts.taskFold(spoken),
                 "task-fold",
-                fold,
+                onClick = fold,
             )
             HideTask(onEvent)
         }
@@ -125,9 +122,9 @@ internal fun TaskCard(
 
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
-    IconTouch(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide", {
+    IconButton(Icon.CLOSE, SheetTexts.taskHide(spoken), "task-hide") {
         onEvent(ScreenEvent.TaskShown(false))
-    })
+    }
 
 @Composable
 private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
@@ -187,19 +184,17 @@ private fun ColumnScope.WholeAssignment(
 private fun TaskText(world: World) = Text(
     world.task.trim(),
     Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    TextStyles.sentence,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.BODY,
 )
 
 @Composable
 private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
     val scroll = rememberScrollState()
-    val colours = LocalRobotranColours.current
     Column(
         Modifier
             .weight(1f, fill = false)
-            .scrollHint(scroll, Orientation.Vertical, colours.pane, colours.onPane)
+            .scrollHint(scroll)
             .verticalScroll(scroll)
             .padding(start = START, bottom = 12.dp, end = 12.dp),
         Arrangement.spacedBy(4.dp),
@@ -211,12 +206,10 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
 private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
     modifier.testTag("task-title").semantics { heading() },
+    TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.LEAD,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.SemiBold,
-    overflow = TextOverflow.Ellipsis,
     maxLines = maxLines,
+    overflow = TextOverflow.Ellipsis,
 )
 
 /** Up to this font scale there is room for fixed buttons. */

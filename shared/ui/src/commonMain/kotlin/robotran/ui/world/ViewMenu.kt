@@ -5,16 +5,12 @@ import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.DropdownMenuItem
-import androidx.compose.material3.HorizontalDivider
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.selected
@@ -38,7 +34,7 @@ import robotran.workshop.state.SheetViewState
 internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        SheetButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show") { open = true }
+        IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show", IconButtonKind.FLOATING) { open = true }
         AppMenu(open, { open = false }) {
             if (view.isIn3D) {
                 for (kind in CameraKind.entries) {
@@ -54,7 +50,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
                     onEvent(SheetEvent.FollowChosen(if (follows) null else robot))
                 }
             }
-            HorizontalDivider(color = LocalRobotranColours.current.line)
+            HorizontalDivider()
             for (layer in SheetLayer.entries) {
                 val on = layer in view.shown
                 SwitchItem(layer.words(spoken), "layer-${layer.name.lowercase()}", on) {
@@ -66,25 +62,27 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
 }
 
 @Composable
-private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(kind.words(spoken), fontSize = TextSizes.BODY) },
-    onClick = onClick,
-    modifier = Modifier.testTag("camera-${kind.name.lowercase()}").semantics {
+private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit) = MenuItem(
+    kind.words(spoken),
+    "camera-${kind.name.lowercase()}",
+    Modifier.semantics {
         role = Role.RadioButton
         selected = isChosen
     },
-    leadingIcon = { RadioMark(isChosen) },
+    { RadioMark(isChosen) },
+    onClick = onClick,
 )
 
 @Composable
-private fun SwitchItem(label: String, tag: String, on: Boolean, onClick: () -> Unit) = DropdownMenuItem(
-    text = { Text(label, fontSize = TextSizes.BODY) },
-    onClick = onClick,
-    modifier = Modifier.testTag(tag).semantics {
+private fun SwitchItem(label: String, tag: String, on: Boolean, onClick: () -> Unit) = MenuItem(
+    label,
+    tag,
+    Modifier.semantics {
         role = Role.Checkbox
         toggleableState = ToggleableState(on)
     },
-    leadingIcon = { Tick(on) },
+    { Tick(on) },
+    onClick = onClick,
 )
 
 @Composable

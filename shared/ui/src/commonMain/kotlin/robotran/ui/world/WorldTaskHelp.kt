@@ -23,9 +23,9 @@ internal fun WorldTaskHelp(
 ) {
     Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
         if (task.canStart) {
-            SecondButton(LearningTexts.worldProgram(spoken), "world-program", {
+            Button(LearningTexts.worldProgram(spoken), "world-program", ButtonKind.SECOND) {
                 onEvent(LearningEvent.WorldProgramRequested)
-            })
+            }
         }
         TaskHelps(
             task.help,

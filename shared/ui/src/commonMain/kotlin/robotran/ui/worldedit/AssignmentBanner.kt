@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -43,12 +42,11 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
                 .align(Alignment.CenterVertically)
                 .testTag("edit-of-assignment-words")
                 .semantics { liveRegion = LiveRegionMode.Polite },
+            TextStyles.remark,
             color = colours.onPane,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.SMALL,
         )
-        SecondButton(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", {
+        Button(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", ButtonKind.SECOND) {
             onEvent(WorldEditEvent.EditorClosed)
-        })
+        }
     }
 }

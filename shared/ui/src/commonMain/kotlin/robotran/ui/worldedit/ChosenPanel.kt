@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.HorizontalDivider
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
@@ -43,7 +42,7 @@ internal fun ChosenPanel(editor: EditorScope) {
     val only = editing.only
     ChosenName(chosenTitle(editing), "chosen-name")
     Actions(editor)
-    HorizontalDivider(color = LocalRobotranColours.current.line)
+    HorizontalDivider()
     val piece = only?.let { editing.world.piece(it) }
     if (only != null && piece != null) {
         if (piece is Element.OfRobot) BuildButton(editor, only.number)

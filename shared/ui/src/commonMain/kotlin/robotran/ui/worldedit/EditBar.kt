@@ -45,13 +45,12 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
 }
 
 @Composable
-private fun TryButton(editor: EditorScope, withWords: Boolean) = IconTouch(
+private fun TryButton(editor: EditorScope, withWords: Boolean) = IconButton(
     EditIcons.PLAY,
     WorldEditorTexts.tryHelp(spoken),
     "edit-try",
-    { editor.perform(WorldEditEvent.TriedOut) },
     label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
-)
+) { editor.perform(WorldEditEvent.TriedOut) }
 
 /** Rare actions. */
 @Composable

@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import robotran.ui.editing.HandleAt
 import robotran.ui.editing.nearest
 import robotran.ui.sheet.SheetTransform
+import robotran.uikit.*
 import robotran.worldediting.DragHandle
 import robotran.worldediting.Handle
 import robotran.worldediting.WorldEditing

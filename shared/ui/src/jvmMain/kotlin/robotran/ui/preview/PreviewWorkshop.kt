@@ -19,7 +19,6 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.service.ProjectEditor
 import robotran.workshop.state.WorkshopState
 
 /** Shows [content] in the light theme and below it in the dark theme, with the state after [prepare]. */
@@ -43,7 +42,7 @@ internal fun PreviewWorkshop(prepare: Workshop.() -> Unit = {}, content: @Compos
 /** Opens the world [name] of the gallery. */
 internal fun Workshop.openGalleryWorld(name: String) {
     val world = checkNotNull(WorldGallery.named(name)) { "There is no world $name" }
-    (this as ProjectEditor).changeWorld(world.world(Language.ENGLISH), isAnother = true)
+    services.editor.changeWorld(world.world(Language.ENGLISH), isAnother = true)
 }
 
 /** Replaces the program by [text] and runs it for [milliseconds] of virtual time. */

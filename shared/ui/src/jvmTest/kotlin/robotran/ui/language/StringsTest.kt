@@ -1,6 +1,7 @@
 package robotran.ui.language
 
 import robotran.language.Language
+import robotran.uikit.*
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -6,6 +6,7 @@ import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.projects.ProgramView
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.event.BlockEvent

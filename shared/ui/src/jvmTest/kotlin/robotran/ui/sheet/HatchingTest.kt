@@ -1,6 +1,7 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
+import robotran.uikit.*
 import kotlin.test.Test
 import kotlin.test.assertEquals
 

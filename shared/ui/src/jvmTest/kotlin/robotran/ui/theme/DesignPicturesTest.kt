@@ -10,13 +10,13 @@ import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import org.jetbrains.skia.Bitmap
@@ -138,7 +138,7 @@ class DesignPicturesTest {
 
     @Composable
     private fun Words(text: String, colours: RobotranColours, size: TextUnit = TextSizes.SMALL) =
-        Text(text, color = colours.onPane, fontSize = size, maxLines = 1)
+        Text(text, style = TextStyle(fontSize = size), color = colours.onPane, maxLines = 1)
 
     /** Draws [content] of this size as docs/pictures/[name].png, and returns what is recorded there. */
     private fun draw(name: String, width: Int, height: Int, content: @Composable () -> Unit): Bitmap {

@@ -8,8 +8,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
@@ -17,7 +15,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import robotran.projects.Assignment
@@ -40,9 +37,9 @@ internal fun AssignmentEditorPage(state: AssignmentEditorState, place: MakingPla
         ) {
             Column {
                 Explanation(SchoolTexts.makeIntro(spoken))
-                QuietButton(SchoolTexts.makeUndo(spoken), "make-undo", {
+                Button(SchoolTexts.makeUndo(spoken), "make-undo", ButtonKind.QUIET, enabled = state.canUndo) {
                     onEvent(AssignmentEvent.UndoRequested)
-                }, enabled = state.canUndo)
+                }
             }
             TaskSection(state, change, onEvent)
             GoalSection(state, change, onEvent)
@@ -53,7 +50,7 @@ internal fun AssignmentEditorPage(state: AssignmentEditorState, place: MakingPla
             CheckSection(state, onEvent)
             GiveSection(state, onEvent)
             PlatformSection(state, onEvent)
-            QuietButton(SchoolTexts.makeRemove(spoken), "make-remove", { onEvent(AssignmentEvent.Removed) })
+            Button(SchoolTexts.makeRemove(spoken), "make-remove", ButtonKind.QUIET) { onEvent(AssignmentEvent.Removed) }
         }
     }
     if (state.asksBeforeGiving) GivingDialog(onEvent)
@@ -79,10 +76,8 @@ internal fun Section(title: String, tag: String, content: @Composable ColumnScop
         Text(
             title,
             Modifier.semantics { heading() },
+            TextStyles.cardTitle.strong,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.LEAD,
-            lineHeight = LineHeights.BODY,
-            fontWeight = FontWeight.SemiBold,
         )
         content()
     }
@@ -93,10 +88,8 @@ internal fun Section(title: String, tag: String, content: @Composable ColumnScop
 internal fun Subtitle(title: String) = Text(
     title,
     Modifier.padding(top = 8.dp).semantics { heading() },
+    TextStyles.sentence.medium,
     color = LocalRobotranColours.current.onPane,
-    fontSize = TextSizes.BODY,
-    lineHeight = LineHeights.BODY,
-    fontWeight = FontWeight.Medium,
 )
 
 /**
@@ -117,16 +110,13 @@ internal fun Field(
 ) {
     val isAbove = LocalDensity.current.fontScale > LARGE
     if (isAbove) Quiet(label, "$tag-label")
-    OutlinedTextField(
+    TextField(
         value,
         { onChange(it.take(limit)) },
         modifier.fillMaxWidth().testTag(tag).semantics { if (isAbove) contentDescription = label },
-        label = if (isAbove) null else ({ Text(label) }),
-        keyboardOptions = KeyboardOptions(keyboardType = keyboard),
-        singleLine = lines == 1,
-        minLines = lines,
-        maxLines = if (lines == 1) 1 else MAX_LINES,
-        colors = fieldColours(),
+        label.takeIf { !isAbove },
+        if (lines == 1) 1..1 else lines..MAX_LINES,
+        KeyboardOptions(keyboardType = keyboard),
     )
 }
 

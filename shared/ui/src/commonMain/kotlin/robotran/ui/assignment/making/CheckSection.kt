@@ -39,13 +39,13 @@ private fun CheckOfSolution(state: AssignmentEditorState, onEvent: (WorkshopEven
     if (check is SolutionCheck.Running) {
         Explanation(SchoolTexts.makeTrying(spoken, check.done, check.all), Modifier.testTag("make-trying"))
         ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
-        SecondButton(SchoolTexts.handInCancel(spoken), "make-check-stop", {
+        Button(SchoolTexts.handInCancel(spoken), "make-check-stop", ButtonKind.SECOND) {
             onEvent(AssignmentEvent.CheckRequested(on = false))
-        })
+        }
     } else if (state.assignment.solution.isNotEmpty()) {
-        SecondButton(SchoolTexts.makeTrySolution(spoken), "make-check", {
+        Button(SchoolTexts.makeTrySolution(spoken), "make-check", ButtonKind.SECOND) {
             onEvent(AssignmentEvent.CheckRequested(on = true))
-        })
+        }
     }
     CheckResult(check)
 }

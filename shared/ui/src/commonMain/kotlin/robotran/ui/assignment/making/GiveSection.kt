@@ -1,8 +1,6 @@
 package robotran.ui.assignment.making
 
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -28,15 +26,15 @@ internal fun GiveSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) 
     Section(SchoolTexts.makeGive(spoken), "make-give-section") {
         Quiet(SchoolTexts.makeGiveHelp(spoken), "make-give-help")
         Chips {
-            PrimaryButton(SchoolTexts.makeTeacherFile(spoken), "make-teacher-file", {
+            Button(SchoolTexts.makeTeacherFile(spoken), "make-teacher-file") {
                 onEvent(AssignmentEvent.TeacherFileSaved)
-            })
-            PrimaryButton(SchoolTexts.makePupilFile(spoken), "make-pupil-file", {
+            }
+            Button(SchoolTexts.makePupilFile(spoken), "make-pupil-file") {
                 onEvent(AssignmentEvent.PupilFileSaved)
-            })
-            SecondButton(SchoolTexts.makePupilLink(spoken), "make-pupil-link", {
+            }
+            Button(SchoolTexts.makePupilLink(spoken), "make-pupil-link", ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.PupilLinkRequested)
-            })
+            }
         }
         val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
         ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
@@ -66,8 +64,15 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
         Chips {
             val copy = if (link.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
             val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
-            SecondButton(copy(spoken), "$place-link-copy", onCopy, news)
-            if (onShare != null) SecondButton(SchoolTexts.handInShare(spoken), "$place-link-share", onShare)
+            Button(copy(spoken), "$place-link-copy", ButtonKind.SECOND, news, onClick = onCopy)
+            if (onShare != null) {
+                Button(
+                    SchoolTexts.handInShare(spoken),
+                    "$place-link-share",
+                    ButtonKind.SECOND,
+                    onClick = onShare,
+                )
+            }
         }
     }
     // What is handed in needs no such note: a teacher pastes its link wherever Robotran is open.
@@ -83,13 +88,13 @@ internal fun PlatformSection(state: AssignmentEditorState, onEvent: (WorkshopEve
         Chips {
             if (state.canPack) {
                 for ((version, name) in SCORM) {
-                    SecondButton(name, "make-${name.lowercase().replace(' ', '-')}", {
+                    Button(name, "make-${name.lowercase().replace(' ', '-')}", ButtonKind.SECOND) {
                         onEvent(AssignmentEvent.PackageSaved(version))
-                    })
+                    }
                 }
             }
             val copy = if (state.embedCodeCopied) SchoolTexts::makeEmbedCopied else SchoolTexts::makeEmbedCopy
-            SecondButton(copy(spoken), "make-embed", { onEvent(AssignmentEvent.EmbedCodeCopied) })
+            Button(copy(spoken), "make-embed", ButtonKind.SECOND) { onEvent(AssignmentEvent.EmbedCodeCopied) }
         }
         val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
         val result = packed ?: state.embedCode ?: state.embedError
@@ -113,14 +118,13 @@ private fun PlatformResult(state: AssignmentEditorState) {
 /** The code stays in sight, since a browser may not let it be copied. */
 @Composable
 private fun EmbedCode(code: String, isCopied: Boolean) {
-    OutlinedTextField(
+    TextField(
         code,
-        onValueChange = {},
+        { },
         Modifier.fillMaxWidth().testTag("make-embed-code"),
-        readOnly = true,
-        label = { Text(SchoolTexts.makeEmbedCode(spoken)) },
-        maxLines = MAX_CODE_LINES,
-        colors = fieldColours(),
+        SchoolTexts.makeEmbedCode(spoken),
+        1..MAX_CODE_LINES,
+        extras = FieldExtras(isReadOnly = true),
     )
     val news = Modifier.testTag("make-embed-copied").semantics { liveRegion = LiveRegionMode.Polite }
     val words = if (isCopied) SchoolTexts::makeEmbedCopied else DocumentTexts::notCopied

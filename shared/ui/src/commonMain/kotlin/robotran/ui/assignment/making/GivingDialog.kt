@@ -11,14 +11,14 @@ import robotran.workshop.event.WorkshopEvent
 @Composable
 internal fun GivingDialog(onEvent: (WorkshopEvent) -> Unit) {
     val cancel = { onEvent(AssignmentEvent.GivingCancelled) }
-    DialogFrame(
+    Dialog(
         SchoolTexts.makeGivingTitle(spoken),
         cancel,
         buttons = {
-            OtherButton(SchoolTexts.makeGivingShare(spoken), "make-giving-share", {
+            Button(SchoolTexts.makeGivingShare(spoken), "make-giving-share", ButtonKind.DIALOG_OTHER) {
                 onEvent(AssignmentEvent.GivingConfirmed)
-            })
-            MainButton(DocumentTexts.cancel(spoken), "make-giving-cancel") { cancel() }
+            }
+            Button(DocumentTexts.cancel(spoken), "make-giving-cancel", ButtonKind.DIALOG_MAIN) { cancel() }
         },
     ) { Explanation(SchoolTexts.makeGivingHelp(spoken)) }
 }

@@ -56,9 +56,9 @@ internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit
         }
         if (checks.variations.size < AssignmentLimits.MAXIMUM_VARIATIONS) {
             val name = SchoolTexts.makeVariationNew(spoken, checks.variations.size + 1)
-            SecondButton(SchoolTexts.makeVariationAdd(spoken), "make-variation-add", {
+            Button(SchoolTexts.makeVariationAdd(spoken), "make-variation-add", ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.VariationAdded(name))
-            })
+            }
         }
     }
 }
@@ -128,10 +128,15 @@ private fun VariationRow(
             if (it.isNotBlank()) onRename(it)
         }
         Chips {
-            SecondButton(SchoolTexts.makeVariationOpen(spoken), "make-variation-open-$index", {
+            Button(SchoolTexts.makeVariationOpen(spoken), "make-variation-open-$index", ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.VariationOpened(index))
-            })
-            QuietButton(SchoolTexts.makeVariationRemove(spoken), "make-variation-remove-$index", onRemove)
+            }
+            Button(
+                SchoolTexts.makeVariationRemove(spoken),
+                "make-variation-remove-$index",
+                ButtonKind.QUIET,
+                onClick = onRemove,
+            )
         }
     }
 }

@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -60,7 +59,7 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
             }
         }
         if (draft == null && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
-            SecondButton(SchoolTexts.makeHintAdd(spoken), "make-hint-add", { draft = AssignmentHint("") })
+            Button(SchoolTexts.makeHintAdd(spoken), "make-hint-add", ButtonKind.SECOND) { draft = AssignmentHint("") }
         }
     }
 }
@@ -89,7 +88,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
             if (it.isNotBlank()) onChange(hint.copy(text = it))
         }
         ConditionAndTries(hint, index, onChange)
-        QuietButton(SchoolTexts.makeHintRemove(spoken), "make-hint-remove-$index", onRemove)
+        Button(SchoolTexts.makeHintRemove(spoken), "make-hint-remove-$index", ButtonKind.QUIET, onClick = onRemove)
     }
 }
 
@@ -123,18 +122,18 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
         } else {
             SchoolTexts.makeHintAfter(spoken, hint.afterTries)
         }
-        IconTouch(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), "make-hint-earlier-$index", {
+        IconButton(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), "make-hint-earlier-$index") {
             onChange(hint.copy(afterTries = (hint.afterTries - 1).coerceAtLeast(1)))
-        })
+        }
         Text(
             after,
             Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"),
+            TextStyles.body,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
         )
-        IconTouch(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), "make-hint-later-$index", {
+        IconButton(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), "make-hint-later-$index") {
             onChange(hint.copy(afterTries = (hint.afterTries + 1).coerceAtMost(AssignmentLimits.MAXIMUM_TRIES)))
-        })
+        }
     }
 }
 

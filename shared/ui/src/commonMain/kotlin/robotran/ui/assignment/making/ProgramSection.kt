@@ -31,9 +31,9 @@ import robotran.workshop.state.AssignmentEditorState
 internal fun GoalSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     Section(SchoolTexts.makeGoals(spoken), "make-goal-section") {
         Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag("make-goal-count"))
-        SecondButton(SchoolTexts.makeGoalsEdit(spoken), "make-world", {
+        Button(SchoolTexts.makeGoalsEdit(spoken), "make-world", ButtonKind.SECOND) {
             onEvent(AssignmentEvent.WorldRequested)
-        })
+        }
         SwitchRow(SchoolTexts.makeMayChange(spoken), state.assignment.mayChangeWorld, "make-may-change") {
             change(state.assignment.copy(mayChangeWorld = it))
         }
@@ -86,9 +86,9 @@ private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit
         if (program.isStart && program.isChanged) {
             FlowRow(verticalArrangement = Arrangement.Center) {
                 Explanation(SchoolTexts.makeStartChanged(spoken, program.name))
-                QuietButton(SchoolTexts.makeStartRetake(spoken), "make-start-retake-$index", {
+                Button(SchoolTexts.makeStartRetake(spoken), "make-start-retake-$index", ButtonKind.QUIET) {
                     onEvent(AssignmentEvent.StartSwitched(index, on = true))
-                })
+                }
             }
         }
     }

@@ -6,9 +6,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.selection.toggleable
-import androidx.compose.material3.Checkbox
-import androidx.compose.material3.CheckboxDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -38,14 +35,14 @@ internal fun Solution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> 
     if (state.assignment.solution.size > 1) Quiet(SchoolTexts.makeSolutionFirst(spoken), "make-solution-first")
     Chips {
         if (state.canTakeSolution) {
-            SecondButton(SchoolTexts.makeSolutionTake(spoken), "make-solution-take", {
+            Button(SchoolTexts.makeSolutionTake(spoken), "make-solution-take", ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.SolutionTaken)
-            })
+            }
         }
         if (hasSolution) {
-            SecondButton(SchoolTexts.makeSolutionShow(spoken), "make-solution-show", {
+            Button(SchoolTexts.makeSolutionShow(spoken), "make-solution-show", ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.SolutionShown)
-            })
+            }
         }
     }
 }
@@ -69,21 +66,7 @@ private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean
         Arrangement.spacedBy(12.dp),
         Alignment.CenterVertically,
     ) {
-        Checkbox(
-            program.isTaken,
-            onCheckedChange = null,
-            colors = CheckboxDefaults.colors(
-                checkedColor = colours.focus,
-                uncheckedColor = colours.quiet,
-                checkmarkColor = colours.pane,
-            ),
-        )
-        Text(
-            words,
-            Modifier.weight(1f),
-            color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
-        )
+        CheckMark(program.isTaken)
+        Text(words, Modifier.weight(1f), TextStyles.sentence, color = colours.onPane)
     }
 }

@@ -79,14 +79,18 @@ private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit,
         )
     }
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        SecondButton(SchoolTexts.makePicture(spoken), "make-picture", {
+        Button(SchoolTexts.makePicture(spoken), "make-picture", ButtonKind.SECOND) {
             onEvent(AssignmentEvent.PictureRequested)
-        })
+        }
         assignment.pictures.forEachIndexed { index, picture ->
-            QuietButton(SchoolTexts.makePictureRemove(spoken, picture.name), "make-picture-remove-$index", {
+            Button(
+                SchoolTexts.makePictureRemove(spoken, picture.name),
+                "make-picture-remove-$index",
+                ButtonKind.QUIET,
+            ) {
                 val marks = assignment.text.lines().filterNot { it.trim().endsWith("](${picture.name})") }
                 change(assignment.copy(pictures = assignment.pictures - picture, text = marks.joinToString("\n")))
-            })
+            }
         }
     }
 }

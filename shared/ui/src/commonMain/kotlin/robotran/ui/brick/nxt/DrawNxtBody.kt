@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.clipPath
 import androidx.compose.ui.graphics.drawscope.withTransform
+import robotran.uikit.*
 
 /**
  * The grey case: beams with holes at the sides, the light face with the frame of the display, the loudspeaker and a

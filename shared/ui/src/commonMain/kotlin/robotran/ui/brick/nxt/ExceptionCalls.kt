@@ -2,7 +2,6 @@ package robotran.ui.brick.nxt
 
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -21,15 +20,11 @@ internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modif
         Text(
             NxtTexts.exceptionCalls(spoken),
             Modifier.padding(bottom = 4.dp),
+            TextStyles.remark,
             color = LocalRobotranColours.current.quiet,
-            fontSize = TextSizes.SMALL,
-            lineHeight = LineHeights.SMALL,
         )
         for (call in calls) {
-            Text(
-                placeOf(call),
-                style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL),
-            )
+            Text(placeOf(call), style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL))
         }
     }
 }

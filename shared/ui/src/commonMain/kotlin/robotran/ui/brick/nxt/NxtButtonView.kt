@@ -2,7 +2,6 @@ package robotran.ui.brick.nxt
 
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.offset
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -16,7 +15,6 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.lerp
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -24,7 +22,6 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.onClick
 import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
 import robotran.ui.texts.NxtTexts
@@ -69,9 +66,8 @@ internal fun NxtButtonView(
             Text(
                 look.text,
                 Modifier.offset(y = unit * if (down) SUNK / 2 else -SUNK / 2).clearAndSetSemantics { },
+                TextStyles.scaled(unit, LABEL_SIZE).strong,
                 color = look.label,
-                fontSize = with(LocalDensity.current) { (unit * LABEL_SIZE).toSp() },
-                fontWeight = FontWeight.SemiBold,
                 maxLines = 1,
                 softWrap = false,
             )

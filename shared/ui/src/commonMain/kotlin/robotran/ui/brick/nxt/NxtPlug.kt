@@ -3,16 +3,15 @@ package robotran.ui.brick.nxt
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.uikit.*
 
 /** A plug with its cable above or below, or an empty socket, and what is written on it. */
 @Composable
@@ -41,10 +40,8 @@ internal fun Plug(
 internal fun PlugLabel(text: String, colour: Color, unit: Dp, units: Float) {
     Text(
         text,
+        style = TextStyles.scaled(unit, units, units + LEADING).copy(fontWeight = FontWeight.Bold),
         color = colour,
-        fontSize = with(LocalDensity.current) { (unit * units).toSp() },
-        lineHeight = with(LocalDensity.current) { (unit * (units + LEADING)).toSp() },
-        fontWeight = FontWeight.Bold,
         maxLines = 1,
         softWrap = false,
     )

@@ -3,6 +3,7 @@ package robotran.ui.brick.rcx
 import androidx.compose.ui.geometry.Rect
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
+import robotran.uikit.*
 
 /**
  * The layout of the brick's front, on a plan of [WIDTH] by [HEIGHT] units. Measured on an RCX, and wider where a finger

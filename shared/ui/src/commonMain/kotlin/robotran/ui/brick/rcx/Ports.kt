@@ -8,13 +8,11 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -124,10 +122,8 @@ private fun PortBlock(colour: Color, unit: Dp, modifier: Modifier, content: @Com
 private fun PortLabel(text: String, colour: Color, unit: Dp) {
     Text(
         text,
+        style = TextStyles.scaled(unit, 16f, 18f).copy(fontWeight = FontWeight.Bold),
         color = colour,
-        fontSize = with(LocalDensity.current) { (unit * 16).toSp() },
-        lineHeight = with(LocalDensity.current) { (unit * 18).toSp() },
-        fontWeight = FontWeight.Bold,
         maxLines = 1,
     )
 }

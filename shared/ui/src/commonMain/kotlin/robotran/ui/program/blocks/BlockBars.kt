@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.background
 import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
@@ -11,15 +10,9 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Button
-import androidx.compose.material3.ButtonDefaults
-import androidx.compose.material3.MaterialTheme
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -31,7 +24,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
@@ -47,23 +39,17 @@ import robotran.workshop.event.BlockEvent
 internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
     val words = BlockTexts.add(spoken)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
-        Button(
-            { scope.show(BlockDialog.Palette) },
-            Modifier
-                .heightIn(min = Dimensions.TARGET)
-                .testTag("blocks-add")
-                .focusRing(24.dp)
-                .semantics { contentDescription = words },
-            colors = ButtonDefaults.buttonColors(
-                MaterialTheme.colorScheme.primary,
-                MaterialTheme.colorScheme.onPrimary,
-            ),
-            contentPadding = if (hasWords) ButtonDefaults.ContentPadding else PaddingValues(horizontal = 16.dp),
+        ButtonFrame(
+            "blocks-add",
+            ButtonKind.DIALOG_MAIN,
+            Modifier.semantics { contentDescription = words },
+            padding = PaddingValues(horizontal = if (hasWords) Space.PAGE else Space.LARGE),
+            onClick = { scope.show(BlockDialog.Palette) },
         ) {
             if (hasWords) {
-                Text(words, fontSize = TextSizes.BODY, fontWeight = FontWeight.Medium)
+                Text(words, style = TextStyles.body.medium)
             } else {
-                SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS)
+                IconView(ThinIcons.PLUS, RobotranColours.ON_YELLOW, size = PLUS)
             }
         }
     }
@@ -85,14 +71,13 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
             Alignment.CenterHorizontally,
         ) {
             Box(
-                Modifier.size(BADGE).background(MaterialTheme.colorScheme.primary, Shapes.SMALL),
+                Modifier.size(BADGE).background(RobotranColours.YELLOW, Shapes.SMALL),
                 Alignment.Center,
-            ) { SignPicture(Plus, MaterialTheme.colorScheme.onPrimary, PLUS) }
+            ) { IconView(ThinIcons.PLUS, RobotranColours.ON_YELLOW, size = PLUS) }
             Text(
                 BlockTexts.add(spoken),
+                style = TextStyles.signLines,
                 color = colours.onPane,
-                fontSize = TextSizes.SIGN,
-                lineHeight = LineHeights.SIGN,
                 textAlign = TextAlign.Center,
             )
         }
@@ -113,9 +98,8 @@ internal fun FirstBlockHint(hasRail: Boolean) {
         Text(
             if (hasRail) BlockTexts.firstFromRail(spoken) else BlockTexts.first(spoken),
             Modifier.drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }.padding(20.dp),
+            TextStyles.sentence,
             color = colours.onPane,
-            fontSize = TextSizes.BODY,
-            lineHeight = LineHeights.BODY,
         )
     }
 }
@@ -124,12 +108,7 @@ internal fun FirstBlockHint(hasRail: Boolean) {
 @Composable
 internal fun EditErrorBar(sentence: String, scope: BlockScope) {
     val colours = LocalRobotranColours.current
-    Surface(
-        Modifier.fillMaxWidth().padding(8.dp),
-        Shapes.MEDIUM,
-        colours.errorPane,
-        border = BorderStroke(1.dp, colours.error),
-    ) {
+    Surface(Modifier.fillMaxWidth().padding(8.dp), color = colours.errorPane, border = edge(colours.error)) {
         Row(
             Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-error"),
             verticalAlignment = Alignment.CenterVertically,
@@ -137,12 +116,12 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
             Text(
                 sentence,
                 Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+                TextStyles.body,
                 color = colours.onPane,
-                fontSize = TextSizes.BODY,
             )
-            IconTouch(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close", {
+            IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close") {
                 scope.onEvent(BlockEvent.ErrorDismissed)
-            })
+            }
         }
     }
 }

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -22,6 +21,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
@@ -112,9 +112,8 @@ private fun NoteTag(comment: String, scope: BlockScope, modifier: Modifier) {
 private fun Note(comment: String, scope: BlockScope, look: BlockLook, modifier: Modifier) = Text(
     comment.trim().removePrefix("//").trim(),
     modifier.clearAndSetSemantics { },
+    TextStyle(fontStyle = FontStyle.Italic, fontSize = scope.wordSize),
     color = look.ink,
-    fontSize = scope.wordSize,
-    fontStyle = FontStyle.Italic,
 )
 
 /** An empty line and the room in a block show the pane. */

@@ -45,7 +45,7 @@ internal fun BlockLead(row: BlockRow, scope: BlockScope, look: BlockLook) {
         Box(Modifier.size(SLOT_WIDTH, HEIGHT), Alignment.Center) {
             when {
                 row.cursor != null && scope.state.cursor == row.cursor -> MoreButton(row, scope, look)
-                row is BlockRow.First -> signOf(row.block)?.let { Sign(it, look.ink) }
+                row is BlockRow.First -> signOf(row.block)?.let { IconView(it, look.ink, size = 20.dp) }
             }
         }
     }
@@ -85,7 +85,7 @@ private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
         Alignment.Center,
     ) {
         Box(Modifier.size(MORE).background(look.ink, CircleShape), Alignment.Center) {
-            Sign(Icon.MORE, look.fill)
+            IconView(Icon.MORE, look.fill, size = 20.dp)
         }
     }
 }
@@ -103,7 +103,7 @@ internal fun FoldButton(row: BlockRow.First, scope: BlockScope, look: BlockLook)
             .clickable(role = Role.Button) { scope.onEvent(BlockEvent.Folded(row.block.id)) }
             .semantics { contentDescription = words },
         Alignment.Center,
-    ) { Sign(if (row.isCollapsed) CLOSED else OPEN, look.ink) }
+    ) { IconView(if (row.isCollapsed) CLOSED else OPEN, look.ink, size = 20.dp) }
 }
 
 /** How much a folded block hides. */

@@ -2,6 +2,7 @@ package robotran.ui.program.blocks
 
 import androidx.compose.ui.graphics.Color
 import robotran.robolang.words.BlockGroup
+import robotran.uikit.*
 
 /**
  * The hues of a group.

@@ -13,6 +13,7 @@ import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockTarget

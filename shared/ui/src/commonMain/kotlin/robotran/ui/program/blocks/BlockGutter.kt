@@ -5,7 +5,6 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.layout.width
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -20,6 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
@@ -59,13 +59,15 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
         }
         Text(
             "$line",
+            style = TextStyle(
+                fontSize = NUMBER_SIZE.sp,
+                fontWeight = FontWeight.Medium.takeIf { marks.hasBreakpoint || marks.isRunning },
+            ),
             color = when {
                 marks.hasBreakpoint -> RobotranColours.ON_COLOUR
                 marks.isRunning -> RobotranColours.ON_YELLOW
                 else -> LocalRobotranColours.current.quiet
             },
-            fontSize = NUMBER_SIZE.sp,
-            fontWeight = FontWeight.Medium.takeIf { marks.hasBreakpoint || marks.isRunning },
             maxLines = 1,
             softWrap = false,
         )

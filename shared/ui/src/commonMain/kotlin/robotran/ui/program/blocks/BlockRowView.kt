@@ -18,6 +18,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import robotran.blockediting.Block
 import robotran.language.source.Diagnostic
 import robotran.ui.program.editor.LineNote
+import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.state.InlineDiagnostic
 

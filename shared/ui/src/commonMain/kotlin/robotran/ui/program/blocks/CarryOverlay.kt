@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
@@ -10,7 +9,6 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.DisposableEffect
 import androidx.compose.ui.Alignment
@@ -26,7 +24,6 @@ import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
@@ -88,13 +85,8 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
         Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
         Alignment.CenterVertically,
     ) {
-        Canvas(Modifier.size(28.dp)) { with(BIN) { draw(ink) } }
-        Text(
-            BlockTexts.delete(spoken),
-            color = ink,
-            fontSize = TextSizes.BODY,
-            fontWeight = FontWeight.Medium,
-        )
+        IconView(BIN, ink, size = 28.dp)
+        Text(BlockTexts.delete(spoken), style = TextStyles.body.medium, color = ink)
     }
 }
 

@@ -1,12 +1,5 @@
 package robotran.ui.program.blocks
 
-import androidx.compose.foundation.Canvas
-import androidx.compose.foundation.layout.size
-import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
 import robotran.uikit.*
 
@@ -53,8 +46,3 @@ internal object GroupSigns {
     /** A display with two digits. */
     private val SHOW_AND_SOUND = Icon.strokes("M3 6H21V18H3V6", "M8 9V15", "M13 9H16V12H13V15H16")
 }
-
-/** [icon] without a button. */
-@Composable
-internal fun Sign(icon: Icon, colour: Color, size: Dp = 20.dp) =
-    Canvas(Modifier.size(size)) { with(icon) { draw(colour) } }

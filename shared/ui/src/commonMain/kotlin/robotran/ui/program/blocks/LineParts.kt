@@ -4,17 +4,18 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRowScope
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.wrapContentHeight
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.coerceAtLeast
 import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.uikit.*
 
 /** The words and sockets of [line], one after the other. */
 @OptIn(ExperimentalLayoutApi::class)
@@ -53,9 +54,8 @@ internal fun LinePart(
 internal fun BlockWords(label: String, scope: BlockScope, look: BlockLook, modifier: Modifier = Modifier) = Text(
     label,
     modifier.clearAndSetSemantics { },
+    TextStyle(fontSize = scope.wordSize, fontWeight = FontWeight.Medium),
     color = look.ink,
-    fontSize = scope.wordSize,
-    fontWeight = FontWeight.Medium,
 )
 
 /** The unit of [value], unless the next word is that unit, such as `seconds`. */

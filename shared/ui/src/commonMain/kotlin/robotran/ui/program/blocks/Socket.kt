@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.shape.CutCornerShape
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -24,6 +23,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
@@ -79,14 +79,14 @@ internal fun Socket(
     ) {
         if (inner.isEmpty()) {
             Written(scope.textOf(part), scope, look, middle())
-            if (part is PhrasePart.Choice) Box(middle()) { SignPicture(StrokeIcons.DOWN, look.socketInk, SIGN) }
+            if (part is PhrasePart.Choice) Box(middle()) { IconView(ThinIcons.DOWN, look.socketInk, size = SIGN) }
         } else {
             val inside = own.copy(ink = own.socketInk)
             for (each in inner) LinePart(each, scope, inside, unit = null, onLine(depth + 1), depth + 1)
         }
         if (unit != null) {
             val place = if (inner.isEmpty()) middle() else onLine(depth + 1)
-            Text(unit, place.clearAndSetSemantics { }, color = look.socketInk, fontSize = UNIT_SIZE.sp)
+            Text(unit, place.clearAndSetSemantics { }, TextStyle(fontSize = UNIT_SIZE.sp), color = look.socketInk)
         }
     }
 }
@@ -111,7 +111,7 @@ private fun shapeOf(part: PhrasePart): Shape = when {
 private fun Written(text: String, scope: BlockScope, look: BlockLook, modifier: Modifier) = Text(
     text,
     modifier.clearAndSetSemantics { },
-    style = editorStyle(scope.codeSize).copy(color = look.socketInk),
+    editorStyle(scope.codeSize).copy(color = look.socketInk),
 )
 
 @OptIn(ExperimentalLayoutApi::class)

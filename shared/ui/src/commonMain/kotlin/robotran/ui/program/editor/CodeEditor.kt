@@ -4,7 +4,6 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.offset
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -151,7 +150,7 @@ private fun TextLines.lineOfFix(note: InlineDiagnostic): String {
 private fun Hint(hint: String, size: Float, view: EditorView) {
     val colour = LocalRobotranColours.current.quiet
     val place = Modifier.offset { IntOffset(view.gutter.toInt(), 0) }.clearAndSetSemantics { }
-    Text(hint, place, style = editorStyle(size).copy(color = colour))
+    Text(hint, place, editorStyle(size).copy(color = colour))
 }
 
 @Composable

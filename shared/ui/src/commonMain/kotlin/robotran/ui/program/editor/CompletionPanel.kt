@@ -12,7 +12,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.itemsIndexed
 import androidx.compose.foundation.lazy.rememberLazyListState
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.ui.Modifier
@@ -83,8 +82,8 @@ internal fun NoCompletions(caret: CaretLocator) {
             .background(colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             .padding(12.dp),
+        TextStyles.compact,
         color = colours.onPane,
-        fontSize = TextSizes.COMPACT,
     )
 }
 
@@ -104,14 +103,7 @@ private fun CompletionRow(item: Completion, isChosen: Boolean, size: Float, onCh
     ) {
         Text(item.label, style = editorStyle(size), maxLines = 1, overflow = TextOverflow.Ellipsis)
         item.help?.let {
-            Text(
-                it,
-                color = colours.quiet,
-                fontSize = TextSizes.SMALL,
-                lineHeight = LineHeights.TIGHT,
-                maxLines = 2,
-                overflow = TextOverflow.Ellipsis,
-            )
+            Text(it, style = TextStyles.caption, color = colours.quiet, maxLines = 2, overflow = TextOverflow.Ellipsis)
         }
     }
 }

@@ -10,6 +10,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.IntSize
 import robotran.languagesupport.CodeTokens
 import robotran.textediting.text.TextDocument
+import robotran.uikit.*
 
 /** The visible part of a text and its position on the screen. */
 @Stable

@@ -1,12 +1,6 @@
 package robotran.ui.program.editor
 
-import androidx.compose.foundation.layout.defaultMinSize
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import robotran.language.source.Diagnostic
 import robotran.ui.texts.ScreenTexts
@@ -20,18 +14,9 @@ import robotran.uikit.*
 @Composable
 internal fun FixButton(diagnostic: Diagnostic, line: String, onFix: (Diagnostic) -> Unit) {
     val fix = diagnostic.fix ?: return
-    TextButton(
-        onClick = { onFix(diagnostic) },
-        modifier = Modifier.defaultMinSize(minHeight = Dimensions.TARGET).testTag("fix").focusRing(),
-    ) {
-        Text(
-            textOf(fixLabelOf(diagnostic, fix, line)),
-            color = LocalRobotranColours.current.focus,
-            fontSize = TextSizes.COMPACT,
-            fontWeight = FontWeight.SemiBold,
-            maxLines = 2,
-            overflow = TextOverflow.Ellipsis,
-        )
+    ButtonFrame("fix", ButtonKind.LINK, onClick = { onFix(diagnostic) }) {
+        val words = textOf(fixLabelOf(diagnostic, fix, line))
+        Text(words, style = TextStyles.compact.strong, maxLines = 2, overflow = TextOverflow.Ellipsis)
     }
 }
 

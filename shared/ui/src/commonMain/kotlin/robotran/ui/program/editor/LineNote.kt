@@ -6,7 +6,6 @@ import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -50,10 +49,8 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
                     text = AnnotatedString(spoken)
                     liveRegion = LiveRegionMode.Polite
                 },
+            TextStyles.denseLines.copy(fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal),
             color = if (note.isWarning) colours.onPane else colours.error,
-            fontSize = TextSizes.COMPACT,
-            lineHeight = LineHeights.SMALL,
-            fontWeight = if (standsOut) FontWeight.Bold else FontWeight.Normal,
         )
     }
     // A button that does not fit next to the message wraps below it.

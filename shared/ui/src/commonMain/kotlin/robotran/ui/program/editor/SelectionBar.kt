@@ -7,11 +7,8 @@ import androidx.compose.foundation.gestures.detectDragGestures
 import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
-import androidx.compose.material3.Text
-import androidx.compose.material3.TextButton
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -48,10 +45,8 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
             // If the text lost the focus, the bar would disappear.
             val modifier = Modifier.focusProperties {
                 canFocus = false
-            }.defaultMinSize(minHeight = Dimensions.TARGET).testTag(tag)
-            TextButton({ onCommand(command) }, modifier) {
-                Text(words(spoken), color = colours.onPane, fontSize = TextSizes.COMPACT)
             }
+            Button(words(spoken), tag, ButtonKind.TOOL, modifier) { onCommand(command) }
         }
     }
 }

@@ -5,6 +5,7 @@ import robotran.ui.sheet.SeamlessPolygon
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.colour
 import robotran.ui.sheet.roomiestPoint
+import robotran.uikit.*
 import robotran.world.RegionRole
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape

@@ -10,6 +10,7 @@ import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.drawBody
+import robotran.uikit.*
 import robotran.world.RobotPlacement
 
 /** Writes the robot from above, the same as on the screen, see [RobotPlan]. */

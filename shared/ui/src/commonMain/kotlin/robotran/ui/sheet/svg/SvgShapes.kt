@@ -1,6 +1,7 @@
 package robotran.ui.sheet.svg
 
 import robotran.ui.sheet.SheetColours
+import robotran.uikit.*
 import robotran.world.geometry.Point
 import robotran.world.geometry.Shape
 

@@ -9,6 +9,7 @@ import robotran.robolang.words.BlockGroup
 import robotran.ui.program.write
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
+import robotran.uikit.*
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDialog

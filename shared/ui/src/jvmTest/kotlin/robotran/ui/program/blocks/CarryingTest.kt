@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
+import robotran.uikit.*
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals

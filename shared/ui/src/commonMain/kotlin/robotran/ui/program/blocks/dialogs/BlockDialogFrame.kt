@@ -1,6 +1,5 @@
 package robotran.ui.program.blocks.dialogs
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
@@ -10,8 +9,6 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -41,7 +38,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.ui.texts.BlockTexts
@@ -62,7 +58,6 @@ internal fun BlockDialogFrame(
     scrolls: Boolean = true,
     content: @Composable ColumnScope.() -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     val input = LocalInputModeManager.current
     val manager = LocalFocusManager.current
     val inside = remember { FocusRequester() }
@@ -96,10 +91,7 @@ internal fun BlockDialogFrame(
             .focusGroup()
             .semantics { paneTitle = title },
         Shapes.FROM_BELOW,
-        color = colours.pane,
-        contentColor = colours.onPane,
         shadowElevation = 8.dp,
-        border = BorderStroke(1.dp, colours.line),
     ) {
         val scrolling = if (scrolls) Modifier.verticalScroll(rememberScrollState()) else Modifier
         val focused = Modifier.focusRequester(inside).focusGroup()
@@ -116,8 +108,7 @@ internal fun BlockDialogFrame(
                     Text(
                         title,
                         Modifier.weight(1f).semantics { heading() },
-                        fontSize = TextSizes.BODY,
-                        fontWeight = FontWeight.Medium,
+                        TextStyles.body.medium,
                         maxLines = 2,
                         overflow = TextOverflow.Ellipsis,
                     )
@@ -136,7 +127,7 @@ internal fun BlockDialogFrame(
 
 @Composable
 private fun CloseDialogButton(onClose: () -> Unit) =
-    IconTouch(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClose)
+    IconButton(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClick = onClose)
 
 /**
  * Whether [event] ends the press of the key that opened the sheet. A button would take it for a click, so that the sheet

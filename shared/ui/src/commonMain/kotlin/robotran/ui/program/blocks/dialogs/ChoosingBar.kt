@@ -1,14 +1,11 @@
 package robotran.ui.program.blocks.dialogs
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Surface
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalClipboardManager
@@ -29,23 +26,14 @@ import robotran.workshop.event.BlockEvent
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun ChoosingBar(scope: BlockScope) {
-    val colours = LocalRobotranColours.current
     val clipboard = LocalClipboardManager.current
     val state = scope.state
-    Surface(
-        Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"),
-        Shapes.LARGE,
-        colours.pane,
-        colours.onPane,
-        shadowElevation = 6.dp,
-        border = BorderStroke(1.dp, colours.line),
-    ) {
+    Surface(Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"), Shapes.LARGE, shadowElevation = 6.dp) {
         Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
             Text(
                 BlockTexts.chosen(spoken, state.selected.size),
                 Modifier.semantics { liveRegion = LiveRegionMode.Polite },
-                fontSize = TextSizes.BODY,
-                lineHeight = LineHeights.LABEL,
+                TextStyles.label,
             )
             FlowRow(
                 horizontalArrangement = Arrangement.spacedBy(8.dp),

@@ -3,7 +3,6 @@ package robotran.ui.program.blocks.dialogs
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
 import androidx.compose.foundation.clickable
-import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -14,7 +13,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
@@ -30,7 +28,6 @@ import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockPalette
@@ -44,7 +41,7 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
     Column(
         modifier
             .background(colours.desk)
-            .scrollHint(scroll, Orientation.Vertical, colours.desk, colours.onPane)
+            .scrollHint(scroll, ground = colours.desk)
             .verticalScroll(scroll)
             .padding(vertical = 4.dp)
             .testTag("block-groups"),
@@ -81,13 +78,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
         Alignment.CenterHorizontally,
     ) {
         GroupBadge(group, scope)
-        Text(
-            words,
-            color = colours.onPane,
-            fontSize = TextSizes.SIGN,
-            lineHeight = LineHeights.SIGN,
-            textAlign = TextAlign.Center,
-        )
+        Text(words, style = TextStyles.signLines, color = colours.onPane, textAlign = TextAlign.Center)
     }
 }
 
@@ -116,7 +107,7 @@ internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
         Alignment.CenterVertically,
     ) {
         GroupBadge(group, scope)
-        Text(words, color = if (isShown) colours.pane else colours.onPane, fontSize = TextSizes.BODY)
+        Text(words, style = TextStyles.body, color = if (isShown) colours.pane else colours.onPane)
     }
 }
 
@@ -151,7 +142,7 @@ internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     Box(
         Modifier.size(BADGE).clip(shape).background(look.fill).border(2.dp, look.edge, shape),
         Alignment.Center,
-    ) { Sign(GroupSigns.of(group), look.ink) }
+    ) { IconView(GroupSigns.of(group), look.ink, size = 20.dp) }
 }
 
 private val BUTTON_HEIGHT = 64.dp

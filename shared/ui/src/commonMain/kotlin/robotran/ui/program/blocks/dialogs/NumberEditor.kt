@@ -7,9 +7,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.material3.Slider
-import androidx.compose.material3.SliderDefaults
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -29,6 +26,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.SpanStyle
+import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
@@ -198,32 +196,22 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
             }
         },
         modifier.testTag("number-now").semantics { liveRegion = LiveRegionMode.Polite },
+        TextStyle(fontSize = size.sp, fontWeight = FontWeight.Medium),
         color = colours.onPane,
-        fontSize = size.sp,
-        fontWeight = FontWeight.Medium,
         textAlign = TextAlign.Center,
     )
 }
 
 @Composable
 private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Unit) {
-    val colours = LocalRobotranColours.current
     val label = BlockTexts.number(spoken)
     val range = scale.min.toFloat()..scale.max.toFloat()
     Slider(
         now.toFloat().coerceIn(range),
-        { onPut(round(it / scale.step) * scale.step) },
-        Modifier.fillMaxWidth().testTag("number-slider").semantics {
-            contentDescription = label
-            stateDescription = written(now)
-        },
-        valueRange = range,
-        colors = SliderDefaults.colors(
-            thumbColor = colours.onPane,
-            activeTrackColor = colours.onPane,
-            inactiveTrackColor = colours.line,
-        ),
-    )
+        SliderWords(label, written(now), "number-slider"),
+        Modifier.fillMaxWidth(),
+        range,
+    ) { onPut(round(it / scale.step) * scale.step) }
 }
 
 /** Whether the line turns the robot to the left, so that the dial shows the angle to that side. */

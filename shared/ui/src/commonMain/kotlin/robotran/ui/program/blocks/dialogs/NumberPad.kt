@@ -37,17 +37,11 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
 
 @Composable
 private fun DoneKey(width: Dp, onDone: () -> Unit) =
-    PadKey("✓", "number-done", width, BlockTexts.done(spoken), StrokeIcons.CHECK, onDone)
+    PadKey("✓", "number-done", width, BlockTexts.done(spoken), ThinIcons.CHECK, onDone)
 
 @Composable
-private fun PadKey(
-    label: String,
-    tag: String,
-    width: Dp,
-    spoken: String,
-    sign: StrokeIcon? = null,
-    onClick: () -> Unit,
-) = DialogButton(label, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
+private fun PadKey(label: String, tag: String, width: Dp, spoken: String, sign: Icon? = null, onClick: () -> Unit) =
+    DialogButton(label, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
 
 /** The width of a pad with keys of [keyWidth]; [isLow] as in [NumberPad]. */
 internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {
@@ -64,7 +58,7 @@ private fun spokenFor(key: Char): String = when (key) {
 }
 
 /** Drawn, since few fonts have it. */
-private fun signOf(key: Char): StrokeIcon? = if (key == TypedNumber.ERASE) StrokeIcons.ERASE else null
+private fun signOf(key: Char): Icon? = if (key == TypedNumber.ERASE) ThinIcons.ERASE else null
 
 /** As on a telephone the low digits come first; the last column has what is no digit. */
 private val ROWS = listOf("123${TypedNumber.ERASE}", "456-", "789.").map { it.toList() }

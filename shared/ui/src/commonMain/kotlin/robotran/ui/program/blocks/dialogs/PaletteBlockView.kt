@@ -10,13 +10,11 @@ import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.semantics.clearAndSetSemantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.ui.program.blocks.BlockLook
@@ -24,7 +22,6 @@ import robotran.ui.program.blocks.BlockOutline
 import robotran.ui.program.blocks.BlockShape
 import robotran.ui.program.blocks.BlockSizes
 import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.Sign
 import robotran.ui.program.blocks.drawBlock
 import robotran.uikit.*
 
@@ -61,14 +58,8 @@ private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier:
     Arrangement.spacedBy(8.dp),
     Alignment.CenterVertically,
 ) {
-    if (block != null) Sign(GroupSigns.of(block.group), look.ink)
-    Text(
-        label,
-        Modifier.clearAndSetSemantics { },
-        color = look.ink,
-        fontSize = TextSizes.BODY,
-        fontWeight = FontWeight.Medium,
-    )
+    if (block != null) IconView(GroupSigns.of(block.group), look.ink, size = 20.dp)
+    Text(label, Modifier.clearAndSetSemantics { }, TextStyles.body.medium, color = look.ink)
 }
 
 private val MARGIN = 12.dp

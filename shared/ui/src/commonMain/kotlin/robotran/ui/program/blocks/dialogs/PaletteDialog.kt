@@ -17,8 +17,6 @@ import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.foundation.verticalScroll
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -113,8 +111,8 @@ internal fun PaletteDialog(
                 scope.isIntroductionFixed -> SchoolTexts.assignmentBlocksNone(spoken)
                 else -> BlockTexts.notYet(spoken)
             },
+            style = TextStyles.body,
             color = LocalRobotranColours.current.onPane,
-            fontSize = TextSizes.BODY,
         )
     }
     // Other blocks begin at the top.
@@ -174,7 +172,7 @@ private fun PaletteSearchField(
     onTurn: (BlockPalette) -> Unit,
     onLeave: () -> Unit,
     onTake: () -> Unit,
-) = OutlinedTextField(
+) = TextField(
     palette.query,
     { onTurn(palette.copy(query = it)) },
     Modifier
@@ -184,11 +182,9 @@ private fun PaletteSearchField(
             if (leaves) onLeave()
             leaves
         }.testTag("palette-search"),
-    label = { Text(BlockTexts.search(spoken)) },
-    singleLine = true,
-    keyboardOptions = KeyboardOptions(imeAction = ImeAction.Search),
-    keyboardActions = KeyboardActions(onSearch = { onTake() }),
-    colors = fieldColours(),
+    BlockTexts.search(spoken),
+    keyboard = KeyboardOptions(imeAction = ImeAction.Search),
+    onKeyboard = KeyboardActions(onSearch = { onTake() }),
 )
 
 /** All groups beside their blocks. The list says the name of the one that it shows. */

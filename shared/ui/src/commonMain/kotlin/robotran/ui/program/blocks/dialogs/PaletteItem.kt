@@ -5,7 +5,6 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
@@ -59,9 +58,8 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             Text(
                 sentence,
                 Modifier.padding(horizontal = 4.dp).clearAndSetSemantics { },
+                TextStyles.caption,
                 color = LocalRobotranColours.current.quiet,
-                fontSize = TextSizes.SMALL,
-                lineHeight = LineHeights.TIGHT,
             )
         }
     }

@@ -3,8 +3,6 @@ package robotran.ui.program.blocks.dialogs
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
-import androidx.compose.material3.OutlinedTextField
-import androidx.compose.material3.Text
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
@@ -80,15 +78,13 @@ internal fun DialogField(
 ) {
     var typed by remember(text) { mutableStateOf(text) }
     val focus = remember { FocusRequester() }
-    OutlinedTextField(
+    TextField(
         typed,
         { typed = it },
         Modifier.fillMaxWidth().focusRequester(focus).testTag("$tag-field"),
-        label = { Text(label) },
-        singleLine = true,
-        keyboardOptions = KeyboardOptions(imeAction = ImeAction.Done),
-        keyboardActions = KeyboardActions(onDone = { onDone(typed) }),
-        colors = fieldColours(),
+        label,
+        keyboard = KeyboardOptions(imeAction = ImeAction.Done),
+        onKeyboard = KeyboardActions(onDone = { onDone(typed) }),
     )
     DialogButton(BlockTexts.done(spoken), "$tag-done") { onDone(typed) }
     LaunchedEffect(Unit) { if (takesFocus) focus.requestFocus() }
