@@ -1,6 +1,5 @@
 package robotran.ui.editing
 
-import kotlin.math.round
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
@@ -20,6 +19,7 @@ import robotran.editing.WorldEditorTexts
 import robotran.editing.parseDecimal
 import robotran.editing.written
 import robotran.uikit.*
+import kotlin.math.round
 
 /** A number field with step buttons and, if there is a range for it, a slider. */
 @Composable
