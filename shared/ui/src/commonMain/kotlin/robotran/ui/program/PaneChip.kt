@@ -1,7 +1,10 @@
 package robotran.ui.program
 
 import androidx.compose.runtime.Composable
-import robotran.ui.program.editor.codeColours
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import robotran.ui.code.codeColours
 import robotran.uikit.*
 
 /**

@@ -14,7 +14,7 @@ import androidx.compose.ui.unit.dp
 import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
 import robotran.simulation.state.SessionState
-import robotran.ui.documents.AutosaveBanner
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.editing.EditorFrame
 import robotran.ui.editing.EditorParts
 import robotran.ui.editing.editForCommand

@@ -15,6 +15,7 @@ import robotran.robotediting.fieldsOf
 import robotran.robotediting.wholeFields
 import robotran.ui.editing.ChoosingRow
 import robotran.ui.editing.ChosenName
+import robotran.ui.editing.EditorActions
 import robotran.ui.editing.EditorTab
 import robotran.ui.editing.FieldPanel
 import robotran.ui.editing.Form
@@ -60,7 +61,7 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 @Composable
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     ChosenName(robotElementText(scope.robot, chosen), "robot-chosen-name")
-    RobotElementActions(scope, chosen)
+    EditorActions(scope, actionsOf(scope.robot, chosen))
     HorizontalDivider()
     Form(scope.robot.fieldsOf(chosen), scope)
 }

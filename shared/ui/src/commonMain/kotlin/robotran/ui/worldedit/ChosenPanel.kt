@@ -1,8 +1,5 @@
 package robotran.ui.worldedit
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
@@ -13,6 +10,8 @@ import robotran.editing.RobotTexts
 import robotran.editing.WorldEditorTexts
 import robotran.ui.brick.nxt.words
 import robotran.ui.editing.ChosenName
+import robotran.ui.editing.EditorAction
+import robotran.ui.editing.EditorActions
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
@@ -41,7 +40,7 @@ internal fun ChosenPanel(editor: EditorScope) {
     }
     val only = editing.only
     ChosenName(chosenTitle(editing), "chosen-name")
-    Actions(editor)
+    EditorActions(editor, actionsOf(editing))
     HorizontalDivider()
     val piece = only?.let { editing.world.piece(it) }
     if (only != null && piece != null) {
@@ -50,7 +49,7 @@ internal fun ChosenPanel(editor: EditorScope) {
     }
     if (editing.hasPlace) {
         RowHeading(if (only != null) WorldEditorTexts.alignPaper(spoken) else WorldEditorTexts.align(spoken))
-        AlignRow(editor)
+        EditorActions(editor, ALIGNING)
     }
 }
 
@@ -76,62 +75,34 @@ private fun chosenTitle(editing: WorldEditing): String {
     return elementText(editing.world, only)
 }
 
-@OptIn(ExperimentalLayoutApi::class)
-@Composable
-private fun Actions(editor: EditorScope) {
-    val editing = editor.editing
+private fun actionsOf(editing: WorldEditing): List<EditorAction<WorldEdit>> = buildList {
+    fun add(icon: Icon, label: Label, tag: String, edit: WorldEdit) = add(EditorAction(icon, label, tag, edit))
     val turn = editing.turnStep
-    FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        Action(EditIcons.DELETE, WorldEditorTexts::delete, "delete") { editor.make(WorldEdit.Delete) }
-        Action(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate") { editor.make(WorldEdit.Duplicate) }
-        if (editing.canRotate) {
-            Action(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left") { editor.make(WorldEdit.TurnBy(turn)) }
-            Action(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right") {
-                editor.make(WorldEdit.TurnBy(-turn))
-            }
-        }
-        if (editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP } && editing.hasPlace) {
-            Action(EditIcons.LARGER, WorldEditorTexts::larger, "larger") { editor.make(WorldEdit.ScaleBy(GROWTH)) }
-            Action(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller") {
-                editor.make(WorldEdit.ScaleBy(1 / GROWTH))
-            }
-        }
-        if (editing.selection.any { it.kind == ElementKind.MARK }) {
-            Action(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front") {
-                editor.make(WorldEdit.Restack(StackOrder.TO_FRONT))
-            }
-            Action(EditIcons.UP, WorldEditorTexts::forward, "forward") {
-                editor.make(WorldEdit.Restack(StackOrder.FORWARD))
-            }
-            Action(EditIcons.DOWN, WorldEditorTexts::backward, "backward") {
-                editor.make(WorldEdit.Restack(StackOrder.BACK))
-            }
-            Action(EditIcons.BACK, WorldEditorTexts::toBack, "to-back") {
-                editor.make(WorldEdit.Restack(StackOrder.TO_BACK))
-            }
-        }
-        if (editing.selection.size > 1) {
-            Action(EditIcons.GROUP, WorldEditorTexts::group, "group") { editor.make(WorldEdit.Group) }
-        }
-        if (editing.groups.any { group -> group.any { it in editing.selection } }) {
-            Action(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup") { editor.make(WorldEdit.Ungroup) }
-        }
+    val grows = editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP }
+    add(EditIcons.DELETE, WorldEditorTexts::delete, "delete", WorldEdit.Delete)
+    add(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate", WorldEdit.Duplicate)
+    if (editing.canRotate) {
+        add(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left", WorldEdit.TurnBy(turn))
+        add(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right", WorldEdit.TurnBy(-turn))
+    }
+    if (grows && editing.hasPlace) {
+        add(EditIcons.LARGER, WorldEditorTexts::larger, "larger", WorldEdit.ScaleBy(GROWTH))
+        add(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller", WorldEdit.ScaleBy(1 / GROWTH))
+    }
+    if (editing.selection.any { it.kind == ElementKind.MARK }) {
+        add(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front", WorldEdit.Restack(StackOrder.TO_FRONT))
+        add(EditIcons.UP, WorldEditorTexts::forward, "forward", WorldEdit.Restack(StackOrder.FORWARD))
+        add(EditIcons.DOWN, WorldEditorTexts::backward, "backward", WorldEdit.Restack(StackOrder.BACK))
+        add(EditIcons.BACK, WorldEditorTexts::toBack, "to-back", WorldEdit.Restack(StackOrder.TO_BACK))
+    }
+    if (editing.selection.size > 1) add(EditIcons.GROUP, WorldEditorTexts::group, "group", WorldEdit.Group)
+    if (editing.groups.any { group -> group.any { it in editing.selection } }) {
+        add(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup", WorldEdit.Ungroup)
     }
 }
 
-@Composable
-private fun Action(icon: Icon, word: Label, tag: String, onClick: () -> Unit) =
-    IconWord(icon, word(spoken), tag, onClick)
-
-@OptIn(ExperimentalLayoutApi::class)
-@Composable
-private fun AlignRow(editor: EditorScope) {
-    FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        for (side in AlignSide.entries) {
-            val tag = "align-${side.name.lowercase()}"
-            IconWord(alignIcon(side), alignWord(side)(spoken), tag, { editor.make(WorldEdit.Align(side)) })
-        }
-    }
+private val ALIGNING: List<EditorAction<WorldEdit>> = AlignSide.entries.map {
+    EditorAction(alignIcon(it), alignWord(it), "align-${it.name.lowercase()}", WorldEdit.Align(it))
 }
 
 /** Whether a selected element has a place on the sheet. */

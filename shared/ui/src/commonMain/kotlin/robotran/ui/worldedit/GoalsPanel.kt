@@ -1,13 +1,10 @@
 package robotran.ui.worldedit
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
+import robotran.ui.editing.EditorAction
+import robotran.ui.editing.EditorActions
 import robotran.ui.editing.HelpText
 import robotran.uikit.*
 import robotran.world.Goal
@@ -39,29 +36,10 @@ internal fun GoalsPanel(editor: EditorScope, onChosen: () -> Unit) {
     AddGoal(editor, chosen?.takeIf { goals[it].goal.isGroup })
 }
 
-@OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
-    FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(2.dp)) {
-        GoalAction(EditIcons.PENCIL, WorldEditorTexts::goalChange, "goal-change", onChosen)
-        GoalAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete") { editor.make(WorldEdit.Delete) }
-        GoalAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up") {
-            editor.make(WorldEdit.MoveGoal(number, GoalMove.UP))
-        }
-        GoalAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down") {
-            editor.make(WorldEdit.MoveGoal(number, GoalMove.DOWN))
-        }
-        GoalAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in") {
-            editor.make(WorldEdit.MoveGoal(number, GoalMove.IN))
-        }
-        GoalAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out") {
-            editor.make(WorldEdit.MoveGoal(number, GoalMove.OUT))
-        }
-        if (goal.isGroup) {
-            GoalAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap") {
-                editor.make(WorldEdit.UnwrapGoal(number))
-            }
-        }
+    EditorActions(editor, actionsOf(goal, number)) {
+        IconWord(EditIcons.PENCIL, WorldEditorTexts.goalChange(spoken), "goal-change", onChosen)
     }
     val groups = GoalGroup.entries.map { it to (goalTitle(it.around(goal)))(spoken) }
     MenuRow(
@@ -74,9 +52,15 @@ private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: (
     }
 }
 
-@Composable
-private fun GoalAction(icon: Icon, word: Label, tag: String, onClick: () -> Unit) =
-    IconWord(icon, word(spoken), tag, onClick)
+private fun actionsOf(goal: Goal, number: Int): List<EditorAction<WorldEdit>> = listOfNotNull(
+    EditorAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete", WorldEdit.Delete),
+    EditorAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up", WorldEdit.MoveGoal(number, GoalMove.UP)),
+    EditorAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down", WorldEdit.MoveGoal(number, GoalMove.DOWN)),
+    EditorAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in", WorldEdit.MoveGoal(number, GoalMove.IN)),
+    EditorAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out", WorldEdit.MoveGoal(number, GoalMove.OUT)),
+    EditorAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap", WorldEdit.UnwrapGoal(number))
+        .takeIf { goal.isGroup },
+)
 
 /** @param into the group of the new goal; null for none. */
 @Composable

@@ -11,7 +11,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.documents.AutosaveBanner
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.editing.EditorFrame
 import robotran.ui.editing.EditorParts
 import robotran.ui.editing.editForCommand

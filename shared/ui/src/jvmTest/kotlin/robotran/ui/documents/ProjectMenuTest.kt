@@ -20,6 +20,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.language.InLanguage
 import robotran.ui.screen.noticeText
 import robotran.ui.screen.undrawnTest

@@ -15,6 +15,8 @@ import androidx.compose.ui.unit.sp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
+import robotran.ui.code.CodeColours
+import robotran.ui.code.codeColours
 import robotran.uikit.*
 import kotlin.math.ceil
 

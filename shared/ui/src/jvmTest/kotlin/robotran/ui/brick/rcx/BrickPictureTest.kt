@@ -5,6 +5,7 @@ import androidx.compose.ui.graphics.toPixelMap
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
+import robotran.ui.common.BrickColours
 import robotran.world.RobotPlacement
 import kotlin.test.Test
 import kotlin.test.assertEquals

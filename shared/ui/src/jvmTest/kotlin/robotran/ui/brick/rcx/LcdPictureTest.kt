@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.toPixelMap
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
+import robotran.ui.common.BrickColours
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue

@@ -3,6 +3,9 @@ package robotran.ui.program.blocks
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
 import robotran.robolang.words.BlockGroup
+import robotran.ui.code.BlockLook
+import robotran.ui.code.BlockLooks
+import robotran.ui.code.GroupSigns
 import robotran.uikit.*
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.code
 
 import robotran.robolang.words.BlockGroup
 import robotran.uikit.*
