@@ -1,5 +1,7 @@
 package robotran.ui.brick
 
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.gestures.Orientation
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth

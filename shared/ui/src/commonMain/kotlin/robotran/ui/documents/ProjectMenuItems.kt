@@ -1,6 +1,9 @@
 package robotran.ui.documents
 
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.ExportTexts
