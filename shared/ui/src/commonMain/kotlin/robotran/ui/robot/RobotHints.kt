@@ -73,13 +73,13 @@ internal fun RobotHints(
             Modifier
                 .weight(1f, fill = false)
                 .testTag("robot-hints")
-                .semantics { liveRegion = LiveRegionMode.Polite }
+                .announced()
                 .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences + warnings) Text(sentence, style = TextStyles.compact, color = colours.onPane)
+            for (sentence in sentences + warnings) Text(sentence, style = TextStyles.compact)
             val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)
             if (element != null && element != editing.chosen) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "robot-show-trouble", {

@@ -122,9 +122,8 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     Text(
         robotElementText(scope.robot, chosen),
-        Modifier.testTag("robot-chosen-name").semantics { heading() },
+        Modifier.testTag("robot-chosen-name").heading(),
         TextStyles.lead.strong,
-        color = LocalRobotranColours.current.onPane,
     )
     RobotElementActions(scope, chosen)
     HorizontalDivider()
@@ -154,7 +153,7 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
             Arrangement.spacedBy(8.dp),
             Alignment.CenterVertically,
         ) {
-            Text(robotElementText(scope.robot, element), Modifier.weight(1f), TextStyles.body, color = colours.onPane)
+            Text(robotElementText(scope.robot, element), Modifier.weight(1f), TextStyles.body)
             if (scope.editing.errors.any { scope.robot.elementOf(it) == element }) {
                 IconView(EditIcons.WARNING, colours.error, size = 22.dp)
             }

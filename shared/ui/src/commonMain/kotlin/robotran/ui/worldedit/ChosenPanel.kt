@@ -32,12 +32,7 @@ internal fun ChosenPanel(editor: EditorScope) {
         return
     }
     val only = editing.only
-    Text(
-        chosenTitle(editing),
-        Modifier.testTag("chosen-name").semantics { heading() },
-        TextStyles.lead.strong,
-        color = LocalRobotranColours.current.onPane,
-    )
+    Text(chosenTitle(editing), Modifier.testTag("chosen-name").heading(), TextStyles.lead.strong)
     Actions(editor)
     HorizontalDivider()
     val piece = only?.let { editing.world.piece(it) }

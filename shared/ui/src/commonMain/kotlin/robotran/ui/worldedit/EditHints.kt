@@ -51,13 +51,13 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
             Modifier
                 .weight(1f, fill = false)
                 .testTag("edit-hints")
-                .semantics { liveRegion = LiveRegionMode.Polite }
+                .announced()
                 .scrollHint(scroll, ground = colours.errorPane)
                 .verticalScroll(scroll)
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
+            for (sentence in sentences) Text(sentence, style = TextStyles.compact)
             val thing = editing.errors.firstOrNull()?.thing
             if (thing != null && thing !in editing.selection) {
                 WordButton(WorldEditorTexts.showTrouble(spoken), "show-trouble", {

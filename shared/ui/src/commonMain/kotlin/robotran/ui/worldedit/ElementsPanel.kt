@@ -58,7 +58,7 @@ internal fun ElementRow(editor: EditorScope, ref: ElementRef, indent: Dp, onChos
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(elementText(editor.world, ref), Modifier.weight(1f), TextStyles.body, color = colours.onPane)
+        Text(elementText(editor.world, ref), Modifier.weight(1f), TextStyles.body)
         if (editor.editing.errors.any { it.thing == ref }) {
             Box(Modifier.size(22.dp)) {
                 Canvas(Modifier.matchParentSize()) { with(EditIcons.WARNING) { draw(colours.error) } }

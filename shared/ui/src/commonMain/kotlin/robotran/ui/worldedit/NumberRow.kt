@@ -56,7 +56,7 @@ internal fun NumberRow(
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
+            Text(label, Modifier.weight(1f), TextStyles.compact)
             IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "$tag-less") {
                 stepped(-step)
             }

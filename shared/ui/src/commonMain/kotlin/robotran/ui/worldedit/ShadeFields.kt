@@ -96,7 +96,7 @@ internal class Swatch<T>(val value: T, val colour: Color, val word: String)
 internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, style = TextStyles.compact, color = colours.onPane)
+        Text(title, style = TextStyles.compact)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(4.dp), Arrangement.spacedBy(4.dp)) {
             swatches.forEachIndexed { place, swatch ->
                 val isChosen = swatch.value == chosen
@@ -108,7 +108,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                         .clip(Shapes.MEDIUM)
                         .background(if (isChosen) colours.runningLine else Color.Transparent)
                         .selectable(isChosen, role = Role.RadioButton) { onChoose(swatch.value) }
-                        .semantics { contentDescription = swatch.word }
+                        .named(swatch.word)
                         .padding(4.dp),
                     Arrangement.spacedBy(2.dp),
                     Alignment.CenterHorizontally,
@@ -118,7 +118,7 @@ internal fun <T> Swatches(title: String, swatches: List<Swatch<T>>, chosen: T, t
                             28.dp,
                         ).background(swatch.colour, CircleShape).border(1.dp, colours.quiet, CircleShape),
                     )
-                    Text(swatch.word, style = TextStyles.sign, color = colours.onPane, maxLines = 1)
+                    Text(swatch.word, style = TextStyles.sign, maxLines = 1)
                 }
             }
         }

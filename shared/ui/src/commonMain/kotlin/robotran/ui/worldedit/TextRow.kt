@@ -42,7 +42,7 @@ internal fun TextRow(
     val isWrong = typed != null && !tall && !isValidText(typed, maximum, mayBeBlank, isProse)
     val wrong = if (isWrong) range(spoken, maximum) else error.takeIf { typed != null && typed != text }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, style = TextStyles.compact, color = LocalRobotranColours.current.onPane)
+        Text(title, style = TextStyles.compact)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
                 text = typed ?: text,
