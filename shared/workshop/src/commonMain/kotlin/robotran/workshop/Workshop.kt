@@ -1,5 +1,7 @@
 package robotran.workshop
 
+import androidx.compose.runtime.derivedStateOf
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.CoroutineScope
@@ -98,37 +100,38 @@ class Workshop(
         }
     }
 
-    /** The current UI state, observable by Compose. */
-    val state: WorkshopState
-        get() = WorkshopState(
-            programs = programs.state,
-            run = run.state,
-            sheet = world.sheet.state,
-            worldEdit = world.editors.world,
-            document = document.state.copy(
-                hasGoals = run.state.world.goals.isNotEmpty(),
-                canSend = programs.state.brick.receivesPrograms,
-                hasFirmwareImage = programs.state.program.isForLegoFirmware,
-            ),
-            settings = settingsHolder.state,
-            learning = school.learning.state.copy(isInBlocks = programs.state.view.hasBlocks),
-            pane = screen.pane,
-            taskShown = screen.taskShown,
-            notice = notices.shown,
-            settingsShown = settingsHolder.shown,
-            siteRequested = settingsHolder.siteRequested,
-            send = school.send.state,
-            show = school.export.state,
-            handIns = school.handIns.state,
-            assignment = school.assignment.state,
-            handIn = school.assignment.handIn,
-            making = school.assignment.making,
-            course = school.course.state,
-            hasPage = platform.pageAddress.isNotEmpty(),
-            fullPane = screen.fullPane,
-            robotEdit = world.editors.robot,
-            taskFolded = screen.taskFolded,
-        )
+    /** The current UI state, always the same object. */
+    val state: WorkshopState = object : WorkshopState {
+        override val programs get() = this@Workshop.programs.state
+        override val run get() = this@Workshop.run.state
+        override val sheet get() = this@Workshop.world.sheet.state
+        override val worldEdit get() = this@Workshop.world.editors.world
+        override val robotEdit get() = this@Workshop.world.editors.robot
+        override val document by derivedStateOf {
+            this@Workshop.document.state.copy(
+                hasGoals = run.world.goals.isNotEmpty(),
+                canSend = programs.brick.receivesPrograms,
+                hasFirmwareImage = programs.program.isForLegoFirmware,
+            )
+        }
+        override val settings get() = settingsHolder.state
+        override val learning by derivedStateOf { school.learning.state.copy(isInBlocks = programs.view.hasBlocks) }
+        override val pane get() = screen.pane
+        override val fullPane get() = screen.fullPane
+        override val taskShown get() = screen.taskShown
+        override val taskFolded get() = screen.taskFolded
+        override val notice get() = notices.shown
+        override val settingsShown get() = settingsHolder.shown
+        override val siteRequested get() = settingsHolder.siteRequested
+        override val send get() = school.send.state
+        override val show get() = school.export.state
+        override val handIns get() = school.handIns.state
+        override val assignment get() = school.assignment.state
+        override val handIn get() = school.assignment.handIn
+        override val making get() = school.assignment.making
+        override val course get() = school.course.state
+        override val hasPage get() = platform.pageAddress.isNotEmpty()
+    }
 
     val project: Project get() = open.project
 

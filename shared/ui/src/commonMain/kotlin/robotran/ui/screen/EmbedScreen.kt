@@ -21,7 +21,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
@@ -49,7 +48,7 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))
             EmbedBar(state.run, state.status, onEvent)
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }

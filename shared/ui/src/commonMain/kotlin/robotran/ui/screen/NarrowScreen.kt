@@ -30,7 +30,6 @@ import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.documents.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
@@ -81,11 +80,16 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                 if (tutorial != null) TutorialStrip(state.learning, onEvent)
                 PaneAlone(state, onEvent, Modifier.weight(1f))
             }
-            RunBar(state.run, state.status, state.caretLine, perform, isLow = isLow)
-            RunAnnouncer(state.run)
+            NarrowRunBar(state, perform, isLow)
+            RunAnnouncements(state)
         }
     }
 }
+
+/** In a scope of its own, which each frame of a run composes. */
+@Composable
+private fun NarrowRunBar(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, isLow: Boolean) =
+    RunBar(state.run, state.status, state.caretLine, onEvent, isLow = isLow)
 
 /** Whether [event] should show a pane instead of the tutorial. */
 private fun makesRoom(event: WorkshopEvent): Boolean =
@@ -95,7 +99,7 @@ private fun makesRoom(event: WorkshopEvent): Boolean =
 /** With notices over it, where they hide least. */
 @Composable
 private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
-    val isSheet = state.pane == Pane.WORLD && state.run.drawer.tab == null
+    val isSheet = state.pane == Pane.WORLD && state.part { run.drawer.tab } == null
     Box(modifier) {
         when {
             isSheet -> WorldWithStrip(state, onEvent)
@@ -103,7 +107,7 @@ private fun PaneAlone(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, mo
             state.pane == Pane.PROGRAM -> CompositionLocalProvider(LocalSheetPicture provides sheetPicture(state)) {
                 ProgramPane(
                     state.programs,
-                    state.shownProgramRun,
+                    state.part { shownProgramRun },
                     state.settings,
                     MAX_DIAGNOSTICS,
                     onEvent,

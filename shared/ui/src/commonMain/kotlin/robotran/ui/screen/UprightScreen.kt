@@ -12,7 +12,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
@@ -60,7 +59,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             WorldAndProgram(state, onEvent, whole, first, Modifier.weight(1f))
             HorizontalDivider(color = line)
             runBar()
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -102,7 +101,7 @@ private fun WorldAndProgram(
             if (state.fullPane != Pane.WORLD) {
                 ProgramPane(
                     state.programs,
-                    state.shownProgramRun,
+                    state.part { shownProgramRun },
                     state.settings,
                     MAX_DIAGNOSTICS,
                     onEvent,

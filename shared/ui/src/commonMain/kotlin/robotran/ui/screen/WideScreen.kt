@@ -14,7 +14,6 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
-import robotran.ui.drawer.RunAnnouncer
 import robotran.ui.learning.TutorialPane
 import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
@@ -57,7 +56,7 @@ internal fun WideScreen(
             }
             HorizontalDivider()
             runBar()
-            RunAnnouncer(state.run)
+            RunAnnouncements(state)
         }
     }
 }
@@ -91,7 +90,7 @@ private fun ProgramAndWorld(
                     }
                     ProgramPane(
                         state.programs,
-                        state.shownProgramRun,
+                        state.part { shownProgramRun },
                         state.settings,
                         MAX_DIAGNOSTICS,
                         onEvent,

@@ -87,7 +87,7 @@ internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Un
             ProvideAssignmentRestrictions(state, onEvent) {
                 val edit = state.worldEdit
                 val bench = state.robotEdit
-                CompositionLocalProvider(LocalBrickKind provides state.run.brick.kind) {
+                CompositionLocalProvider(LocalBrickKind provides state.part { run.brick.kind }) {
                     when {
                         edit != null && bench != null -> RobotEditPane(
                             bench,

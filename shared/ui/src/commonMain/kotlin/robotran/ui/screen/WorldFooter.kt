@@ -39,7 +39,7 @@ internal fun WorldFooter(
     val colours = LocalRobotranColours.current
     BoxWithConstraints(Modifier.fillMaxWidth().background(colours.pane)) {
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
-        val hasChips = state.hasTask || state.session.goals.isNotEmpty()
+        val hasChips = state.part { hasTask || session.goals.isNotEmpty() }
         val inOneRow = maxWidth >= BRICK + (TABS + if (hasChips) CHIPS else 0.dp) * scale
         Column {
             HorizontalDivider()
@@ -50,16 +50,16 @@ internal fun WorldFooter(
             ) {
                 if (inOneRow) Tabs(state, onEvent, Modifier.weight(1f))
                 TaskAndGoals(
-                    state.hasTask,
+                    state.part { hasTask },
                     state.taskShown,
-                    state.session.goals,
+                    state.part { session.goals },
                     onEvent,
                     isSlim = true,
                     howFar = howFar(state.assignment),
                 )
                 // As large without it, so that nothing moves.
                 Box(Modifier.size(STRIP_WIDTH, STRIP_HEIGHT)) {
-                    if (!isWhole) Strip(state.run, onEvent, isLow = true)
+                    if (!isWhole) SmallBrick(state, onEvent)
                 }
                 IconButton(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
@@ -72,9 +72,13 @@ internal fun WorldFooter(
     }
 }
 
+/** In a scope of its own, which each frame of a run composes. */
+@Composable
+private fun SmallBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) = Strip(state.run, onEvent, isLow = true)
+
 @Composable
 private fun Tabs(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) =
-    FootTabs(state.run.drawer.tab, { onEvent(RunEvent.DrawerChosen(it)) }, modifier)
+    FootTabs(state.part { run.drawer.tab }, { onEvent(RunEvent.DrawerChosen(it)) }, modifier)
 
 private val STRIP_WIDTH = 186.dp
 private val STRIP_HEIGHT = 56.dp

@@ -31,6 +31,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.handins.AnyClass
 import robotran.workshop.state.HandInVerdict
 import robotran.workshop.state.Settings
+import robotran.workshop.state.WorkshopState
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -319,7 +320,9 @@ class HandInsPageTest {
         val workshop = gradedClass(AnyClass.few)
         workshop.handle(HandInsEvent.HandInChosen("Ada"))
         val state = workshop.state
-        val scanning = state.copy(handIns = state.handIns?.copy(isScanning = true))
+        val scanning = object : WorkshopState by state {
+            override val handIns = state.handIns?.copy(isScanning = true)
+        }
         val back = listOf(HandInsEvent.HandInChosen(null), HandInsEvent.Closed)
         assertEquals(back, pageBackEvents(state))
         assertEquals(listOf(HandInsEvent.ScanEnded) + back, pageBackEvents(scanning))

@@ -1,6 +1,6 @@
 package robotran.workshop.state
 
-import androidx.compose.runtime.Immutable
+import androidx.compose.runtime.Stable
 import robotran.brick.controls.BrickButton
 import robotran.brick.state.RunState
 import robotran.language.source.Diagnostic
@@ -14,52 +14,69 @@ import robotran.world.World
 import robotran.world.robot.draftError
 
 /**
- * The complete UI state, one part per pane.
- *
- * @property worldEdit null while the world is not being edited.
- * @property robotEdit the robot in the workbench, which covers the world editor; null while it is closed.
- * @property pane the pane shown on screens with room for only one.
- * @property fullPane the pane that has the room of all others, on screens with room for several; null for none.
- * @property taskShown whether the world's task is shown above the sheet.
- * @property taskFolded whether only one line of it is shown; an assignment remembers that itself.
- * @property notice the current message; null for none.
- * @property settingsShown whether the settings page is shown.
- * @property siteRequested whether that page opens at the base URL of links.
- * @property send the sheet that sends a program to a real robot; null while it is closed.
- * @property show the sheet with which pupils show what they made; null while it is closed.
- * @property handIns the page on which a teacher looks at hand-ins; null while it is closed.
- * @property assignment the assignment that is open; null in a project like any other.
- * @property handIn the sheet with which a pupil hands in; null while it is closed.
- * @property making the page that makes an assignment; null while it is closed.
- * @property course the courses on this device.
- * @property hasPage whether the app has its own base URL of links.
+ * The complete UI state, one part per pane. Each property reads the state of its room, which Compose observes: who reads
+ * one part is drawn again for changes of that part alone.
  */
-@Immutable
-data class WorkshopState(
-    val programs: ProgramsState,
-    val run: RunPaneState,
-    val sheet: SheetViewState,
-    val worldEdit: WorldEditState?,
-    val document: DocumentState,
-    val settings: Settings,
-    val learning: LearningState,
-    val pane: Pane,
-    val taskShown: Boolean = false,
-    val notice: Notice? = null,
-    val settingsShown: Boolean = false,
-    val siteRequested: Boolean = false,
-    val send: SendState? = null,
-    val show: ExportState? = null,
-    val handIns: HandInsState? = null,
-    val assignment: AssignmentState? = null,
-    val handIn: HandInStep? = null,
-    val making: AssignmentEditorState? = null,
-    val course: CourseState = CourseState(),
-    val hasPage: Boolean = false,
-    val fullPane: Pane? = null,
-    val robotEdit: RobotEditState? = null,
-    val taskFolded: Boolean = false,
-) {
+@Stable
+interface WorkshopState {
+    val programs: ProgramsState
+    val run: RunPaneState
+    val sheet: SheetViewState
+
+    /** Null while the world is not being edited. */
+    val worldEdit: WorldEditState?
+
+    /** The robot in the workbench, which covers the world editor; null while it is closed. */
+    val robotEdit: RobotEditState?
+    val document: DocumentState
+    val settings: Settings
+    val learning: LearningState
+
+    /** The pane shown on screens with room for only one. */
+    val pane: Pane
+
+    /** The pane that has the room of all others, on screens with room for several; null for none. */
+    val fullPane: Pane?
+
+    /** Whether the world's task is shown above the sheet. */
+    val taskShown: Boolean
+
+    /** Whether only one line of it is shown; an assignment remembers that itself. */
+    val taskFolded: Boolean
+
+    /** The current message; null for none. */
+    val notice: Notice?
+
+    /** Whether the settings page is shown. */
+    val settingsShown: Boolean
+
+    /** Whether that page opens at the base URL of links. */
+    val siteRequested: Boolean
+
+    /** The sheet that sends a program to a real robot; null while it is closed. */
+    val send: SendState?
+
+    /** The sheet with which pupils show what they made; null while it is closed. */
+    val show: ExportState?
+
+    /** The page on which a teacher looks at hand-ins; null while it is closed. */
+    val handIns: HandInsState?
+
+    /** The assignment that is open; null in a project like any other. */
+    val assignment: AssignmentState?
+
+    /** The sheet with which a pupil hands in; null while it is closed. */
+    val handIn: HandInStep?
+
+    /** The page that makes an assignment; null while it is closed. */
+    val making: AssignmentEditorState?
+
+    /** The courses on this device. */
+    val course: CourseState
+
+    /** Whether the app has its own base URL of links. */
+    val hasPage: Boolean
+
     val program: Program get() = programs.program
     val file: SourceFile get() = programs.file
     val diagnostics: List<Diagnostic> get() = programs.diagnostics

@@ -48,7 +48,7 @@ class NxtPictureTest {
     fun `a phone, a tablet and a laptop show it as they did`() = byDayAndNight { name, dark ->
         for ((screen, width, height) in SCREENS) {
             for ((pane, brick) in listOf(Pane.WORLD to NxtScenes.running, Pane.BRICK to NxtScenes.failed)) {
-                val state = NxtScenes.screen(brick, isWhole = pane == Pane.BRICK).copy(pane = pane)
+                val state = NxtScenes.screen(brick, isWhole = pane == Pane.BRICK, pane = pane)
                 val seen = picture(width, height, dark) { WorkshopScreen(state, { }) }
                 GoldenPicture.check("nxt-$screen-${pane.name.lowercase()}-$name", seen)
             }

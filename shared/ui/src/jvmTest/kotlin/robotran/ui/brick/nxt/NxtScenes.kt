@@ -23,6 +23,7 @@ import robotran.nxt.state.NxtState
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 import robotran.world.ReadyRobots
@@ -96,8 +97,13 @@ internal object NxtScenes {
         thrownText = "/ by zero",
     )
 
-    /** The screen of a workshop whose first robot is [robot] with this brick. */
-    fun screen(brick: NxtState, robot: RobotDescription = this.robot, isWhole: Boolean = false): WorkshopState {
+    /** The screen of a workshop, with [pane], whose first robot is [robot] with this brick. */
+    fun screen(
+        brick: NxtState,
+        robot: RobotDescription = this.robot,
+        isWhole: Boolean = false,
+        pane: Pane = Pane.WORLD,
+    ): WorkshopState {
         val workshop = runBlocking { openWorkshop() }
         for (form in WindowForm.entries) workshop.handle(SettingsEvent.BrickSizeChosen(form, isWhole))
         val state = workshop.state.also { workshop.close() }
@@ -109,7 +115,10 @@ internal object NxtScenes {
             session = state.run.session.with(),
             drawn = state.run.drawn.with(),
         )
-        return state.copy(run = run)
+        return object : WorkshopState by state {
+            override val run = run
+            override val pane = pane
+        }
     }
 
     private fun started(program: NxtProgram, prepare: NxtBrick.() -> Unit = { }): NxtState =
