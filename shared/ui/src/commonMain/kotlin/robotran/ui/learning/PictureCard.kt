@@ -82,4 +82,3 @@ private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifie
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }
-
