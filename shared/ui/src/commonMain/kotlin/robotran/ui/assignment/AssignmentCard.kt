@@ -20,7 +20,7 @@ import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
-import robotran.ui.drawer.iconFor
+import robotran.ui.common.iconFor
 import robotran.ui.learning.MarkedText
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*

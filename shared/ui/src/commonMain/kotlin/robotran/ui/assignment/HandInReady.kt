@@ -18,7 +18,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.LinkAsQrCode
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*

@@ -2,7 +2,6 @@ package robotran.ui.assignment
 
 import androidx.compose.runtime.Composable
 import robotran.projects.AssignmentTries
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.state.AssignmentState

@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.painter.Painter
-import robotran.ui.brick.rcx.BrickColours
+import robotran.ui.common.BrickColours
 import robotran.uikit.*
 
 /** The app icon: a brick with its display and the four buttons, simplified for a task bar. */

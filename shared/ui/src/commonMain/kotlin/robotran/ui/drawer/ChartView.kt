@@ -25,7 +25,6 @@ import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*

@@ -21,6 +21,7 @@ import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.wordFor
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
+import robotran.ui.common.iconFor
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
@@ -88,10 +89,4 @@ private fun GoalRow(
             goal.parts.forEachIndexed { index, part -> GoalRow(part, where + index, shortfalls, onEvent) }
         }
     }
-}
-
-internal fun iconFor(status: GoalStatus) = when (status) {
-    GoalStatus.MET -> RunIcons.DONE
-    GoalStatus.FAILED -> RunIcons.CLOSE
-    GoalStatus.PENDING -> RunIcons.OPEN
 }

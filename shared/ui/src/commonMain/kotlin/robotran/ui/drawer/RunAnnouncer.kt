@@ -19,7 +19,6 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.RunPaneState

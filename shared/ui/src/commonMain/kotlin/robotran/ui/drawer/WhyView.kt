@@ -9,8 +9,8 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import robotran.ui.common.PlugInButton
 import robotran.ui.empty.EmptyPicture
-import robotran.ui.program.PlugInButton
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent

@@ -22,7 +22,6 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent

@@ -32,7 +32,6 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradingPlan
 import robotran.ui.learning.PLAY_ICON
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent

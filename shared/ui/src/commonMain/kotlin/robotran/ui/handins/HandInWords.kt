@@ -8,7 +8,6 @@ import robotran.assignments.grading.GradingPlan
 import robotran.assignments.messages.CollectingMessages
 import robotran.assignments.messages.ReportMessages
 import robotran.ui.assignment.worldName
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.SchoolTexts
 import robotran.uikit.*

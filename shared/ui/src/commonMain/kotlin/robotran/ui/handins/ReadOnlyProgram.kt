@@ -30,8 +30,8 @@ import robotran.languagesupport.CodeTokens
 import robotran.languagesupport.TextLines
 import robotran.programs.support
 import robotran.projects.ProjectProgram
-import robotran.ui.program.editor.CodeColours
-import robotran.ui.program.editor.codeColours
+import robotran.ui.code.CodeColours
+import robotran.ui.code.codeColours
 import robotran.uikit.*
 import robotran.workshop.handins.equalLines
 

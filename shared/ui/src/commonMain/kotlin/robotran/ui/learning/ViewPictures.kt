@@ -27,10 +27,10 @@ import robotran.brick.kind.BrickKind
 import robotran.programs.blockLanguage
 import robotran.programs.support
 import robotran.robolang.words.BlockGroup
-import robotran.ui.program.blocks.GroupSigns
-import robotran.ui.program.blocks.rememberBlockLooks
-import robotran.ui.program.editor.CodeColours
-import robotran.ui.program.editor.codeColours
+import robotran.ui.code.CodeColours
+import robotran.ui.code.GroupSigns
+import robotran.ui.code.codeColours
+import robotran.ui.code.rememberBlockLooks
 import robotran.uikit.*
 
 /** A short program in blocks. */

@@ -6,7 +6,7 @@ import robotran.languagesupport.CodeTokens
 import robotran.languagesupport.TextLines
 import robotran.programs.Program
 import robotran.programs.support
-import robotran.ui.program.editor.codeColoursFor
+import robotran.ui.code.codeColoursFor
 import robotran.uikit.*
 
 /** The lines of [program] in the colours of the editor; a program of several files has their names between them. */

@@ -35,6 +35,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.source.Diagnostic
+import robotran.ui.code.rememberBlockLooks
 import robotran.ui.program.blocks.AddBar
 import robotran.ui.program.blocks.AddRail
 import robotran.ui.program.blocks.BlockDragging
@@ -54,7 +55,6 @@ import robotran.ui.program.blocks.dialogs.BlocksRoom
 import robotran.ui.program.blocks.dialogs.ChoosingBar
 import robotran.ui.program.blocks.dialogs.GroupRail
 import robotran.ui.program.blocks.dialogs.SheetPlace
-import robotran.ui.program.blocks.rememberBlockLooks
 import robotran.ui.program.blocks.zoomsBlocks
 import robotran.ui.texts.BlockTexts
 import robotran.uikit.*

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.ui.program.editor.codeColours
+import robotran.ui.code.codeColours
 import robotran.uikit.*
 
 /**

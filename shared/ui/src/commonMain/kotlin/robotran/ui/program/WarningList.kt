@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
+import robotran.ui.common.PlugInButton
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 

@@ -1,15 +1,12 @@
 package robotran.ui.runbar
 
 import androidx.compose.runtime.Composable
-import robotran.language.decimal
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.state.GoalCount
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.messages.sentence
-import kotlin.math.abs
-import kotlin.math.roundToLong
 
 /** [status] in simple words for pupils. */
 @Composable
@@ -76,20 +73,3 @@ private fun failedText(line: Int, file: String?, message: String): String = when
     file == null -> ScreenTexts.statusFailed(spoken, line, message)
     else -> ScreenTexts.mistakeInLineOfFile(spoken, file, line, message)
 }
-
-/** [value] with exactly one decimal, such as `-0.5` or `12.0`, the same on every platform. */
-internal fun oneDecimal(value: Double): String {
-    val tenths = (value * 10).roundToLong()
-    val sign = if (tenths < 0) "-" else ""
-    return "$sign${abs(tenths) / 10}.${abs(tenths) % 10}"
-}
-
-/** Seconds with one decimal place, as the reader's language writes it. */
-@Composable
-internal fun secondsText(milliseconds: Long): String = secondsText(milliseconds / MILLISECONDS_PER_SECOND)
-
-/** [seconds] with one decimal place, as the reader's language writes it. */
-@Composable
-internal fun secondsText(seconds: Double): String = LocalLanguage.current.decimal(oneDecimal(seconds))
-
-private const val MILLISECONDS_PER_SECOND = 1000.0

@@ -20,10 +20,10 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
-import robotran.ui.documents.AutosaveBanner
+import robotran.ui.common.AutosaveBanner
+import robotran.ui.task.TaskCard
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.world.SHEET_BUTTON_STEP
-import robotran.ui.world.TaskCard
 import robotran.ui.world.WorldPane
 import robotran.ui.world.hasZoomButtons
 import robotran.ui.world.sheetButtonColumns

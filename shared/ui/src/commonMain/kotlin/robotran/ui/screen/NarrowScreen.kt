@@ -28,7 +28,7 @@ import robotran.ui.assignment.howFar
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
-import robotran.ui.documents.AutosaveBanner
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.drawer.DrawerPage
 import robotran.ui.drawer.TaskAndGoals
 import robotran.ui.learning.TutorialPane

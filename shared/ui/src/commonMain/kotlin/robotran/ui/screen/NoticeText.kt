@@ -2,8 +2,8 @@ package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
 import robotran.ui.assignment.worldName
+import robotran.ui.common.portNumbers
 import robotran.ui.learning.robotTitle
-import robotran.ui.program.portNumbers
 import robotran.ui.texts.DocumentTexts
 import robotran.ui.texts.LearningTexts
 import robotran.ui.texts.NxtTexts

@@ -1,7 +1,6 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
-import robotran.ui.runbar.secondsText
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.SolvedTask

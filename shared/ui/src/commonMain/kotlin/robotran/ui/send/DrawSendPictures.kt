@@ -7,7 +7,7 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.ui.brick.rcx.BrickColours
+import robotran.ui.common.BrickColours
 import robotran.uikit.*
 
 internal fun DrawScope.drawError(colours: RobotranColours) = drawSheet(Offset(88f, 10f), colours, mistake = 2)

@@ -9,7 +9,7 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.StrokeCap
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
-import robotran.ui.brick.rcx.BrickColours
+import robotran.ui.common.BrickColours
 import robotran.uikit.*
 
 // The parts of the pictures, in the units of SendPicture.

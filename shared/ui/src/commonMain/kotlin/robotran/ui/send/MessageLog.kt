@@ -5,7 +5,6 @@ import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import robotran.tower.ReceivedMessage
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.state.RobotMessage

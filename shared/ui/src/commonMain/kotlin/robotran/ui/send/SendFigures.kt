@@ -3,7 +3,6 @@ package robotran.ui.send
 import androidx.compose.runtime.Composable
 import robotran.language.source.Diagnostic
 import robotran.tower.TransferProgress
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.SendTexts
 import robotran.uikit.*

@@ -2,7 +2,6 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import robotran.simulation.state.SessionState
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.SheetTexts
 import robotran.uikit.*

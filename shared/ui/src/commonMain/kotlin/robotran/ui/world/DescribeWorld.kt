@@ -3,7 +3,6 @@ package robotran.ui.world
 import androidx.compose.runtime.Composable
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.GoalRegion
 import robotran.ui.sheet.goalRegions
 import robotran.ui.texts.ScreenTexts

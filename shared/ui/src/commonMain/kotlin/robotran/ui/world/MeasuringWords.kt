@@ -2,7 +2,6 @@ package robotran.ui.world
 
 import androidx.compose.runtime.Composable
 import robotran.language.Language
-import robotran.ui.runbar.oneDecimal
 import robotran.ui.sheet.distance
 import robotran.ui.texts.SheetTexts
 import robotran.uikit.*

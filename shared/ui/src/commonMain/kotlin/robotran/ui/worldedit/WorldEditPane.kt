@@ -31,7 +31,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
-import robotran.ui.documents.AutosaveBanner
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.texts.ScreenTexts
 import robotran.ui.texts.WorldEditorTexts

@@ -24,6 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
+import robotran.ui.common.BrickColours
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 

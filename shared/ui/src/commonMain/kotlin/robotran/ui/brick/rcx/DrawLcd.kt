@@ -9,6 +9,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.withTransform
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
+import robotran.ui.common.BrickColours
 import robotran.uikit.*
 
 /** The glass of the display; fills the draw area. Unlit segments are drawn faintly, as on a real one. */

@@ -8,6 +8,7 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.lerp
+import robotran.ui.common.BrickColours
 import robotran.uikit.*
 
 /** A two by two plate with four contact studs, like the plug of a cable; fills the draw area. */

@@ -7,6 +7,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import robotran.rcxrom.sensors.SensorState
+import robotran.ui.common.BrickColours
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*

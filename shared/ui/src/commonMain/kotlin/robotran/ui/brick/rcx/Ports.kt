@@ -27,6 +27,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
+import robotran.ui.common.BrickColours
 import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 

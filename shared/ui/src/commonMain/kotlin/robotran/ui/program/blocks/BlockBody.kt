@@ -25,6 +25,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
+import robotran.ui.code.BlockLook
 import robotran.ui.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow

@@ -23,6 +23,8 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
+import robotran.ui.code.BlockLook
+import robotran.ui.code.GroupSigns
 import robotran.ui.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog

@@ -24,7 +24,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
-import robotran.ui.program.editor.codeColours
+import robotran.ui.code.codeColours
 import robotran.ui.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow

@@ -12,6 +12,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.code.BlockLooks
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlocksState

@@ -30,6 +30,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
+import robotran.ui.code.BlockColours
 import robotran.ui.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockTarget

@@ -15,6 +15,7 @@ import androidx.compose.ui.unit.coerceAtLeast
 import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.code.BlockLook
 import robotran.uikit.*
 
 /** The words and sockets of [line], one after the other. */

@@ -29,6 +29,7 @@ import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
+import robotran.ui.code.BlockLook
 import robotran.ui.program.editor.editorStyle
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog

@@ -32,6 +32,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.languagesupport.Completion
 import robotran.languagesupport.CompletionList
+import robotran.ui.code.codeColours
 import robotran.ui.texts.EditorTexts
 import robotran.uikit.*
 

@@ -13,6 +13,7 @@ import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
 import robotran.language.source.SourceRange
 import robotran.languagesupport.CodeTokens
+import robotran.ui.code.CodeColours
 import robotran.uikit.*
 
 /** Draws the visible lines and their markings. */

@@ -11,6 +11,7 @@ import androidx.compose.ui.text.TextMeasurer
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.drawText
 import androidx.compose.ui.unit.dp
+import robotran.ui.code.CodeColours
 import robotran.uikit.*
 
 /** The layouts of the line numbers, cached. */

@@ -12,6 +12,7 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.IntSize
 import androidx.compose.ui.unit.dp
 import robotran.languagesupport.CodeTokens
+import robotran.ui.code.codeColours
 import robotran.uikit.*
 
 /**

@@ -27,8 +27,8 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
+import robotran.ui.code.GroupSigns
 import robotran.ui.program.blocks.BlockScope
-import robotran.ui.program.blocks.GroupSigns
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockPalette

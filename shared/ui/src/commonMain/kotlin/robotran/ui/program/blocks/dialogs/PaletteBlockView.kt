@@ -18,11 +18,11 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
-import robotran.ui.program.blocks.BlockLook
+import robotran.ui.code.BlockLook
+import robotran.ui.code.GroupSigns
 import robotran.ui.program.blocks.BlockOutline
 import robotran.ui.program.blocks.BlockShape
 import robotran.ui.program.blocks.BlockSizes
-import robotran.ui.program.blocks.GroupSigns
 import robotran.ui.program.blocks.drawBlock
 import robotran.uikit.*
 

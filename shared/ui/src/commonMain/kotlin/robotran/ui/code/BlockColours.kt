@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.code
 
 import androidx.compose.ui.graphics.Color
 import robotran.robolang.words.BlockGroup

@@ -1,4 +1,4 @@
-package robotran.ui.brick.rcx
+package robotran.ui.common
 
 import androidx.compose.ui.graphics.Color
 

@@ -1,4 +1,4 @@
-package robotran.ui.world
+package robotran.ui.task
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border

@@ -1,4 +1,4 @@
-package robotran.ui.program
+package robotran.ui.common
 
 import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.runtime.Composable

@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.code
 
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.Immutable

@@ -1,4 +1,4 @@
-package robotran.ui.program.blocks
+package robotran.ui.code
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.layout.size

@@ -1,4 +1,4 @@
-package robotran.ui.documents
+package robotran.ui.common
 
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border

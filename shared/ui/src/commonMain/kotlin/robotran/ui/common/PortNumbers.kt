@@ -1,4 +1,4 @@
-package robotran.ui.program
+package robotran.ui.common
 
 import androidx.compose.runtime.Composable
 import robotran.ui.texts.RunTexts
