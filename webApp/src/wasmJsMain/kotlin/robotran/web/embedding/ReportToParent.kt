@@ -59,7 +59,9 @@ private fun isThe(assignment: Project, project: Project): Boolean = project.assi
 private suspend fun resume(workshop: Workshop, assignment: Project, link: String) {
     val saved = (openHandInLink(link, assignment.world, Language.ENGLISH) as? LinkResult.OfProject)?.project ?: return
     if (!isThe(assignment, saved)) return
-    workshop.services.editor.openProject(assignment.copy(world = saved.world, robots = saved.robots, tries = saved.tries))
+    workshop.services.editor.openProject(
+        assignment.copy(world = saved.world, robots = saved.robots, tries = saved.tries),
+    )
 }
 
 /** The parent has the assignment, so its work needs no texts. */

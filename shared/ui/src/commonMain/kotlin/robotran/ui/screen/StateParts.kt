@@ -11,8 +11,7 @@ import robotran.workshop.state.WorkshopState
  * with each frame of a run.
  */
 @Composable
-internal fun <T> WorkshopState.part(read: WorkshopState.() -> T): T =
-    remember(this) { derivedStateOf { read() } }.value
+internal fun <T> WorkshopState.part(read: WorkshopState.() -> T): T = remember(this) { derivedStateOf { read() } }.value
 
 /** [RunAnnouncer] in a scope of its own, which each frame of a run composes. */
 @Composable

@@ -18,11 +18,6 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertIs
-import kotlin.test.assertNull
-import kotlin.test.assertTrue
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.ui.common.AutosaveBanner
@@ -40,6 +35,11 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class ProjectMenuTest {

@@ -12,13 +12,13 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
-import kotlin.math.ceil
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.ui.code.CodeColours
 import robotran.ui.code.codeColours
 import robotran.uikit.*
+import kotlin.math.ceil
 
 /** The layouts of code lines, created on demand and cached. */
 internal class LineLayouts(

@@ -2,15 +2,15 @@ package robotran.ui.brick.rcx
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.toPixelMap
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
 import robotran.ui.common.BrickColours
 import robotran.world.RobotPlacement
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertTrue
 
 class BrickPictureTest {
     @Test

@@ -8,12 +8,12 @@ import androidx.compose.ui.graphics.Path
 import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.graphics.drawscope.withTransform
 import androidx.compose.ui.graphics.toPixelMap
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.display.LcdIcon
 import robotran.ui.common.BrickColours
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 class LcdPictureTest {
     private val blank = photographLcd(LcdGlass.BLANK)

@@ -2,14 +2,14 @@ package robotran.ui.program.blocks
 
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
-import kotlin.test.Test
-import kotlin.test.assertEquals
-import kotlin.test.assertTrue
 import robotran.robolang.words.BlockGroup
 import robotran.ui.code.BlockLook
 import robotran.ui.code.BlockLooks
 import robotran.ui.code.GroupSigns
 import robotran.uikit.*
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
 
 /** Tests that blocks can be read in all themes. */
 class BlockLooksTest {
