@@ -11,7 +11,6 @@ import com.github.ajalt.clikt.parameters.options.option
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
-import robotran.cli.files.NQC
 import robotran.cli.files.TextFile
 import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
@@ -83,3 +82,5 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
         return ExitCode.BAD_INPUT
     }
 }
+
+private const val NQC = ".nqc"

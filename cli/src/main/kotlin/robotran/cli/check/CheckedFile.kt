@@ -4,11 +4,11 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.cli.files.CLASS
-import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAR
 import robotran.cli.files.JAVA
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.RCX_IMAGE
 import robotran.cli.files.ROBOLANG
 import robotran.cli.files.TextFile
 import robotran.cli.files.isFolder
@@ -20,6 +20,7 @@ import robotran.cli.input.isCourse
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.json.JsonWarning
+import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.languagesupport.SourceFile
 import robotran.programs.ImageBuildResult
@@ -107,7 +108,7 @@ internal fun checkFiles(
             name in java -> java.getValue(name)
             isNamed(name, ROBOLANG) -> checkRobolang(name, compiler, brick, isForBrick)
             name in classes -> checkClasses(classes, compiler, brick)
-            FIRMWARE_ENDINGS.any { isNamed(name, it) } -> checkFirmware(name, compiler, brick)
+            ProgramLanguage.ofFile(name) != null || isNamed(name, RCX_IMAGE) -> checkProgram(name, compiler, brick)
             isCourse(name) -> checkCourse(name, compiler.language)
             isNamed(name, JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
             else -> checkDescription(name, compiler.language)
@@ -128,7 +129,7 @@ private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: 
         }
     }
 
-private fun checkFirmware(name: String, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
+private fun checkProgram(name: String, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
     when (val files = readProgramFiles(listOf(name), CommandMessages.of(compiler.language))) {
         is ProgramFiles.Failure -> CheckedFile.Unreadable(files.reason)
 

@@ -82,12 +82,9 @@ internal fun readFirmwareImage(name: String, messages: FileMessages): ReadProgra
         }
     }
 
-internal const val NQC = ".nqc"
-
-internal const val LASM = ".lasm"
-
 /** A compiled program for LEGO's own firmware. */
 internal const val RCX_IMAGE = ".rcx"
 
 /** The endings of programs for LEGO's own firmware. */
-internal val FIRMWARE_ENDINGS = listOf(NQC, LASM, RCX_IMAGE)
+internal val FIRMWARE_ENDINGS =
+    ProgramLanguage.entries.filter { it.support.isForLegoFirmware }.map { it.extension } + RCX_IMAGE

@@ -3,6 +3,7 @@ package robotran.cli.files
 import robotran.brick.program.BrickProgram
 import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
+import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.ProgramSource
@@ -130,5 +131,6 @@ internal const val JAVA = ".java"
 internal const val JAR = ".jar"
 
 /** The endings of files with programs. */
-internal val PROGRAM_ENDINGS = listOf(ROBOLANG, JAVA, CLASS, JAR) + FIRMWARE_ENDINGS
+internal val PROGRAM_ENDINGS =
+    ProgramLanguage.entries.map { it.extension }.filter { it !in FIRMWARE_ENDINGS } + CLASS + JAR + FIRMWARE_ENDINGS
 private val FILES_OF_ONE_PROGRAM = listOf(JAVA, CLASS)

@@ -1,6 +1,7 @@
 package robotran.documents
 
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -25,6 +26,16 @@ class ProjectNamesTest {
         val long = "x".repeat(SavedProject.MAXIMUM_NAME - 3) + "\uD83D\uDE00"
         val free = uniqueProjectName(long, listOf(long))
         assertTrue(free.length <= SavedProject.MAXIMUM_NAME && free.endsWith("x 2"), free)
+    }
+
+    @Test
+    fun `every programming language has a kind of files`() {
+        assertEquals(
+            ProgramLanguage.entries.map {
+                it.extension
+            },
+            ProgramLanguage.entries.map { it.fileKind.extension },
+        )
     }
 
     @Test

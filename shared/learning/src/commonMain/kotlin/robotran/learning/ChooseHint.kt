@@ -57,7 +57,7 @@ private fun hintOf(hint: HintForViews, match: HintMatch): Hint {
 
 /** The hints that all lessons share, in the order of [commonConditions]. */
 internal fun sharedHints(language: Language): List<ConditionalHint> = shared.getOrPut(language) {
-    val texts = commonHints(commonLessonTexts.getValue("hints.${language.tag}.md")).associateBy { it.condition }
+    val texts = commonHints(commonLessonTexts.translated("hints", language)).associateBy { it.condition }
     commonConditions.mapNotNull(texts::get)
 }
 

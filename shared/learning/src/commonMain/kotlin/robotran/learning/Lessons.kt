@@ -58,7 +58,7 @@ object Lessons {
         folder.substringBefore('/'),
         onOtherBricks = others,
         version = version,
-    ) { language, inBlocks -> LessonText.of(files.getValue("text.${language.tag}.md"), inBlocks, brick) }
+    ) { language, inBlocks -> LessonText.of(files.translated("text", language), inBlocks, brick) }
 
     private val NUMBER = Regex("^[0-9]+-")
 }
@@ -66,6 +66,10 @@ object Lessons {
 /** The texts at [paths] of [all], by the name of their file. */
 internal fun textsIn(all: Map<String, String>, paths: List<String>): Map<String, String> =
     LazyTexts(paths.associateBy { it.substringAfterLast('/') }, all::getValue)
+
+/** The file [name] in [language], such as `text.de.md`; in English as long as nobody has translated it. */
+internal fun Map<String, String>.translated(name: String, language: Language): String =
+    this["$name.${language.tag}.md"] ?: getValue("$name.${Language.ENGLISH.tag}.md")
 
 internal fun isProgram(file: String): Boolean = ProgramLanguage.ofFile(file) != null
 

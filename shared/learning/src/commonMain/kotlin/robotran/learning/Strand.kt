@@ -19,7 +19,7 @@ class Strand internal constructor(val name: String, val lessons: List<Lesson>) {
 internal fun strandNames(): List<String> = strandTexts(Language.ENGLISH).keys.toList()
 
 private fun strandTexts(language: Language): Map<String, List<String>> = texts.getOrPut(language) {
-    sections(commonLessonTexts.getValue("strands.${language.tag}.md")).associate { it.heading to paragraphs(it.body) }
+    sections(commonLessonTexts.translated("strands", language)).associate { it.heading to paragraphs(it.body) }
 }
 
 private val texts = mutableMapOf<Language, Map<String, List<String>>>()

@@ -84,7 +84,7 @@ internal class WorldFolder(
         return Lesson(name, "", others, version = { LessonVersion(brick, given, solved, world) }, read = read)
     }
 
-    private fun textIn(language: Language): String = files.getValue("text.${language.tag}.md")
+    private fun textIn(language: Language): String = files.translated("text", language)
 
     private companion object {
         const val HARDER = "harder-"

@@ -9,6 +9,9 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.json.schema.SchemaFile
 import robotran.json.writeCompactJson
 import robotran.language.Language
+import robotran.language.ProgramLanguage
+import robotran.languagesupport.SourceFile
+import robotran.programs.Program
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -33,6 +36,17 @@ class ProjectSchemaTest {
     fun `every field that is written is in the schema`() {
         full.forEach { assertFollows(PROJECT_SCHEMA, it, writeCompactJson(it)) }
         assertFollows(COURSE_SCHEMA, course, writeCompactJson(course))
+    }
+
+    @Test
+    fun `a program in each language, and an assignment for all of them, follow the schema`() {
+        for (language in ProgramLanguage.entries) {
+            val program = ProjectProgram(Program.of(listOf(SourceFile("a" + language.extension, ""))))
+            val project = FULL_PROJECT.copy(robots = FULL_PROJECT.robots.map { it.copy(programs = listOf(program)) })
+            assertFollows(PROJECT_SCHEMA, elementOf(project), language.name)
+        }
+        val assignment = EVERY_ASSIGNMENT.assignment?.copy(languages = ProgramLanguage.entries)
+        assertFollows(PROJECT_SCHEMA, elementOf(EVERY_ASSIGNMENT.copy(assignment = assignment)), "all languages")
     }
 
     @Test

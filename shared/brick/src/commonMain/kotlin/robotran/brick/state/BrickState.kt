@@ -16,7 +16,7 @@ import robotran.brick.kind.BrickKind
  * @property batteryMillivolts the battery voltage.
  * @property explanation what the display shows, or why the robot stopped, and what to do now, in whole sentences; null
  * if nothing needs an explanation.
- * @property isImmediate whether [run] is about a program that was sent to run at once, not about one in a slot.
+ * @property isSnippet whether [run] is about a program that was sent to run at once, not about one in a slot.
  * @property motors the output ports A, B and C, in this order.
  * @property inputs the last readings of the input ports, in their order; as many as the [kind] has.
  * @property motorDegrees what the counters of the motors A, B and C say; empty for a kind of brick without counters.

@@ -154,13 +154,13 @@ internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rc
         control(motor, MotorMode.BRAKE, RobotConstants.BRAKING_POWER, sourceLine)
     }
 
-    override fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int) = onlyOnNxt()
+    override fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int) = notOnThisBrick()
 
-    override fun isTurning(motor: MotorPort): Boolean = onlyOnNxt()
+    override fun isTurning(motor: MotorPort): Boolean = notOnThisBrick()
 
-    override fun resetMotor(motor: MotorPort, sourceLine: Int) = onlyOnNxt()
+    override fun resetMotor(motor: MotorPort, sourceLine: Int) = notOnThisBrick()
 
-    override fun showColour(colour: Int, sourceLine: Int) = onlyOnNxt()
+    override fun showColour(colour: Int, sourceLine: Int) = notOnThisBrick()
 
     private fun drive(left: MotorMode, right: MotorMode, sourceLine: Int) {
         run(robot.left, onWheel(left), sourceLine)
@@ -188,7 +188,7 @@ internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rc
 }
 
 /** The checker lets no program for an RCX get here. */
-internal fun onlyOnNxt(): Nothing = error("An RCX has nothing like that.")
+internal fun notOnThisBrick(): Nothing = error("This brick has nothing like that.")
 
 private val MoveDirection.opposite: MoveDirection
     get() = if (this == MoveDirection.FORWARD) MoveDirection.BACKWARD else MoveDirection.FORWARD

@@ -37,17 +37,17 @@ internal class RcxSenses(private val rom: Rom) : RobotSenses {
         return measured * RobotConstants.BATTERY_FACTOR / RobotConstants.BATTERY_DIVISOR / MILLI
     }
 
-    override fun measureDistance(port: Int, sourceLine: Int) = onlyOnNxt()
+    override fun measureDistance(port: Int, sourceLine: Int) = notOnThisBrick()
 
-    override fun hasDistance(port: Int): Boolean = onlyOnNxt()
+    override fun hasDistance(port: Int): Boolean = notOnThisBrick()
 
-    override fun distance(port: Int): Int = onlyOnNxt()
+    override fun distance(port: Int): Int = notOnThisBrick()
 
-    override fun loudness(port: Int): Int = onlyOnNxt()
+    override fun loudness(port: Int): Int = notOnThisBrick()
 
-    override fun colour(port: Int): Int = onlyOnNxt()
+    override fun colour(port: Int): Int = notOnThisBrick()
 
-    override fun turned(motor: MotorPort): Int = onlyOnNxt()
+    override fun turned(motor: MotorPort): Int = notOnThisBrick()
 
     private companion object {
         const val MILLI = 1000f

@@ -2,7 +2,7 @@ package robotran.robolang.translate
 
 import robotran.robolang.check.ValueType
 import robotran.robolang.run.RobotConstants
-import robotran.robolang.run.onlyOnNxt
+import robotran.robolang.run.notOnThisBrick
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -63,7 +63,7 @@ internal class JavaCommands(
         is Command.Show -> listOf(show(command.value))
         is Command.ShowText -> listOf("TextLCD.print(${texts.of(command.text)});")
         is Command.ClearScreen -> listOf("LCD.clear();", "LCD.refresh();")
-        is Command.MotorTurn, is Command.ResetMotor -> onlyOnNxt()
+        is Command.MotorTurn, is Command.ResetMotor -> notOnThisBrick()
     }
 
     private fun both(left: String, right: String): List<String> =
