@@ -20,6 +20,9 @@ kotlin {
             implementation(libs.androidx.lifecycle.runtime.compose)
             implementation(libs.androidx.activity.compose) // for Back
         }
+        jvmMain.dependencies {
+            implementation(libs.compose.ui.tooling.preview)
+        }
     }
 }
 

@@ -75,7 +75,7 @@ fun SignWord(
             .clip(Shapes.MEDIUM)
             .background(if (chosen) colours.runningLine else Color.Transparent)
             .clickable(role = Role.Button, onClick = onClick)
-            .semantics { contentDescription = word }
+            .named(word)
             .padding(horizontal = SIGN_PADDING, vertical = 6.dp),
         Arrangement.spacedBy(3.dp, Alignment.CenterVertically),
         Alignment.CenterHorizontally,
@@ -84,7 +84,6 @@ fun SignWord(
         Text(
             lettering.text,
             style = TextStyle(fontSize = TextSizes.SIGN * lettering.scale, lineHeight = LineHeights.SIGN),
-            color = colours.onPane,
             textAlign = TextAlign.Center,
             maxLines = MAX_SIGN_LINES,
         )
@@ -109,7 +108,7 @@ fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifie
             .padding(horizontal = 14.dp, vertical = 8.dp),
         Alignment.Center,
     ) {
-        Text(word, style = TextStyles.compact.medium, color = colours.onPane, textAlign = TextAlign.Center)
+        Text(word, style = TextStyles.compact.medium, textAlign = TextAlign.Center)
     }
 }
 
@@ -119,7 +118,7 @@ fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifie
 fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        if (title.isNotEmpty()) Text(title, style = TextStyles.compact, color = colours.onPane)
+        if (title.isNotEmpty()) Text(title, style = TextStyles.compact)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(4.dp)) {
             choices.forEachIndexed { place, (value, word) ->
                 val isChosen = value == chosen
@@ -146,7 +145,7 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
     val colours = LocalRobotranColours.current
     var open by remember { mutableStateOf(false) }
     Row(Modifier.fillMaxWidth().padding(top = 4.dp), Arrangement.spacedBy(8.dp), Alignment.CenterVertically) {
-        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), TextStyles.compact, color = colours.onPane)
+        if (title.isNotEmpty()) Text(title, Modifier.weight(1f), TextStyles.compact)
         Box {
             Row(
                 Modifier
@@ -165,7 +164,6 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
                     shown,
                     Modifier.weight(1f, fill = false),
                     TextStyles.compact,
-                    color = colours.onPane,
                     maxLines = 2,
                     overflow = TextOverflow.Ellipsis,
                 )

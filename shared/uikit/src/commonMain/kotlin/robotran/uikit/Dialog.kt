@@ -89,7 +89,7 @@ fun DialogCard(title: String, tag: String, modifier: Modifier = Modifier, conten
 @Composable
 fun DialogTitle(title: String, maxLines: Int = Int.MAX_VALUE) = Text(
     title,
-    Modifier.semantics { heading() },
+    Modifier.heading(),
     TextStyles.dialogTitle,
     maxLines = maxLines,
     overflow = TextOverflow.Ellipsis,

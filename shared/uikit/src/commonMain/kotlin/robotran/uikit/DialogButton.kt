@@ -80,7 +80,7 @@ private fun signSize(): TextUnit = (19 * minOf(1f, MOST_SCALE / LocalDensity.cur
 @Composable
 fun DialogHeading(label: String) = Text(
     label,
-    Modifier.padding(top = 8.dp).semantics { heading() },
+    Modifier.padding(top = 8.dp).heading(),
     TextStyles.compact.strong,
     color = LocalRobotranColours.current.quiet,
 )

@@ -11,6 +11,6 @@ import androidx.compose.ui.unit.dp
 @Composable
 fun SectionName(name: String) = Text(
     name,
-    Modifier.padding(bottom = 4.dp).semantics { heading() },
+    Modifier.padding(bottom = 4.dp).heading(),
     color = LocalRobotranColours.current.quiet,
 )

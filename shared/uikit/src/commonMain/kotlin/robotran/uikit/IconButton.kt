@@ -81,13 +81,13 @@ fun IconButton(
                 .clip(CircleShape)
                 .focusRing()
                 .clickable(enabled, role = Role.Button, onClick = onClick)
-                .semantics { contentDescription = name },
+                .named(name),
             Alignment.Center,
         ) { IconView(icon, colours.onPane.let { if (enabled) it else it.copy(alpha = DISABLED) }, size = kind.size) }
 
         IconButtonKind.RUN -> MaterialIconButton(
             onClick,
-            modifier.testTag(tag).semantics { contentDescription = name }.focusRing().size(Dimensions.TARGET),
+            modifier.testTag(tag).named(name).focusRing().size(Dimensions.TARGET),
             enabled,
             IconButtonDefaults.iconButtonColors(
                 contentColor = colours.onPane,
@@ -120,7 +120,7 @@ private fun PlainIconButton(
         .focusRing()
         .clip(Shapes.MEDIUM)
         .clickable(role = Role.Button, onClick = onClick)
-        .semantics { contentDescription = name }
+        .named(name)
         .padding(horizontal = if (label == null) 12.dp else 14.dp),
     Arrangement.spacedBy(8.dp, Alignment.CenterHorizontally),
     Alignment.CenterVertically,
@@ -139,7 +139,7 @@ private fun RoundIcon(icon: Icon, name: String, modifier: Modifier, ground: Colo
             .background(ground)
             .border(1.dp, LocalRobotranColours.current.line, CircleShape)
             .then(press)
-            .semantics { contentDescription = name },
+            .named(name),
         Alignment.Center,
     ) { IconView(icon, colour) }
 

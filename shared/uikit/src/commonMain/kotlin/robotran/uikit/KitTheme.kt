@@ -1,5 +1,6 @@
 package robotran.uikit
 
+import androidx.compose.material3.LocalContentColor
 import androidx.compose.material3.MaterialTheme
 import androidx.compose.material3.darkColorScheme
 import androidx.compose.material3.lightColorScheme
@@ -50,6 +51,8 @@ fun KitTheme(
         LocalLessMotion provides lessMotion,
         LocalDensity provides Density(density.density, density.fontScale * textScale),
     ) {
-        MaterialTheme(colorScheme = scheme) { FocusWindow { content() } }
+        MaterialTheme(colorScheme = scheme) {
+            CompositionLocalProvider(LocalContentColor provides colours.onPane) { FocusWindow { content() } }
+        }
     }
 }

@@ -18,7 +18,7 @@ fun MenuItem(
     trailing: (@Composable () -> Unit)? = null,
     onClick: () -> Unit,
 ) = MenuItem(tag, onClick, modifier, leading, trailing) {
-    Text(text, style = TextStyles.body, color = LocalRobotranColours.current.onPane)
+    Text(text, style = TextStyles.body)
 }
 
 /** The same with any content. */

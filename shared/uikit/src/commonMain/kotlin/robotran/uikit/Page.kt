@@ -92,9 +92,8 @@ fun Page(
             IconButton(Icon.BACK, closeWords(spoken), "$tag-close", onClick = onClose)
             Text(
                 title,
-                Modifier.weight(1f).padding(start = Dimensions.GRID).semantics { heading() },
+                Modifier.weight(1f).padding(start = Dimensions.GRID).heading(),
                 TextStyles.title.strong,
-                color = colours.onPane,
             )
         }
         HorizontalDivider()

@@ -35,7 +35,6 @@ import androidx.compose.ui.unit.dp
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, tag: String, onChoose: (T) -> Unit) {
-    val colours = LocalRobotranColours.current
     Column(Modifier.selectableGroup().testTag(tag)) {
         Heading(title)
         FlowRow(horizontalArrangement = Arrangement.spacedBy(16.dp)) {
@@ -51,7 +50,7 @@ fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, ta
                     verticalAlignment = Alignment.CenterVertically,
                 ) {
                     RadioMark(selected, Modifier.padding(12.dp))
-                    Text(words, style = TextStyles.body, color = colours.onPane)
+                    Text(words, style = TextStyles.body)
                 }
             }
         }
@@ -72,7 +71,6 @@ fun SizeSlider(
     tag: String,
     onChange: (Float) -> Unit,
 ) {
-    val colours = LocalRobotranColours.current
     var held by remember { mutableStateOf<Float?>(null) }
     val shown = held ?: value
     Column {
@@ -82,12 +80,7 @@ fun SizeSlider(
                 held?.let(onChange)
                 held = null
             }) { held = it }
-            Text(
-                words(shown),
-                Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp),
-                TextStyles.body,
-                color = colours.onPane,
-            )
+            Text(words(shown), Modifier.padding(start = 16.dp).defaultMinSize(minWidth = 64.dp), TextStyles.body)
         }
     }
 }
@@ -95,7 +88,6 @@ fun SizeSlider(
 /** A switch with a title. */
 @Composable
 fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Unit) {
-    val colours = LocalRobotranColours.current
     Row(
         Modifier
             .fillMaxWidth()
@@ -105,7 +97,7 @@ fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Un
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(title, Modifier.weight(1f), TextStyles.lead.medium, color = colours.onPane)
+        Text(title, Modifier.weight(1f), TextStyles.lead.medium)
         SwitchMark(on)
     }
 }
@@ -113,7 +105,6 @@ fun SwitchRow(title: String, on: Boolean, tag: String, onSwitch: (Boolean) -> Un
 @Composable
 private fun Heading(text: String) = Text(
     text,
-    Modifier.padding(bottom = 4.dp).semantics { heading() },
+    Modifier.padding(bottom = 4.dp).heading(),
     TextStyles.lead.medium,
-    color = LocalRobotranColours.current.onPane,
 )

@@ -3,7 +3,9 @@ package robotran.uikit
 import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.background
 import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.material3.LocalContentColor
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
@@ -14,6 +16,8 @@ import androidx.compose.ui.graphics.Shape
 import androidx.compose.ui.graphics.graphicsLayer
 import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.isTraversalGroup
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
@@ -48,6 +52,23 @@ fun Surface(
             propagateMinConstraints = true,
         ) { content() }
     }
+}
+
+/** A card that is a button; its content names it. */
+@Composable
+fun CardButton(
+    tag: String,
+    onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    corner: Dp = Corners.MEDIUM,
+    enabled: Boolean = true,
+    color: Color = LocalRobotranColours.current.pane,
+    border: BorderStroke? = edge(),
+    content: @Composable () -> Unit,
+) {
+    val shape = RoundedCornerShape(corner)
+    val press = Modifier.clickable(enabled, role = Role.Button, onClick = onClick)
+    Surface(modifier.testTag(tag).focusRing(corner).clip(shape).then(press), shape, color, border, content = content)
 }
 
 /** The edge of a card or a control, by default as fine as between panes. */

@@ -31,7 +31,7 @@ fun TextField(
     modifier,
     readOnly = extras.isReadOnly,
     label = words(label),
-    placeholder = words(extras.placeholder),
+    placeholder = words(extras.placeholder, maxLines = 1),
     trailingIcon = extras.button,
     suffix = words(extras.suffix),
     supportingText = extras.help,
@@ -62,7 +62,7 @@ fun TextField(
     modifier,
     readOnly = extras.isReadOnly,
     label = words(label),
-    placeholder = words(extras.placeholder),
+    placeholder = words(extras.placeholder, maxLines = 1),
     trailingIcon = extras.button,
     suffix = words(extras.suffix),
     supportingText = extras.help,
@@ -94,7 +94,8 @@ class FieldExtras(
     val help: (@Composable () -> Unit)? = null,
 )
 
-private fun words(text: String?): (@Composable () -> Unit)? = text?.let { { Text(it) } }
+private fun words(text: String?, maxLines: Int = Int.MAX_VALUE): (@Composable () -> Unit)? =
+    text?.let { { Text(it, maxLines = maxLines) } }
 
 @Composable
 private fun colours() = LocalRobotranColours.current.let {

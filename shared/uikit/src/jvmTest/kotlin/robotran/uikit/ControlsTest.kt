@@ -1,13 +1,5 @@
 package robotran.uikit
 
-import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.verticalScroll
-import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsNode
@@ -22,7 +14,8 @@ import androidx.compose.ui.test.assertIsOn
 import androidx.compose.ui.test.hasClickAction
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import androidx.compose.ui.test.runComposeUiTest
+import androidx.compose.ui.test.runDesktopComposeUiTest
+import robotran.uikit.preview.Controls
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -53,7 +46,7 @@ class ControlsTest {
 
     @Test
     fun `every control can be reached by keys`() = controls {
-        for (node in clickable()) {
+        for (node in clickable().filter { SemanticsProperties.Disabled !in it.config }) {
             assertTrue(SemanticsProperties.Focused in node.config, "${tagOf(node)} cannot have the focus")
         }
     }
@@ -61,7 +54,7 @@ class ControlsTest {
     @Test
     fun `every control has its tag, and does what it is for`() {
         val pressed = mutableListOf<String>()
-        runComposeUiTest {
+        runDesktopComposeUiTest(WIDTH, HEIGHT) {
             setContent { KitTheme(RobotranColours.LIGHT) { Controls { pressed += it } } }
             val tags = clickable().filter { SemanticsProperties.Disabled !in it.config }.map(::tagOf)
             assertEquals(tags, tags.distinct())
@@ -91,7 +84,7 @@ class ControlsTest {
         assertTrue(SemanticsActions.SetProgress in slider)
     }
 
-    private fun controls(scale: Float = 1f, check: ComposeUiTest.() -> Unit) = runComposeUiTest {
+    private fun controls(scale: Float = 1f, check: ComposeUiTest.() -> Unit) = runDesktopComposeUiTest(WIDTH, HEIGHT) {
         setContent { KitTheme(RobotranColours.LIGHT, scale) { Controls { } } }
         check()
     }
@@ -111,41 +104,11 @@ class ControlsTest {
     ).joinToString(" ")
 
     private companion object {
+        /** All controls are in sight, also with large text. */
+        const val WIDTH = 800
+        const val HEIGHT = 4_000
+
         /** Of pixels. */
         const val ROUNDING = 0.5f
     }
-}
-
-/** One of each control, which passes its tag to [onPress]. */
-@OptIn(ExperimentalLayoutApi::class)
-@Composable
-private fun Controls(onPress: (String) -> Unit) = Column(Modifier.verticalScroll(rememberScrollState())) {
-    FlowRow {
-        for (kind in ButtonKind.entries) {
-            val tag = "button-${kind.name.lowercase()}"
-            Button("Go", tag, kind) { onPress(tag) }
-        }
-        Button("Go", "disabled", enabled = false) { onPress("disabled") }
-        BarButton(RunIcons.PLAY, BarWords("Run", "Runs it"), "bar", room = false) { onPress("bar") }
-    }
-    FlowRow {
-        for (kind in IconButtonKind.entries) {
-            val tag = "icon-${kind.name.lowercase()}"
-            IconButton(Icon.MENU, "Menu", tag, kind) { onPress(tag) }
-        }
-        IconButton(ThinIcons.UNDO, "Undo", "disabled-icon", IconButtonKind.TOOL, enabled = false) { onPress("no") }
-        IconSwitch(Icon.BOOK, "Book", "icon-switch", on = false) { onPress("icon-switch") }
-        IconWord(EditIcons.COPY, "Copy", "icon-word", { onPress("icon-word") })
-    }
-    FlowRow {
-        Chip("All", true, "chip") { onPress("chip") }
-        SmallChip("Aa", false, "small-chip", Color.Unspecified) { onPress("small-chip") }
-        WordButton("Open", "word", { onPress("word") })
-        DialogButton("7", "key") { onPress("key") }
-    }
-    ChipRow("Side", listOf(1 to "left", 2 to "right"), 1, "side") { onPress("side-${it - 1}") }
-    ChoiceOfOne("Theme", listOf(1 to "light", 2 to "dark"), 1, "theme") { onPress("theme-${it - 1}") }
-    SwitchRow("Sound", true, "switch-row") { onPress("switch-row") }
-    Tabs(listOf(Tab("Program", "tab-0"), Tab("World", "tab-1")), 0) { onPress("tab-$it") }
-    Slider(0.5f, SliderWords("Speed", "half", "slider")) { }
 }

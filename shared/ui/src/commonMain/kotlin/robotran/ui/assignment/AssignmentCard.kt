@@ -110,7 +110,7 @@ internal fun Goals(goals: List<GoalProgress>) {
         ) {
             val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
             IconView(iconFor(goal.status), colour, Modifier.padding(top = 3.dp), size = 18.dp)
-            Text(goal.sentence, style = TextStyles.sentence, color = colours.onPane)
+            Text(goal.sentence, style = TextStyles.sentence)
         }
     }
 }

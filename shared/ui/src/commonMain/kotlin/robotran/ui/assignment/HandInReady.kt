@@ -66,7 +66,7 @@ private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (Works
         val time = secondsText(result.milliseconds)
         SchoolTexts.handInReady(spoken, step.name, result.goalsMet, result.goals, time)
     }
-    Explanation(words, Modifier.testTag("hand-in-ready").semantics { liveRegion = LiveRegionMode.Polite })
+    Explanation(words, Modifier.testTag("hand-in-ready").announced())
     Explanation(SchoolTexts.handInHow(spoken))
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         Button(SchoolTexts.handInFile(spoken), "hand-in-file") {
@@ -88,7 +88,7 @@ private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (Works
 /** What came of saving a file, if anything. */
 @Composable
 internal fun SaveResult(savedAs: String?, error: String?, tag: String) {
-    val news = Modifier.testTag(tag).semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.testTag(tag).announced()
     when {
         error != null -> Explanation(SchoolTexts.handInNotSaved(spoken, error).trim(), news, bad = true)
         savedAs != null -> Explanation(SchoolTexts.handInSaved(spoken, savedAs), news)
@@ -109,7 +109,7 @@ internal fun LinkOrError(
     isForClass: Boolean = false,
     maxHeight: Dp = Dp.Infinity,
 ) {
-    val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.announced()
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(12.dp)) {
         if (link != null) LinkAsQrCode(link, qrHelp(spoken), isForClass, maxHeight)
         when (problem) {

@@ -98,7 +98,7 @@ private fun Choice(label: String, isChosen: Boolean, tag: String, onClick: () ->
 internal fun RunningView(step: HandInStep.Running) {
     Explanation(
         SchoolTexts.handInRunning(spoken),
-        Modifier.testTag("hand-in-running").semantics { liveRegion = LiveRegionMode.Polite },
+        Modifier.testTag("hand-in-running").announced(),
     )
     ProgressBar(step.part, "hand-in-progress")
 }

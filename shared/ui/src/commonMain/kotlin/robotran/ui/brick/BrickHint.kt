@@ -44,7 +44,6 @@ internal fun BrickHint(
     action: @Composable () -> Unit = {},
 ) {
     val words = brickHintWords(state, isSolved) ?: return
-    val colours = LocalRobotranColours.current
     Surface(modifier.fillMaxWidth()) {
         Row {
             val scroll = rememberScrollState()
@@ -57,9 +56,8 @@ internal fun BrickHint(
             ) {
                 Text(
                     words,
-                    Modifier.testTag("brick-hint").semantics { liveRegion = LiveRegionMode.Polite },
+                    Modifier.testTag("brick-hint").announced(),
                     TextStyles.label,
-                    color = colours.onPane,
                 )
                 BelowBrickHint(state, Modifier.padding(top = 8.dp))
             }

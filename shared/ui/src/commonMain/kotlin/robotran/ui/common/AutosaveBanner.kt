@@ -63,7 +63,6 @@ internal fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Un
                     liveRegion = LiveRegionMode.Assertive
                 },
                 TextStyles.label,
-                color = colours.onPane,
             )
             if (error != AutosaveError.TooLong) {
                 Button(DocumentTexts.saveAs(spoken), "trouble-save-as", ButtonKind.DIALOG_OTHER) {

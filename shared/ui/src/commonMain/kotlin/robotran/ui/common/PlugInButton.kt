@@ -21,6 +21,6 @@ internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> U
         if (ports.size == 1) RunTexts.plugIn(spoken) else RunTexts.plugInSeveral(spoken),
         "plug-in",
         ButtonKind.LINK,
-        modifier.semantics { contentDescription = description },
+        modifier.named(description),
     ) { onPlug(missing) }
 }

@@ -62,19 +62,13 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
 
 @Composable
 private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) {
-    val colours = LocalRobotranColours.current
     val title = task.world.title
     Surface(Modifier.fillMaxWidth().testTag("course-row-$index")) {
         BoxWithConstraints(Modifier.padding(start = 16.dp, end = 4.dp)) {
             // A title beside the buttons needs room for some words.
             val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
             val words = @Composable { modifier: Modifier ->
-                Text(
-                    "${index + 1}  $title",
-                    modifier.padding(vertical = 12.dp),
-                    TextStyles.sentence,
-                    color = colours.onPane,
-                )
+                Text("${index + 1}  $title", modifier.padding(vertical = 12.dp), TextStyles.sentence)
             }
             if (isBroad) {
                 Row(verticalAlignment = Alignment.CenterVertically) {

@@ -105,5 +105,5 @@ internal fun CourseErrorText(problem: CourseError) {
         CourseError.NotKept -> SchoolTexts.courseProblemKept(spoken)
         is CourseError.NotSaved -> SchoolTexts.handInNotSaved(spoken, problem.reason).trim()
     }
-    Explanation(words, Modifier.testTag("course-problem").semantics { liveRegion = LiveRegionMode.Polite }, bad = true)
+    Explanation(words, Modifier.testTag("course-problem").announced(), bad = true)
 }

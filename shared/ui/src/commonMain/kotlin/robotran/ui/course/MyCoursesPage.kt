@@ -88,7 +88,7 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     .padding(16.dp),
                 Arrangement.spacedBy(4.dp),
             ) {
-                Text(course.title, style = TextStyles.leadSentence.strong, color = colours.onPane)
+                Text(course.title, style = TextStyles.leadSentence.strong)
                 Text(
                     SchoolTexts.courseDone(spoken, course.done, course.count),
                     style = TextStyles.body,

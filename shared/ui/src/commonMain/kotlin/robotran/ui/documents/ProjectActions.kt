@@ -90,7 +90,7 @@ internal fun DeletedRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
     ) {
         Explanation(
             DocumentTexts.deleted(spoken, nameOf(work)),
-            Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.weight(1f).announced(),
         )
         Button(DocumentTexts.bringBack(spoken), "delete-undo", ButtonKind.DIALOG_OTHER) {
             onEvent(DocumentEvent.ProjectDeletionUndone)

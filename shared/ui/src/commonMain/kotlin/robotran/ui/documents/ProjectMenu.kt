@@ -68,7 +68,7 @@ internal fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
         trailing = { SmallIcon(MORE_ICON, colours.quiet) },
     ) {
         val named = listOfNotNull(signOf(state), words).joinToString(" ")
-        Text(named, style = TextStyles.body, color = colours.onPane, maxLines = 1, overflow = TextOverflow.Ellipsis)
+        Text(named, style = TextStyles.body, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }
 
@@ -108,12 +108,11 @@ private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        signOf(state)?.let { Text(it, style = TextStyles.sign, color = colours.onPane) }
+        signOf(state)?.let { Text(it, style = TextStyles.sign) }
         Text(
             name,
             Modifier.weight(1f, fill = false),
             TextStyles.body.medium,
-            color = colours.onPane,
             maxLines = 1,
             overflow = TextOverflow.Ellipsis,
         )

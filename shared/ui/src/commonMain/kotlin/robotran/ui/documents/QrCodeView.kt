@@ -57,7 +57,7 @@ internal fun LinkAsQrCode(
     maxSide: Dp = MAX_SIDE,
 ) {
     val code = remember(link) { QrCode.of(link) }
-    val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.announced()
     if (code == null) {
         val words = if (isForClass) SchoolTexts::makeQrLong else DocumentTexts::qrLong
         Explanation(words(spoken), news.testTag("qr-too-long"))

@@ -81,9 +81,7 @@ private fun LinkItself(link: String) {
     val length = DocumentTexts.shareLength(spoken, link.length)
     Text(
         length,
-        Modifier.testTag("link-length").semantics {
-            liveRegion = LiveRegionMode.Polite
-        },
+        Modifier.testTag("link-length").announced(),
         TextStyles.small,
         color = colours.quiet,
     )

@@ -86,7 +86,7 @@ private fun TextDialog(
         if (help != null) Explanation(help)
         OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
         if (error != null) {
-            val announced = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
+            val announced = Modifier.testTag("document-trouble").announced()
             Explanation(error, announced, bad = true)
         }
     }

@@ -96,7 +96,6 @@ internal fun Lane(
             value ?: NO_VALUE,
             Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
             TextStyles.compact.strong,
-            color = colours.onPane,
             textAlign = TextAlign.End,
             maxLines = 1,
         )

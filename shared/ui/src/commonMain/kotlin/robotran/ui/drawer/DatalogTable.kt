@@ -44,7 +44,7 @@ internal fun DatalogTable(
         ) {
             Text(
                 NqcTexts.runDatalog(spoken),
-                Modifier.weight(1f).semantics { heading() },
+                Modifier.weight(1f).heading(),
                 TextStyles.small.medium,
                 color = colours.quiet,
             )

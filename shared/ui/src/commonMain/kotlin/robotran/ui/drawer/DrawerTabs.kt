@@ -50,9 +50,8 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
     Row(Modifier.padding(horizontal = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Text(
             tab.word(spoken),
-            Modifier.weight(1f).padding(start = 8.dp).semantics { heading() },
+            Modifier.weight(1f).padding(start = 8.dp).heading(),
             TextStyles.compact.strong,
-            color = LocalRobotranColours.current.onPane,
             maxLines = 1,
         )
         if (onTwo != null) {

@@ -86,7 +86,7 @@ internal fun GoalChip(
             alignment = Alignment.CenterStart,
         ) {
             val semantics = if (isShort) Modifier.clearAndSetSemantics { } else Modifier
-            Text(it, semantics, TextStyles.tightLabel.medium, color = colours.onPane)
+            Text(it, semantics, TextStyles.tightLabel.medium)
         }
     }
 }

@@ -44,8 +44,7 @@ internal fun GoalsView(
     if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(RunTexts::goalsEmpty, EmptyPicture.FLAG, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
-            val colour = LocalRobotranColours.current.onPane
-            Text(task.trim(), Modifier.testTag("goals-task"), TextStyles.sentence, color = colour)
+            Text(task.trim(), Modifier.testTag("goals-task"), TextStyles.sentence)
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
@@ -74,7 +73,7 @@ private fun GoalRow(
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane
         IconView(iconFor(goal.status), colour, Modifier.padding(top = 2.dp), size = 20.dp)
         Column(verticalArrangement = Arrangement.spacedBy(6.dp)) {
-            Text(goal.sentence, style = TextStyles.label, color = colours.onPane)
+            Text(goal.sentence, style = TextStyles.label)
             Row(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp), Alignment.CenterVertically) {
                 Progress(
                     { goal.progress.toFloat() },

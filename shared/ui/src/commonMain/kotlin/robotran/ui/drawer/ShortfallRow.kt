@@ -64,7 +64,6 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
                 sentence,
                 Modifier.testTag("shortfall-text"),
                 TextStyles.label.medium.copy(textDecoration = if (canShow) TextDecoration.Underline else null),
-                color = colours.onPane,
             )
             lineText(mark)?.let {
                 Text(it, style = TextStyles.remark, color = colours.quiet)

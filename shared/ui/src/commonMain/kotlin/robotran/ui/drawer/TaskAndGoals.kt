@@ -70,7 +70,7 @@ private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) 
             },
         Alignment.Center,
     ) {
-        Text(SheetTexts.task(spoken), style = TextStyles.tightLabel.medium, color = colours.onPane)
+        Text(SheetTexts.task(spoken), style = TextStyles.tightLabel.medium)
     }
 }
 

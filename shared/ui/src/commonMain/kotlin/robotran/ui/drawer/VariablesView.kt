@@ -110,11 +110,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, index: Int, onClick: () -
             .padding(horizontal = 12.dp),
         verticalAlignment = Alignment.CenterVertically,
     ) {
-        Text(
-            RunTexts.frame(spoken, frame.name, frame.sourceLine),
-            style = TextStyles.compact.strongIf(selected),
-            color = colours.onPane,
-        )
+        Text(RunTexts.frame(spoken, frame.name, frame.sourceLine), style = TextStyles.compact.strongIf(selected))
     }
 }
 
@@ -138,7 +134,7 @@ private fun Scope(scope: ShownScope) {
     Column {
         Text(
             scope.name,
-            Modifier.padding(bottom = 4.dp).semantics { heading() },
+            Modifier.padding(bottom = 4.dp).heading(),
             TextStyles.small.medium,
             color = LocalRobotranColours.current.quiet,
         )

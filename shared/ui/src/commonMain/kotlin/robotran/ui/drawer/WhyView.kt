@@ -53,5 +53,5 @@ private fun emptyWords(state: RunPaneState): Label =
 
 @Composable
 private fun Sentence(text: String, tag: String) {
-    Text(text, Modifier.testTag(tag), TextStyles.label, color = LocalRobotranColours.current.onPane)
+    Text(text, Modifier.testTag(tag), TextStyles.label)
 }

@@ -114,7 +114,7 @@ internal fun EditField(
 @Composable
 internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
     text,
-    modifier.semantics { liveRegion = LiveRegionMode.Polite },
+    modifier.announced(),
     TextStyles.small,
     color = LocalRobotranColours.current.error,
 )

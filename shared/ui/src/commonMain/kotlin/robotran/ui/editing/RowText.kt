@@ -12,9 +12,8 @@ import robotran.uikit.*
 @Composable
 internal fun RowHeading(text: String) = Text(
     text,
-    Modifier.padding(top = 12.dp, bottom = 2.dp).semantics { heading() },
+    Modifier.padding(top = 12.dp, bottom = 2.dp).heading(),
     TextStyles.body.strong,
-    color = LocalRobotranColours.current.onPane,
 )
 
 /** A sentence of help or a placeholder for an empty list. */

@@ -35,7 +35,7 @@ internal fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refu
         else -> refusal.takeIf { field.isRefused && typed != field.text }
     }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, style = TextStyles.compact, color = LocalRobotranColours.current.onPane)
+        Text(title, style = TextStyles.compact)
         EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
             EditField(
                 typed ?: field.text,

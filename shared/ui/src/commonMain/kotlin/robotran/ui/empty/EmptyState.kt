@@ -54,7 +54,6 @@ private fun EmptyWords(label: String, tag: String, align: TextAlign, modifier: M
     label,
     modifier.testTag(tag),
     TextStyles.sentence,
-    color = LocalRobotranColours.current.onPane,
     textAlign = align,
 )
 

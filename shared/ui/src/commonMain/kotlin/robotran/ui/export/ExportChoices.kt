@@ -84,14 +84,7 @@ private fun ChoiceButton(
 ) {
     val colours = LocalRobotranColours.current
     val sheet = remember(world) { ShownSheet(world) }
-    Surface(
-        modifier
-            .testTag("show-${choice.name.lowercase()}")
-            .focusRing(CORNER)
-            .clip(RoundedCornerShape(CORNER))
-            .clickable(enabled, role = Role.Button, onClick = onClick),
-        RoundedCornerShape(CORNER),
-    ) {
+    CardButton("show-${choice.name.lowercase()}", onClick, modifier, enabled = enabled) {
         Row(
             Modifier.heightIn(min = MIN_HEIGHT).padding(12.dp).alpha(if (enabled) 1f else UNAVAILABLE),
             Arrangement.spacedBy(12.dp),
@@ -158,7 +151,6 @@ private enum class ShowChoice(
         picture(sheet, session, colours)
 }
 
-private val CORNER = Corners.MEDIUM
 private val GAP = 10.dp
 private val MIN_HEIGHT = 96.dp
 private val PICTURE_WIDTH = 84.dp

@@ -36,7 +36,7 @@ import kotlin.math.roundToInt
 @Composable
 internal fun SpeedChoice(step: ShowStep.ChoosingSpeed, onEvent: (ExportEvent) -> Unit) {
     Column(Modifier.fillMaxSize().verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
-        Text(ExportTexts.speedTitle(spoken), Modifier.semantics { heading() }, TextStyles.cardTitle.medium)
+        Text(ExportTexts.speedTitle(spoken), Modifier.heading(), TextStyles.cardTitle.medium)
         Column(Modifier.selectableGroup()) {
             for (speed in step.speeds) {
                 SpeedRow(speed, speed == step.chosen) { onEvent(ExportEvent.SpeedChosen(speed)) }
@@ -82,12 +82,12 @@ internal fun MakingView(step: ShowStep.Making) {
     Column(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp, Alignment.CenterVertically)) {
         Text(
             words,
-            Modifier.fillMaxWidth().testTag("show-making").semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.fillMaxWidth().testTag("show-making").announced(),
             TextStyles.cardTitle,
         )
         Progress(
             { step.progress },
-            Modifier.fillMaxWidth().height(10.dp).testTag("show-progress").semantics { contentDescription = percent },
+            Modifier.fillMaxWidth().height(10.dp).testTag("show-progress").named(percent),
         )
         Text(percent, style = TextStyles.body, color = colours.quiet)
     }
@@ -119,7 +119,7 @@ private fun ExportResult(label: String, tag: String, isError: Boolean = false) {
     Column(Modifier.fillMaxSize(), Arrangement.Center) {
         Text(
             label,
-            Modifier.fillMaxWidth().testTag(tag).semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.fillMaxWidth().testTag(tag).announced(),
             TextStyles.leadSentence,
             color = if (isError) colours.error else colours.onPane,
         )

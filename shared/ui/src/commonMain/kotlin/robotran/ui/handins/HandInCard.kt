@@ -92,7 +92,7 @@ private fun CardWords(row: HandInRow, task: HandInTask) {
     VerdictMark(row.verdict)
     row.results?.let { graded ->
         if (graded.runs.size > 1) RunMarks(graded, task.plan)
-        Text(runsText(graded), style = TextStyles.caption, color = colours.onPane)
+        Text(runsText(graded), style = TextStyles.caption)
     }
     val parameters = listOfNotNull(
         row.lines.takeIf { it > 0 }?.let { SchoolTexts.handInsLines(spoken, it) },

@@ -112,7 +112,7 @@ private fun BesideChoice(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             RadioMark(value == chosen, Modifier.padding(Space.MEDIUM))
-            Text(words, style = TextStyles.compact, color = colours.onPane)
+            Text(words, style = TextStyles.compact)
         }
     }
     if (hasOthers) {

@@ -52,9 +52,8 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
         val (met, unmet) = runs.partition { it.grade.passed }
         Text(
             SchoolTexts.handInWorldRuns(spoken, world, met.size, runs.size),
-            Modifier.semantics { heading() },
+            Modifier.heading(),
             TextStyles.label.strong,
-            color = LocalRobotranColours.current.onPane,
         )
         RunTouches(row, world, runs, onEvent)
         var areAllShown by remember(row.id) { mutableStateOf(false) }

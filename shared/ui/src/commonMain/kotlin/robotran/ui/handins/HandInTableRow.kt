@@ -122,13 +122,7 @@ internal fun CommentLine(row: HandInRow) {
     Row(horizontalArrangement = Arrangement.spacedBy(Space.TINY), verticalAlignment = Alignment.CenterVertically) {
         val colours = LocalRobotranColours.current
         SmallIcon(COMMENT_ICON, colours.onPane, size = 16.dp)
-        Text(
-            words,
-            style = TextStyles.caption.medium,
-            color = colours.onPane,
-            maxLines = 1,
-            overflow = TextOverflow.Ellipsis,
-        )
+        Text(words, style = TextStyles.caption.medium, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }
 
@@ -169,14 +163,13 @@ private fun RunsCell(row: HandInRow, plan: GradingPlan) =
     Column(Modifier.width(scaled(RUNS_WIDTH)), Arrangement.spacedBy(Space.TINY)) {
         val graded = row.results ?: return@Column
         if (graded.runs.size > 1) RunMarks(graded, plan, hasNames = false)
-        Text(shortRunsText(graded), style = TextStyles.caption, color = LocalRobotranColours.current.onPane)
+        Text(shortRunsText(graded), style = TextStyles.caption)
     }
 
 @Composable
 internal fun RemarkLine(label: String) = Text(
     label,
     style = TextStyles.caption,
-    color = LocalRobotranColours.current.onPane,
     maxLines = MAX_REMARK_LINES,
     overflow = TextOverflow.Ellipsis,
 )
@@ -186,7 +179,6 @@ private fun Figure(label: String) = Text(
     label,
     Modifier.width(scaled(FIGURE_WIDTH)),
     TextStyles.compact,
-    color = LocalRobotranColours.current.onPane,
     textAlign = TextAlign.End,
     maxLines = 1,
 )

@@ -128,19 +128,9 @@ private fun Results(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent)
 
 /** A title of a part of the page. */
 @Composable
-internal fun PartTitle(label: Label) = Text(
-    label(spoken),
-    Modifier.semantics { heading() },
-    TextStyles.lead.strong,
-    color = LocalRobotranColours.current.onPane,
-)
+internal fun PartTitle(label: Label) = Text(label(spoken), Modifier.heading(), TextStyles.lead.strong)
 
 @Composable
-internal fun Words(label: String, modifier: Modifier = Modifier) = Text(
-    label,
-    modifier,
-    TextStyles.label,
-    color = LocalRobotranColours.current.onPane,
-)
+internal fun Words(label: String, modifier: Modifier = Modifier) = Text(label, modifier, TextStyles.label)
 
 private val PICTURE_HEIGHT = 380.dp

@@ -95,9 +95,7 @@ internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent)
     ) {
         Text(
             wordsFor(message),
-            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").semantics {
-                liveRegion = LiveRegionMode.Polite
-            },
+            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").announced(),
             TextStyles.label,
             color = if (message.isError) colours.error else colours.onPane,
         )

@@ -114,7 +114,7 @@ private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
 @Composable
 private fun Line(label: String, modifier: Modifier = Modifier) = Text(
     label,
-    modifier.testTag("hand-ins-status").semantics { liveRegion = LiveRegionMode.Polite },
+    modifier.testTag("hand-ins-status").announced(),
     TextStyles.body,
     color = LocalRobotranColours.current.onPane,
 )
@@ -147,7 +147,7 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
             verticalAlignment = Alignment.CenterVertically,
         ) {
             RadioMark(value == order, Modifier.padding(Space.MEDIUM))
-            Text(words(spoken), style = TextStyles.compact, color = colours.onPane)
+            Text(words(spoken), style = TextStyles.compact)
         }
     }
 }

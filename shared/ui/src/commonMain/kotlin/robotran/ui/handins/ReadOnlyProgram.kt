@@ -50,7 +50,7 @@ internal fun ReadOnlyPrograms(
     modifier: Modifier = Modifier,
 ) = Column(modifier.testTag(tag), Arrangement.spacedBy(Space.SMALL)) {
     if (besides.isNotEmpty()) {
-        Text(title, style = TextStyles.body.strong, color = LocalRobotranColours.current.onPane)
+        Text(title, style = TextStyles.body.strong)
     }
     for (program in programs) {
         for (file in program.files) {

@@ -62,7 +62,7 @@ private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
         Alignment.CenterHorizontally,
     ) {
         Canvas(Modifier.size(MARK)) { drawMark(grade.passed, size.width, colours) }
-        Text("${grade.seed}", style = TextStyles.caption, color = colours.onPane, maxLines = 1)
+        Text("${grade.seed}", style = TextStyles.caption, maxLines = 1)
     }
 }
 

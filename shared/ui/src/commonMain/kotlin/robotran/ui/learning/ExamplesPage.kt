@@ -60,9 +60,8 @@ internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (
 
 private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> Unit) {
     item(span = { GridItemSpan(maxLineSpan) }, key = set.name) {
-        val colour = LocalRobotranColours.current.onPane
-        val words = Modifier.padding(top = 8.dp).semantics { heading() }
-        Text(set.title(spoken), words, TextStyles.lead.strong, color = colour)
+        val words = Modifier.padding(top = 8.dp).heading()
+        Text(set.title(spoken), words, TextStyles.lead.strong)
     }
     items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
         ExampleCard(name, set.idOf(name), aboutExample(set, name, spoken)) {
@@ -75,7 +74,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
 private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
-        Text(name, style = TextStyles.body.strong, color = colours.onPane)
+        Text(name, style = TextStyles.body.strong)
         Text(about, style = TextStyles.remark, color = colours.quiet)
     }
 }

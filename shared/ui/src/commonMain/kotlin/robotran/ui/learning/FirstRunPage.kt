@@ -98,7 +98,6 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             Text(
                 LearningTexts.welcome(spoken),
                 style = (if (isLow) TextStyles.sentence else TextStyles.headingLines).medium,
-                color = colours.onPane,
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
@@ -152,13 +151,13 @@ private fun ElementRef(
 ) {
     val colours = LocalRobotranColours.current
     val onGround = if (isFirst) RobotranColours.ON_YELLOW else colours.onPane
-    Surface(
-        modifier.testTag(
-            tag,
-        ).focusRing(CORNER).clip(RoundedCornerShape(CORNER)).clickable(role = Role.Button, onClick = onClick),
-        RoundedCornerShape(CORNER),
-        if (isFirst) RobotranColours.YELLOW else colours.pane,
-        if (isFirst) null else edge(colours.quiet),
+    CardButton(
+        tag,
+        onClick,
+        modifier,
+        Corners.LARGE,
+        color = if (isFirst) RobotranColours.YELLOW else colours.pane,
+        border = if (isFirst) null else edge(colours.quiet),
     ) {
         Row(
             Modifier.padding(horizontal = Space.LARGE, vertical = Space.MEDIUM),
@@ -213,4 +212,3 @@ private val MAX_SHEET = 520.dp
 private val CHOICES_HEIGHT = 710.dp
 private val MAX_WIDTH = 640.dp
 private val ICON = 28.dp
-private val CORNER = Corners.LARGE

@@ -66,7 +66,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             ) {
                 Text(
                     state.help.found?.word ?: title,
-                    Modifier.weight(1f).testTag("help-title").semantics { heading() },
+                    Modifier.weight(1f).testTag("help-title").heading(),
                     (if (state.help.found == null) codeStyle().copy(fontFamily = FontFamily.Default) else codeStyle())
                         .strong.copy(fontSize = TextSizes.HEADING, lineHeight = LineHeights.HEADING),
                 )
@@ -84,7 +84,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
 private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.verticalScroll(rememberScrollState()).padding(20.dp), Arrangement.spacedBy(12.dp)) {
-        Text(help.sentence, Modifier.testTag("help-sentence"), TextStyles.sentence, color = colours.onPane)
+        Text(help.sentence, Modifier.testTag("help-sentence"), TextStyles.sentence)
         if (help.sentenceLanguage != state.language) {
             Text(LearningTexts.helpInEnglish(spoken), style = TextStyles.compact, color = colours.quiet)
         }
@@ -119,19 +119,14 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     } else {
         LearningTexts.helpNone(spoken, word)
     }
-    Text(
-        text,
-        Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"),
-        TextStyles.sentence,
-        color = LocalRobotranColours.current.onPane,
-    )
+    Text(text, Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"), TextStyles.sentence)
     WordList(state, onEvent)
 }
 
 @Composable
 private fun Label(text: String) = Text(
     text,
-    Modifier.semantics { heading() },
+    Modifier.heading(),
     TextStyles.compact.strong,
     color = LocalRobotranColours.current.quiet,
 )

@@ -45,7 +45,7 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
         Arrangement.spacedBy(4.dp),
     ) {
         val line = hint.line?.let { " · ${LearningTexts.hintLine(spoken, it)}" }.orEmpty()
-        Text("${hint.stage.title(spoken)}$line", style = TextStyles.small.strong, color = colours.onPane)
+        Text("${hint.stage.title(spoken)}$line", style = TextStyles.small.strong)
         MarkedText(if (inBlocks) hint.textInBlocks else hint.text, colour = colours.onPane)
     }
 }

@@ -57,13 +57,8 @@ private fun StrandOnMap(
     val colours = LocalRobotranColours.current
     val done = strand.lessons.count { it.name in state.stepsDone }
     Column(Modifier.testTag("strand-${strand.name}"), Arrangement.spacedBy(4.dp)) {
-        Text(
-            strand.title(state.language),
-            Modifier.semantics { heading() },
-            TextStyles.pageTitle,
-            color = colours.onPane,
-        )
-        Text(strand.about(state.language), style = TextStyles.label, color = colours.onPane)
+        Text(strand.title(state.language), Modifier.heading(), TextStyles.pageTitle)
+        Text(strand.about(state.language), style = TextStyles.label)
         Text(
             LearningTexts.stepsDone(spoken, done, strand.lessons.size),
             style = TextStyles.compact,

@@ -58,15 +58,7 @@ internal fun <T : Any> PictureCard(
     words: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    Surface(
-        Modifier
-            .fillMaxWidth()
-            .testTag(tag)
-            .focusRing(CORNER)
-            .clip(RoundedCornerShape(CORNER))
-            .clickable(role = Role.Button, onClick = onClick),
-        RoundedCornerShape(CORNER),
-    ) {
+    CardButton(tag, onClick, Modifier.fillMaxWidth()) {
         Column {
             CardPicture(
                 subject,
@@ -90,5 +82,3 @@ private fun <T : Any> CardPicture(subject: T, pictures: CardPictures<T>, modifie
         picture?.let { Image(it, contentDescription = null, Modifier.fillMaxSize(), contentScale = ContentScale.Fit) }
     }
 }
-
-private val CORNER = Corners.MEDIUM

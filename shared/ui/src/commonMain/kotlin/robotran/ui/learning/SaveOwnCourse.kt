@@ -22,11 +22,11 @@ internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, 
         SchoolTexts.courseSaveOwn(spoken),
         "course-save-$name",
         ButtonKind.QUIET,
-        Modifier.semantics { contentDescription = words },
+        Modifier.named(words),
     ) { onEvent(CourseEvent.OwnCourseSaved(name)) }
     if (saved?.name != name) return
     val error = saved.error
-    val news = Modifier.testTag("course-saved-$name").semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.testTag("course-saved-$name").announced()
     if (error == null) {
         Explanation(SchoolTexts.handInSaved(spoken, saved.file.orEmpty()), news)
     } else {

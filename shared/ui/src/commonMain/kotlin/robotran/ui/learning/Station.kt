@@ -99,7 +99,6 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
             title,
             Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
             TextStyles.small.strongIf(isNext).copy(lineHeight = TITLE_LINE),
-            color = colours.onPane,
             textAlign = TextAlign.Center,
             maxLines = TITLE_LINES,
             overflow = TextOverflow.Ellipsis,

@@ -82,7 +82,7 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
     val text = tutorial.current.text(state.language, state.isInBlocks)
     Text(
         text.title,
-        Modifier.testTag("step-title").semantics { heading() },
+        Modifier.testTag("step-title").heading(),
         // A long word of a larger title would be broken on a phone.
         TextStyle(
             fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,

@@ -71,7 +71,7 @@ internal fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Uni
                     lessons.size,
                 )
                 val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", style = TextStyles.body.medium, color = colours.onPane)
+                Text("$name$title", style = TextStyles.body.medium)
                 StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
@@ -129,7 +129,6 @@ private fun ReturnStrip(
             Text(
                 "${LearningTexts.learningReturn(spoken)}: ${tutorial.current.text(state.language).title}",
                 style = TextStyles.body.medium,
-                color = colours.onPane,
                 maxLines = 1,
                 overflow = TextOverflow.Ellipsis,
             )

@@ -56,7 +56,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         ) {
             if (state.isStepDone) SmallIcon(DONE_ICON, colours.onPane)
             val title = if (state.isStepDone) LearningTexts::taskDone else LearningTexts::task
-            Text(title(spoken), style = TextStyles.lead.strong, color = colours.onPane)
+            Text(title(spoken), style = TextStyles.lead.strong)
         }
         MarkedText(text.task)
         TaskHelps(
@@ -92,9 +92,7 @@ internal fun TaskHelps(
     if (help.solutionShown) {
         Text(
             LearningTexts.solutionNote(spoken),
-            Modifier.testTag("solution-note").broughtIntoSight(true).semantics {
-                liveRegion = LiveRegionMode.Polite
-            },
+            Modifier.testTag("solution-note").broughtIntoSight(true).announced(),
             TextStyles.sentence,
             color = LocalRobotranColours.current.quiet,
         )

@@ -41,12 +41,7 @@ import robotran.uikit.*
 internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (ProgramView) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(verticalArrangement = Arrangement.spacedBy(Space.SMALL)) {
-        Text(
-            LearningTexts.view(spoken),
-            Modifier.semantics { heading() },
-            TextStyles.cardTitle.strong,
-            color = colours.onPane,
-        )
+        Text(LearningTexts.view(spoken), Modifier.heading(), TextStyles.cardTitle.strong)
         BoxWithConstraints {
             if (maxWidth / LocalDensity.current.fontScale >= BESIDE_WIDTH) {
                 Row(Modifier.height(IntrinsicSize.Max).selectableGroup(), Arrangement.spacedBy(GAP)) {
@@ -101,10 +96,10 @@ private fun OneView(
     Surface(
         modifier
             .testTag(tag)
-            .focusRing(CORNER)
-            .clip(RoundedCornerShape(CORNER))
+            .focusRing(Corners.LARGE)
+            .clip(Shapes.LARGE)
             .selectable(isChosen, role = Role.RadioButton, onClick = onClick),
-        RoundedCornerShape(CORNER),
+        Shapes.LARGE,
         border = if (isChosen) edge(colours.focus, 3.dp) else edge(colours.quiet),
     ) {
         Column(Modifier.padding(Space.MEDIUM), Arrangement.spacedBy(Space.SMALL)) {
@@ -117,10 +112,10 @@ private fun OneView(
             }
             Row(verticalAlignment = Alignment.CenterVertically, horizontalArrangement = Arrangement.spacedBy(8.dp)) {
                 RadioMark(isChosen)
-                Text(title, style = TextStyles.lead.strong, color = colours.onPane)
+                Text(title, style = TextStyles.lead.strong)
             }
             if (withPicture) {
-                Text(help, style = TextStyles.label, color = colours.onPane)
+                Text(help, style = TextStyles.label)
             }
         }
     }
@@ -129,4 +124,3 @@ private fun OneView(
 /** From this width on, at default font size, the two are side by side, also on a phone. */
 private val BESIDE_WIDTH = 320.dp
 private val GAP = 12.dp
-private val CORNER = Corners.LARGE

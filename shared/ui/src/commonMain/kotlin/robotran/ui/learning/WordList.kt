@@ -46,7 +46,6 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (ProgramLanguage) -> Unit) {
-    val colours = LocalRobotranColours.current
     FlowRow(Modifier.padding(horizontal = 8.dp).selectableGroup(), Arrangement.spacedBy(8.dp)) {
         // Nobody else asks for what is for experts.
         for (language in ProgramLanguage.entries.filter { !it.support.isForExperts || it == chosen }) {
@@ -62,7 +61,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
             ) {
                 RadioMark(selected, Modifier.padding(12.dp))
                 val name = language.texts.helpName[brick]?.invoke(spoken) ?: language.ownName
-                Text(name, style = TextStyles.body, color = colours.onPane)
+                Text(name, style = TextStyles.body)
             }
         }
     }

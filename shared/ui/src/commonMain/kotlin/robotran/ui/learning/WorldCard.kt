@@ -25,13 +25,13 @@ internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
     PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
-        Text(shown.title, style = TextStyles.lead.strong, color = colours.onPane)
+        Text(shown.title, style = TextStyles.lead.strong)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(world.level.title(spoken), style = TextStyles.compact.medium, color = colours.quiet)
             if (world.name in done) DoneMark()
         }
         Text(robotOf(world.plainWorld), style = TextStyles.compact, color = colours.quiet)
-        Text(shown.task, style = TextStyles.compactLines, color = colours.onPane)
+        Text(shown.task, style = TextStyles.compactLines)
         for (harder in world.harder) Harder(harder, language, harder.name in done) { onChoose(harder) }
     }
 }

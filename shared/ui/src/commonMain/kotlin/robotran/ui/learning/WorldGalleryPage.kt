@@ -128,7 +128,7 @@ private fun NothingFound() = EmptyState(
     EmptyPicture.GLASS,
     LearningTexts.worldsNone(spoken),
     "worlds-none",
-    Modifier.fillMaxWidth().height(NOTHING_HEIGHT).semantics { liveRegion = LiveRegionMode.Polite },
+    Modifier.fillMaxWidth().height(NOTHING_HEIGHT).announced(),
 )
 
 private val NOTHING_HEIGHT = 220.dp

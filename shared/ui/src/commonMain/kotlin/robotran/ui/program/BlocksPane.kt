@@ -173,7 +173,7 @@ internal fun BlocksPane(
                         .onKeyEvent(keys::handle)
                         .focusRing(FOCUS_CORNER, isInside = true)
                         .focusable()
-                        .semantics { contentDescription = label },
+                        .named(label),
                 )
                 if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
                 Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {

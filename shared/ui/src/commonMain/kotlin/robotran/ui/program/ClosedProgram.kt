@@ -32,9 +32,8 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
         ) {
             Text(
                 ScreenTexts.programClosed(spoken, name),
-                Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.weight(1f).announced(),
                 TextStyles.body,
-                color = colours.onPane,
             )
             if (room) {
                 Button(

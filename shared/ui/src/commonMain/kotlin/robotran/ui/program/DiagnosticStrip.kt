@@ -90,7 +90,7 @@ private fun Elsewhere(diagnostic: Diagnostic, program: Program, onFix: (Diagnost
     ) {
         Text(
             words,
-            Modifier.weight(1f).padding(vertical = 6.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.weight(1f).padding(vertical = 6.dp).announced(),
             TextStyles.body,
             color = LocalRobotranColours.current.error,
         )

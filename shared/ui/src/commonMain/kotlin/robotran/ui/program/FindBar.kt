@@ -165,9 +165,8 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             }
             Text(
                 if (state.search.text.isEmpty()) "" else countText(count, index),
-                Modifier.weight(1f).testTag("find-count").semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.weight(1f).testTag("find-count").announced(),
                 TextStyles.small,
-                color = colours.onPane,
             )
         }
     }
@@ -198,7 +197,7 @@ private fun LineField(
             .testTag(tag)
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .padding(vertical = 4.dp)
-            .semantics { contentDescription = label }
+            .named(label)
             .onPreviewKeyEvent { event ->
                 val isDown = event.type == KeyEventType.KeyDown
                 when (event.key) {

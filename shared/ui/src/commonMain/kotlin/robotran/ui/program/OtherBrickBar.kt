@@ -32,7 +32,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
     ) {
         Text(
             labels.programIsFor(spoken, robot),
-            Modifier.padding(top = 8.dp).semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.padding(top = 8.dp).announced(),
             TextStyles.body,
             color = colours.error,
         )

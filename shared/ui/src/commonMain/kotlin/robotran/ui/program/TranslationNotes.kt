@@ -25,7 +25,6 @@ import robotran.uikit.*
 @Composable
 internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (TranslationNote) -> Unit) {
     if (notes.isEmpty()) return
-    val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Column(
         Modifier
@@ -45,11 +44,7 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
                     .padding(horizontal = 16.dp, vertical = 6.dp),
                 Alignment.CenterStart,
             ) {
-                Text(
-                    ScreenTexts.mistake(spoken, note.line, note.message),
-                    style = TextStyles.remark,
-                    color = colours.onPane,
-                )
+                Text(ScreenTexts.mistake(spoken, note.line, note.message), style = TextStyles.remark)
             }
         }
     }

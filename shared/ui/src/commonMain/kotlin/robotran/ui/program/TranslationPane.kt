@@ -88,14 +88,7 @@ internal fun TranslationPane(
                 isNow -> translation.fileName
                 else -> EditorTexts.translationOld(spoken)
             }
-            Text(
-                title,
-                Modifier.weight(1f),
-                TextStyles.small,
-                color = colours.onPane,
-                maxLines = 2,
-                overflow = TextOverflow.Ellipsis,
-            )
+            Text(title, Modifier.weight(1f), TextStyles.small, maxLines = 2, overflow = TextOverflow.Ellipsis)
             if (translation != null && isNow && onKeep != null) {
                 Button(
                     EditorTexts.translationKeep(spoken),

@@ -49,17 +49,12 @@ internal fun WarningList(
                 Modifier
                     .weight(1f)
                     .testTag("remarks")
-                    .semantics { liveRegion = LiveRegionMode.Polite }
+                    .announced()
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
                 for (warning in shown) {
                     Row(verticalAlignment = Alignment.CenterVertically) {
-                        Text(
-                            textOf(warning),
-                            Modifier.weight(1f).padding(vertical = 6.dp),
-                            TextStyles.body,
-                            color = colours.onPane,
-                        )
+                        Text(textOf(warning), Modifier.weight(1f).padding(vertical = 6.dp), TextStyles.body)
                         missingSensors?.takeIf { it.warning == warning }?.let { PlugInButton(it, onPlug) }
                     }
                 }

@@ -45,7 +45,7 @@ internal fun RobotOnSheet(state: RobotEditState, world: World, session: SessionS
     val labels = rememberTextMeasurer()
     val name = RobotTexts.onSheet(spoken)
     Canvas(
-        modifier.fillMaxSize().testTag("robot-sheet").semantics { contentDescription = name }.clipToBounds(),
+        modifier.fillMaxSize().testTag("robot-sheet").named(name).clipToBounds(),
     ) {
         if (size.isEmpty()) return@Canvas
         val start = shown.robots.getOrNull(state.robot)?.start ?: return@Canvas

@@ -56,12 +56,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             Arrangement.spacedBy(20.dp),
         ) {
             Row(verticalAlignment = Alignment.CenterVertically) {
-                Text(
-                    RunTexts.more(spoken),
-                    Modifier.weight(1f).semantics { heading() },
-                    TextStyles.heading.strong,
-                    color = colours.onPane,
-                )
+                Text(RunTexts.more(spoken), Modifier.weight(1f).heading(), TextStyles.heading.strong)
                 IconButton(
                     RunIcons.CLOSE,
                     RunTexts.close(spoken),

@@ -104,7 +104,7 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                     written = text.filter { it in '0'..'9' }.take(MAX_DIGITS)
                     written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
                 },
-                Modifier.width(160.dp).testTag("seed").semantics { contentDescription = name },
+                Modifier.width(160.dp).testTag("seed").named(name),
                 keyboard = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
             IconButton(RunIcons.NEXT, RunTexts.seedNext(spoken), "seed-next", IconButtonKind.RUN) {

@@ -36,7 +36,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
             onClick = { open = true },
         ) {
             SteadySize(speed, RunSpeed.entries) {
-                Text(it.sign, style = TextStyles.body, color = LocalRobotranColours.current.onPane, maxLines = 1)
+                Text(it.sign, style = TextStyles.body, maxLines = 1)
             }
             IconView(RunIcons.UP, LocalRobotranColours.current.onPane, Modifier.padding(start = 4.dp), size = 16.dp)
         }

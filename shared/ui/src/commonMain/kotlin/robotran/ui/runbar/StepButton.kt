@@ -88,7 +88,7 @@ internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
 internal fun Choice(name: String, help: String) {
     val colours = LocalRobotranColours.current
     Column(Modifier.padding(vertical = 8.dp)) {
-        Text(name, style = TextStyles.body, color = colours.onPane)
+        Text(name, style = TextStyles.body)
         Text(help, style = TextStyles.caption, color = colours.quiet)
     }
 }

@@ -42,8 +42,8 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     Column(modifier.fillMaxSize().background(colours.desk)) {
         if (error != null) {
             Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
-                val words = Modifier.testTag("document-trouble").semantics { liveRegion = LiveRegionMode.Polite }
-                Text(error, words, TextStyles.leadSentence, color = colours.onPane)
+                val words = Modifier.testTag("document-trouble").announced()
+                Text(error, words, TextStyles.leadSentence)
             }
         } else {
             WorldAndBrick(state, onEvent, Modifier.weight(1f))

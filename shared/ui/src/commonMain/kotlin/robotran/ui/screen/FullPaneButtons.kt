@@ -52,7 +52,7 @@ private fun FullPaneButton(icon: Icon, label: String, tag: String, on: Boolean, 
             .clip(shape)
             .background(if (on) colours.onPane else colours.pane)
             .toggleable(on, role = Role.Switch, onValueChange = onFull)
-            .semantics { contentDescription = label },
+            .named(label),
         Alignment.Center,
     ) {
         val colour = if (on) colours.pane else colours.onPane

@@ -108,7 +108,7 @@ private fun Solved(
 ) {
     Heading(RunTexts.outcomeSolved(spoken))
     for (line in solvedText(solved)) {
-        Text(line, style = TextStyles.sentence, color = LocalRobotranColours.current.onPane)
+        Text(line, style = TextStyles.sentence)
     }
     when {
         assignment == null -> Next(solved, onEvent)
@@ -161,12 +161,7 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
 }
 
 @Composable
-private fun Heading(text: String) = Text(
-    text,
-    Modifier.semantics { heading() },
-    TextStyles.cardTitle.strong,
-    color = LocalRobotranColours.current.onPane,
-)
+private fun Heading(text: String) = Text(text, Modifier.heading(), TextStyles.cardTitle.strong)
 
 /** @param bar the colour of the bar at its left side. */
 @Composable
@@ -193,7 +188,7 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
                 .scrollHint(scroll)
                 .verticalScroll(scroll)
                 .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
-                .semantics { liveRegion = LiveRegionMode.Polite },
+                .announced(),
             Arrangement.spacedBy(4.dp),
         ) { content() }
         IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClick = onClose)

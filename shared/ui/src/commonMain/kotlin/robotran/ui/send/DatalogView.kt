@@ -28,6 +28,6 @@ internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag(
 }
 
 @Composable
-private fun Line(label: String) = Text(label, style = TextStyles.body, color = LocalRobotranColours.current.onPane)
+private fun Line(label: String) = Text(label, style = TextStyles.body)
 
 private const val SHOWN = 50

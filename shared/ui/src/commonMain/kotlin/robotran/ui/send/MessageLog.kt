@@ -12,10 +12,9 @@ import robotran.workshop.state.RobotMessage
 /** What the robot has sent, the newest first. */
 @Composable
 internal fun MessageLog(messages: List<RobotMessage>) {
-    val colours = LocalRobotranColours.current
     for (message in messages.asReversed()) {
         key(message.number) {
-            Text(textOf(message), Modifier.testTag("send-message"), TextStyles.body, color = colours.onPane)
+            Text(textOf(message), Modifier.testTag("send-message"), TextStyles.body)
         }
     }
 }

@@ -35,7 +35,7 @@ private fun SlotButton(slot: Int, isLast: Boolean, modifier: Modifier, onClick: 
     ButtonFrame(
         "send-slot-$slot",
         ButtonKind.DIALOG_ANSWER,
-        modifier.semantics { contentDescription = words },
+        modifier.named(words),
         padding = PaddingValues(0.dp),
         border = if (isLast) edge(colours.onPane, 3.dp) else edge(),
         onClick = onClick,

@@ -41,9 +41,7 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
         extras = FieldExtras(isWrong) {
             Text(
                 if (isWrong) ScreenTexts.settingsSiteWrong(spoken) else ScreenTexts.settingsSiteHelp(spoken),
-                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").semantics {
-                    liveRegion = LiveRegionMode.Polite
-                },
+                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").announced(),
                 TextStyles.small,
                 color = if (isWrong) colours.error else colours.quiet,
             )

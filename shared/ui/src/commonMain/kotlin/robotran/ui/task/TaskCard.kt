@@ -185,9 +185,8 @@ private fun ColumnScope.WholeAssignment(
 @Composable
 private fun TaskText(world: World) = Text(
     world.task.trim(),
-    Modifier.fillMaxWidth().testTag("task-text").semantics { liveRegion = LiveRegionMode.Polite },
+    Modifier.fillMaxWidth().testTag("task-text").announced(),
     TextStyles.sentence,
-    color = LocalRobotranColours.current.onPane,
 )
 
 @Composable
@@ -207,9 +206,8 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
 @Composable
 private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
-    modifier.testTag("task-title").semantics { heading() },
+    modifier.testTag("task-title").heading(),
     TextStyles.cardTitle.strong,
-    color = LocalRobotranColours.current.onPane,
     maxLines = maxLines,
     overflow = TextOverflow.Ellipsis,
 )

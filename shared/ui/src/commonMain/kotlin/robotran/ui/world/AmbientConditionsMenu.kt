@@ -85,8 +85,7 @@ private fun SurroundingsSlider(
     inputs: FrameThrottledInput,
     inputOf: (Float) -> SessionInput,
 ) {
-    val colours = LocalRobotranColours.current
-    Text("$title: $valueWords", style = TextStyles.body, color = colours.onPane)
+    Text("$title: $valueWords", style = TextStyles.body)
     Slider(
         value.coerceIn(range),
         SliderWords(title, valueWords, "slider-$tag"),

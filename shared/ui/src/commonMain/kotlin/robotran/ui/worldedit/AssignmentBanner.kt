@@ -41,9 +41,8 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
             Modifier
                 .align(Alignment.CenterVertically)
                 .testTag("edit-of-assignment-words")
-                .semantics { liveRegion = LiveRegionMode.Polite },
+                .announced(),
             TextStyles.remark,
-            color = colours.onPane,
         )
         Button(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", ButtonKind.SECOND) {
             onEvent(WorldEditEvent.EditorClosed)

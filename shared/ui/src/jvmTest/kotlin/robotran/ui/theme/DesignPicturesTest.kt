@@ -26,6 +26,7 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
 import robotran.ui.screen.sceneOf
 import robotran.uikit.*
+import robotran.uikit.preview.ControlsPreview
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -110,6 +111,11 @@ class DesignPicturesTest {
         }
     }
 
+    @Test
+    fun `the page shows every control in two themes`() {
+        draw("design-components", WIDTH, COMPONENTS) { ControlsPreview() }
+    }
+
     /** Every role with an opaque colour. */
     private fun rolesOf(colours: RobotranColours): List<Pair<String, Color>> = with(colours) {
         listOf(
@@ -165,5 +171,6 @@ class DesignPicturesTest {
         const val SWATCH = 136
         const val LINE = 44
         const val EMPTY = 100
+        const val COMPONENTS = 1_120
     }
 }

@@ -74,12 +74,7 @@ internal class MakingPlace {
 @Composable
 internal fun Section(title: String, tag: String, content: @Composable ColumnScope.() -> Unit) {
     Column(Modifier.fillMaxWidth().testTag(tag), Arrangement.spacedBy(8.dp)) {
-        Text(
-            title,
-            Modifier.semantics { heading() },
-            TextStyles.cardTitle.strong,
-            color = LocalRobotranColours.current.onPane,
-        )
+        Text(title, Modifier.heading(), TextStyles.cardTitle.strong)
         content()
     }
 }
@@ -88,9 +83,8 @@ internal fun Section(title: String, tag: String, content: @Composable ColumnScop
 @Composable
 internal fun Subtitle(title: String) = Text(
     title,
-    Modifier.padding(top = 8.dp).semantics { heading() },
+    Modifier.padding(top = 8.dp).heading(),
     TextStyles.sentence.medium,
-    color = LocalRobotranColours.current.onPane,
 )
 
 /**

@@ -55,7 +55,7 @@ private val SolutionCheck.newsKey: Any get() = if (this is SolutionCheck.Running
 
 @Composable
 private fun CheckResult(check: SolutionCheck?) {
-    val news = Modifier.testTag("make-checked").semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.testTag("make-checked").announced()
     when (check) {
         null, is SolutionCheck.Running -> Unit
 
@@ -87,7 +87,7 @@ private fun StartPassed(passed: Int, runs: Int) {
     if (passed == 0) return
     Explanation(
         "⚠ ${SchoolTexts.makeTryStart(spoken, passed, runs)}",
-        Modifier.testTag("make-checked-start").semantics { liveRegion = LiveRegionMode.Polite },
+        Modifier.testTag("make-checked-start").announced(),
     )
 }
 

@@ -63,7 +63,7 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
     if (link.link != null) {
         Chips {
             val copy = if (link.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
-            val news = Modifier.semantics { liveRegion = LiveRegionMode.Polite }
+            val news = Modifier.announced()
             Button(copy(spoken), "$place-link-copy", ButtonKind.SECOND, news, onClick = onCopy)
             if (onShare != null) {
                 Button(
@@ -107,7 +107,7 @@ private fun PlatformResult(state: AssignmentEditorState) {
     if (state.isPacking) {
         Explanation(
             SchoolTexts.makePacking(spoken),
-            Modifier.testTag("make-packing").semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.testTag("make-packing").announced(),
         )
     }
     if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
@@ -126,7 +126,7 @@ private fun EmbedCode(code: String, isCopied: Boolean) {
         1..MAX_CODE_LINES,
         extras = FieldExtras(isReadOnly = true),
     )
-    val news = Modifier.testTag("make-embed-copied").semantics { liveRegion = LiveRegionMode.Polite }
+    val news = Modifier.testTag("make-embed-copied").announced()
     val words = if (isCopied) SchoolTexts::makeEmbedCopied else DocumentTexts::notCopied
     Explanation(words(spoken), news)
     LocalLinkNote(code)

@@ -86,7 +86,7 @@ private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     if (typed.toIntOrNull()?.takeIf { it in SEEDS } == null) {
         Explanation(
             SchoolTexts.makeSeedsLimits(spoken, SEEDS.first, SEEDS.last),
-            Modifier.testTag("make-seeds-wrong").semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.testTag("make-seeds-wrong").announced(),
             bad = true,
         )
     }

@@ -125,12 +125,7 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
         IconButton(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), "make-hint-earlier-$index") {
             onChange(hint.copy(afterTries = (hint.afterTries - 1).coerceAtLeast(1)))
         }
-        Text(
-            after,
-            Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"),
-            TextStyles.body,
-            color = LocalRobotranColours.current.onPane,
-        )
+        Text(after, Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"), TextStyles.body)
         IconButton(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), "make-hint-later-$index") {
             onChange(hint.copy(afterTries = (hint.afterTries + 1).coerceAtMost(AssignmentLimits.MAXIMUM_TRIES)))
         }

@@ -73,7 +73,7 @@ private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit
             for (name in state.notGiven) {
                 Explanation(
                     SchoolTexts.makeStartRefused(spoken, name),
-                    Modifier.testTag("make-start-refused").semantics { liveRegion = LiveRegionMode.Polite },
+                    Modifier.testTag("make-start-refused").announced(),
                     bad = true,
                 )
             }

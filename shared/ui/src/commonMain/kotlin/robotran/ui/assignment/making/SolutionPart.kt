@@ -49,7 +49,6 @@ internal fun Solution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> 
 
 @Composable
 private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean) -> Unit) {
-    val colours = LocalRobotranColours.current
     val words = when {
         program.isChanged -> SchoolTexts.makeSolutionChanged(spoken, program.name)
         program.isOfWorld -> SchoolTexts.makeSolutionOfWorld(spoken, program.name)
@@ -67,6 +66,6 @@ private fun ProgramRow(program: SolutionProgram, tag: String, onSwitch: (Boolean
         Alignment.CenterVertically,
     ) {
         CheckMark(program.isTaken)
-        Text(words, Modifier.weight(1f), TextStyles.sentence, color = colours.onPane)
+        Text(words, Modifier.weight(1f), TextStyles.sentence)
     }
 }

@@ -67,7 +67,7 @@ private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit,
     state.pictureError?.let { error ->
         Explanation(
             error.sentence(spoken),
-            Modifier.testTag("make-picture-error").semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.testTag("make-picture-error").announced(),
             bad = true,
         )
     }
@@ -75,7 +75,7 @@ private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit,
         val language = LocalLanguage.current
         Explanation(
             SchoolTexts.makePictureSmaller(spoken, language.grouped(width), language.grouped(height)),
-            Modifier.testTag("make-picture-smaller").semantics { liveRegion = LiveRegionMode.Polite },
+            Modifier.testTag("make-picture-smaller").announced(),
         )
     }
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {

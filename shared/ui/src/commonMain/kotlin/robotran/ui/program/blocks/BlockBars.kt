@@ -45,7 +45,7 @@ internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
         ButtonFrame(
             "blocks-add",
             ButtonKind.DIALOG_MAIN,
-            Modifier.semantics { contentDescription = words },
+            Modifier.named(words),
             padding = PaddingValues(horizontal = if (hasWords) Space.PAGE else Space.LARGE),
             onClick = { scope.show(BlockDialog.Palette) },
         ) {
@@ -77,12 +77,7 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
                 Modifier.size(BADGE).background(RobotranColours.YELLOW, Shapes.SMALL),
                 Alignment.Center,
             ) { IconView(ThinIcons.PLUS, RobotranColours.ON_YELLOW, size = PLUS) }
-            Text(
-                BlockTexts.add(spoken),
-                style = TextStyles.signLines,
-                color = colours.onPane,
-                textAlign = TextAlign.Center,
-            )
+            Text(BlockTexts.add(spoken), style = TextStyles.signLines, textAlign = TextAlign.Center)
         }
     }
 }
@@ -102,7 +97,6 @@ internal fun FirstBlockHint(hasRail: Boolean) {
             if (hasRail) BlockTexts.firstFromRail(spoken) else BlockTexts.first(spoken),
             Modifier.drawBehind { drawBlock(shape, Color.Transparent, Color.Transparent, outline) }.padding(20.dp),
             TextStyles.sentence,
-            color = colours.onPane,
         )
     }
 }
@@ -116,12 +110,7 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
             Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-error"),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            Text(
-                sentence,
-                Modifier.weight(1f).semantics { liveRegion = LiveRegionMode.Polite },
-                TextStyles.body,
-                color = colours.onPane,
-            )
+            Text(sentence, Modifier.weight(1f).announced(), TextStyles.body)
             IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "blocks-error-close") {
                 scope.onEvent(BlockEvent.ErrorDismissed)
             }

@@ -83,7 +83,7 @@ private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
             .size(SLOT_WIDTH, HEIGHT)
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button) { scope.show(BlockDialog.Actions(row.block.id)) }
-            .semantics { contentDescription = words },
+            .named(words),
         Alignment.Center,
     ) {
         Box(Modifier.size(MORE).background(look.ink, CircleShape), Alignment.Center) {
@@ -103,7 +103,7 @@ internal fun FoldButton(row: BlockRow.First, scope: BlockScope, look: BlockLook)
             .clip(CircleShape)
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button) { scope.onEvent(BlockEvent.Folded(row.block.id)) }
-            .semantics { contentDescription = words },
+            .named(words),
         Alignment.Center,
     ) { IconView(if (row.isCollapsed) CLOSED else OPEN, look.ink, size = 20.dp) }
 }

@@ -39,7 +39,7 @@ internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
             .clip(CircleShape)
             .border(1.dp, colours.quiet, CircleShape)
             .clickable(role = Role.Button) { scope.doNow(DragPayload.New(block)) }
-            .semantics { contentDescription = words },
+            .named(words),
         Alignment.Center,
     ) {
         Canvas(Modifier.size(TRIANGLE)) {

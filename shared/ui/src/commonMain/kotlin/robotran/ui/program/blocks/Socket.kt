@@ -73,7 +73,7 @@ internal fun Socket(
             .clickable(role = if (part is PhrasePart.Choice) Role.DropdownList else Role.Button) {
                 scope.show(BlockDialog.Part(part.span))
             }
-            .semantics { contentDescription = spoken }
+            .named(spoken)
             .padding(horizontal = if (isCondition(part)) CUT else BESIDE, vertical = SOCKET_INSET),
         Arrangement.spacedBy(4.dp, if (inner.isEmpty()) Alignment.CenterHorizontally else Alignment.Start),
         Arrangement.spacedBy(SOCKET_INSET, Alignment.CenterVertically),

@@ -57,7 +57,7 @@ internal fun CompletionPanel(
         Modifier
             .besideCaret(caret)
             .testTag("completions")
-            .semantics { contentDescription = words }
+            .named(words)
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
@@ -78,13 +78,12 @@ internal fun NoCompletions(caret: CaretLocator) {
         Modifier
             .besideCaret(caret)
             .testTag("no-completions")
-            .semantics { liveRegion = LiveRegionMode.Polite }
+            .announced()
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             .padding(12.dp),
         TextStyles.compact,
-        color = colours.onPane,
     )
 }
 

@@ -50,7 +50,7 @@ private fun TouchKey(sign: String, label: String, onClick: () -> Unit) {
             .testTag("key-$sign")
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
-            .semantics { contentDescription = label },
+            .named(label),
         Alignment.Center,
     ) {
         Text(sign, style = editorStyle(SIZE))

@@ -109,7 +109,7 @@ internal fun BlockDialogFrame(
                 Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
                     Text(
                         title,
-                        Modifier.weight(1f).semantics { heading() },
+                        Modifier.weight(1f).heading(),
                         TextStyles.body.medium,
                         maxLines = 2,
                         overflow = TextOverflow.Ellipsis,

@@ -33,7 +33,7 @@ internal fun ChoosingBar(scope: BlockScope) {
         Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
             Text(
                 BlockTexts.chosen(spoken, state.selected.size),
-                Modifier.semantics { liveRegion = LiveRegionMode.Polite },
+                Modifier.announced(),
                 TextStyles.label,
             )
             FlowRow(

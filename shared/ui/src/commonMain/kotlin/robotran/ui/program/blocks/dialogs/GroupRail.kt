@@ -79,7 +79,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
         Alignment.CenterHorizontally,
     ) {
         GroupBadge(group, scope)
-        Text(words, style = TextStyles.signLines, color = colours.onPane, textAlign = TextAlign.Center)
+        Text(words, style = TextStyles.signLines, textAlign = TextAlign.Center)
     }
 }
 

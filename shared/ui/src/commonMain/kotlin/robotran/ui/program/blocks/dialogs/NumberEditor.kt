@@ -195,9 +195,8 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
                 withStyle(SpanStyle(colours.quiet, UNIT_SIZE.sp)) { append(unit) }
             }
         },
-        modifier.testTag("number-now").semantics { liveRegion = LiveRegionMode.Polite },
+        modifier.testTag("number-now").announced(),
         TextStyle(fontSize = size.sp, fontWeight = FontWeight.Medium),
-        color = colours.onPane,
         textAlign = TextAlign.Center,
     )
 }

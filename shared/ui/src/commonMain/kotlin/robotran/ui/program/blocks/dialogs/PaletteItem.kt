@@ -50,7 +50,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .clip(Shapes.SMALL)
             .clickable(role = Role.Button, onClick = onTake)
             .testTag("take-${block.id}")
-            .semantics { contentDescription = spoken },
+            .named(spoken),
         Arrangement.spacedBy(2.dp),
     ) {
         PaletteBlockView(block, look)
