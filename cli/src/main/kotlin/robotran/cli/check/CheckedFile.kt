@@ -108,13 +108,17 @@ internal fun checkFiles(
             name in java -> java.getValue(name)
             isNamed(name, ROBOLANG) -> checkRobolang(name, compiler, brick, isForBrick)
             name in classes -> checkClasses(classes, compiler, brick)
-            ProgramLanguage.ofFile(name) != null || isNamed(name, RCX_IMAGE) -> checkProgram(name, compiler, brick)
+            isOtherProgram(name) -> checkProgram(name, compiler, brick)
             isCourse(name) -> checkCourse(name, compiler.language)
             isNamed(name, JAR) || isFolder(name) -> checkClasses(listOf(name), compiler, brick)
             else -> checkDescription(name, compiler.language)
         }
     }
 }
+
+/** Whether [name] is that of a program in one file, besides those that are checked in a way of their own. */
+private fun isOtherProgram(name: String): Boolean =
+    ProgramLanguage.entries.any { isNamed(name, it.extension) } || isNamed(name, RCX_IMAGE)
 
 /** Checks the program that [names] hold, compiled. */
 private fun checkClasses(names: List<String>, compiler: ProgramCompiler, brick: BrickKind?): CheckedFile =
