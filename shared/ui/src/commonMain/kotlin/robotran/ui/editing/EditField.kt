@@ -78,7 +78,7 @@ internal fun EditField(
         onValueChange = onText,
         modifier = Modifier
             .fillMaxWidth()
-            .padding(horizontal = 8.dp, vertical = 10.dp)
+            .padding(horizontal = if (kind == EditFieldKind.NUMBER) NUMBER_MARGIN else 8.dp, vertical = 10.dp)
             .testTag(words.tag)
             .onFocusChanged {
                 if (focused && !it.isFocused) onLeft()
@@ -121,3 +121,6 @@ internal fun Wrong(text: String, modifier: Modifier = Modifier) = Text(
 
 private val FIELD_CORNER = Corners.SMALL
 private const val TALL_LINES = 4
+
+/** Leaves room for numbers such as `118.75`. */
+private val NUMBER_MARGIN = 2.dp

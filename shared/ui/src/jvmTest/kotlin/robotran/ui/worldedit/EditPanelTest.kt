@@ -1,8 +1,10 @@
 package robotran.ui.worldedit
 
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTextReplacement
+import androidx.compose.ui.text.TextLayoutResult
 import robotran.ui.screen.pass
 import robotran.world.Goal
 import robotran.world.GoalCondition.InOrder
@@ -53,6 +55,17 @@ class EditPanelTest {
         assertEquals("crate", world.blocks[0].name)
         type("field-name", "yellow")
         assertEquals("crate", world.blocks[0].name)
+    }
+
+    @Test
+    fun `a number with two decimal places is whole in its field`() = onEditor(1280, 2400) {
+        put(PaletteItem.BLOCK, 75.0, 60.0)
+        type("field-x", "118.75")
+        val field = screen.onNodeWithTag("field-x").fetchSemanticsNode()
+        val layouts = mutableListOf<TextLayoutResult>()
+        field.config[SemanticsActions.GetTextLayoutResult].action?.invoke(layouts)
+        val width = layouts.single().multiParagraph.maxIntrinsicWidth
+        assertTrue(width <= field.size.width, "$width in ${field.size.width}")
     }
 
     @Test
