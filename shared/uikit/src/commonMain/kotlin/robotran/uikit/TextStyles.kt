@@ -19,10 +19,10 @@ object TextStyles {
 
     val small = style(TextSizes.SMALL)
 
-    /** A remark in a sentence. */
-    val remark = style(TextSizes.SMALL, LineHeights.SMALL)
+    /** A sentence of help. */
+    val smallLines = style(TextSizes.SMALL, LineHeights.SMALL)
 
-    /** A remark right below what it is about. */
+    /** A sentence right below what it is about. */
     val caption = style(TextSizes.SMALL, LineHeights.TIGHT)
 
     val compact = style(TextSizes.COMPACT)

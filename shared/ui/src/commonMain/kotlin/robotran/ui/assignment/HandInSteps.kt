@@ -118,7 +118,7 @@ internal fun ErrorsView(step: HandInStep.HasErrors) {
 internal fun Quiet(label: String, tag: String) = Text(
     label,
     Modifier.testTag(tag),
-    TextStyles.remark,
+    TextStyles.smallLines,
     color = LocalRobotranColours.current.quiet,
 )
 

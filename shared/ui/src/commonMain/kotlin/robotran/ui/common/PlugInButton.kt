@@ -11,7 +11,7 @@ import robotran.simulation.state.MissingSensors
 import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 
-/** Changes the world so that the robot has all of the [missing] sensors; for the remark about them. */
+/** Changes the world so that the robot has all of the [missing] sensors; for the warning about them. */
 @Composable
 internal fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
     val ports = missing.sensors.map { it.port }

@@ -72,12 +72,12 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
                 // Reserves its space, so that nothing moves when it appears.
                 Text(
                     holds.joinToString(" · "),
-                    style = TextStyles.remark,
+                    style = TextStyles.smallLines,
                     color = colours.quiet,
                     maxLines = 1,
                     overflow = TextOverflow.Ellipsis,
                 )
-                Text(timeOf(work), style = TextStyles.remark, color = colours.quiet)
+                Text(timeOf(work), style = TextStyles.smallLines, color = colours.quiet)
             }
         }
         ProjectActions(work, onEvent)

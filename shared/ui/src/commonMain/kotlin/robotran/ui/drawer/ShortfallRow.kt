@@ -66,7 +66,7 @@ internal fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit,
                 TextStyles.label.medium.copy(textDecoration = if (canShow) TextDecoration.Underline else null),
             )
             lineText(mark)?.let {
-                Text(it, style = TextStyles.remark, color = colours.quiet)
+                Text(it, style = TextStyles.smallLines, color = colours.quiet)
             }
         }
     }

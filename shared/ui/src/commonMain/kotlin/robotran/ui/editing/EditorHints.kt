@@ -57,7 +57,7 @@ internal fun EditorHints(
             Arrangement.spacedBy(4.dp),
         ) {
             for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
-            if (show != null) WordButton(WorldEditorTexts.showTrouble(spoken), show.tag, show.onClick)
+            if (show != null) WordButton(WorldEditorTexts.showErrors(spoken), show.tag, show.onClick)
         }
         IconButton(Icon.CLOSE, ScreenTexts.noticeClose(spoken), "$tag-close", onClick = onClose)
     }

@@ -94,7 +94,7 @@ private fun ChoiceButton(
             Column(Modifier.weight(1f), Arrangement.spacedBy(2.dp)) {
                 Text(choice.words(spoken), style = TextStyles.label.medium)
                 val help = if (enabled) choice.help else ExportTexts::noRun
-                Text(help(spoken), style = TextStyles.remark, color = colours.quiet)
+                Text(help(spoken), style = TextStyles.smallLines, color = colours.quiet)
             }
         }
     }

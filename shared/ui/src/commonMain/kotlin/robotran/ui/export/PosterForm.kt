@@ -72,7 +72,7 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) -
         onEvent(ExportEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
-    Text(ExportTexts.posterPrivate(spoken), style = TextStyles.remark, color = quiet)
+    Text(ExportTexts.posterPrivate(spoken), style = TextStyles.smallLines, color = quiet)
 }
 
 @Composable

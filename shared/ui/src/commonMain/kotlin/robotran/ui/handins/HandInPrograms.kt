@@ -42,7 +42,7 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
         val (title, programs) = other
         Text(
             SchoolTexts.handInEqualLines(spoken),
-            style = TextStyles.remark,
+            style = TextStyles.smallLines,
             color = LocalRobotranColours.current.quiet,
         )
         if (isWide) {

@@ -40,7 +40,7 @@ internal fun HandInRuns(
     onEvent: (HandInsEvent) -> Unit,
 ) = Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.MEDIUM)) {
     PartTitle(SchoolTexts::handInGoals)
-    Text(SchoolTexts.handInRunsHelp(spoken), style = TextStyles.remark, color = LocalRobotranColours.current.quiet)
+    Text(SchoolTexts.handInRunsHelp(spoken), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
     for (world in plan.worlds) {
         RunsInWorld(row, worldName(world.name), graded.runsIn(world.name), onEvent)
     }

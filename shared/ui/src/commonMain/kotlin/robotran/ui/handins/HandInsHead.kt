@@ -37,7 +37,11 @@ internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (Han
             HandInsKind.WORLD -> HelpText(SchoolTexts.handInsWorld(spoken))
         }
         if (hasActions) HandInsActions(state, onEvent)
-        Text(SchoolTexts.handInsLocal(spoken), style = TextStyles.remark, color = LocalRobotranColours.current.quiet)
+        Text(
+            SchoolTexts.handInsLocal(spoken),
+            style = TextStyles.smallLines,
+            color = LocalRobotranColours.current.quiet,
+        )
     }
 
 /** What can be done with all hand-ins. */

@@ -75,7 +75,7 @@ private fun ExampleCard(name: String, id: String, about: String, onClick: () -> 
     val colours = LocalRobotranColours.current
     PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
         Text(name, style = TextStyles.body.strong)
-        Text(about, style = TextStyles.remark, color = colours.quiet)
+        Text(about, style = TextStyles.smallLines, color = colours.quiet)
     }
 }
 

@@ -105,7 +105,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
                 onEvent(LearningEvent.PageRequested(LearningPage.MAP))
             }
             if (room == WelcomeRoom.HIGH) {
-                Text(LearningTexts.welcomeAgain(spoken), style = TextStyles.remark, color = colours.quiet)
+                Text(LearningTexts.welcomeAgain(spoken), style = TextStyles.smallLines, color = colours.quiet)
             }
         }
     }

@@ -54,7 +54,7 @@ internal fun ViewChoice(view: ProgramView, withPictures: Boolean, onView: (Progr
             }
         }
         if (withPictures) {
-            Text(LearningTexts.viewAgain(spoken), style = TextStyles.remark, color = colours.quiet)
+            Text(LearningTexts.viewAgain(spoken), style = TextStyles.smallLines, color = colours.quiet)
         }
     }
 }

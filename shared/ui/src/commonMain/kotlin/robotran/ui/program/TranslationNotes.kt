@@ -44,7 +44,7 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
                     .padding(horizontal = 16.dp, vertical = 6.dp),
                 Alignment.CenterStart,
             ) {
-                Text(ScreenTexts.mistake(spoken, note.line, note.message), style = TextStyles.remark)
+                Text(ScreenTexts.mistake(spoken, note.line, note.message), style = TextStyles.smallLines)
             }
         }
     }

@@ -42,7 +42,7 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
                 .align(Alignment.CenterVertically)
                 .testTag("edit-of-assignment-words")
                 .announced(),
-            TextStyles.remark,
+            TextStyles.smallLines,
         )
         Button(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", ButtonKind.SECOND) {
             onEvent(WorldEditEvent.EditorClosed)

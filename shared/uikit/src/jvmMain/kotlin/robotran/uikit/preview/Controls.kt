@@ -72,7 +72,7 @@ fun Controls(onPress: (String) -> Unit) = Column(
     CardButton("card", { onPress("card") }) {
         Column(Modifier.padding(Space.LARGE)) {
             Text("Square", style = TextStyles.cardTitle.strong)
-            Text("Draws a square", style = TextStyles.remark, color = LocalRobotranColours.current.quiet)
+            Text("Draws a square", style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
         }
     }
 }

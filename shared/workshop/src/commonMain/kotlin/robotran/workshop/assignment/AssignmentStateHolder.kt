@@ -27,10 +27,7 @@ import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.HandInStep
 import robotran.workshop.state.Notice
 
-/**
- * Holds what pupils do at an assignment, and what its author makes.
- *
- */
+/** Holds what pupils do at an assignment, and what its author makes. */
 class AssignmentStateHolder(private val services: Services, physics: PhysicsEngine) {
     private val current = services.current
     private val assignments = services.assignments

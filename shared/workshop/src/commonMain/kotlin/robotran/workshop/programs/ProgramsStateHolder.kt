@@ -38,7 +38,7 @@ import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 import robotran.workshop.state.Snippet
-import robotran.workshop.state.snippetOf
+import robotran.workshop.state.asSnippet
 import robotran.world.RobotPlacement
 import robotran.world.World
 
@@ -172,7 +172,7 @@ class ProgramsStateHolder(
         val itsCompiler = compiler.forTarget(robot.placement.description.target)
         return when (val result = itsCompiler.compileSnippet(load, blocks, robot.entry.program.name)) {
             is SnippetResult.Success -> {
-                snippetOf(result.program, robot.placement.name, robot.shownProgram, robot.editorState.draft.text)
+                asSnippet(result.program, robot.placement.name, robot.shownProgram, robot.editorState.draft.text)
             }
 
             is SnippetResult.Failure -> {

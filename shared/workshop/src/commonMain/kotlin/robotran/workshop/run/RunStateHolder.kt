@@ -43,7 +43,6 @@ import robotran.world.robot.draftError
  * position, like a real brick, unless a program has changed; then it starts over, too.
  *
  * @param recording the recorded inputs of the project, which can be replayed.
- * @param filesChanged called when the files in a robot's flash memory have changed, which belong to the project.
  */
 class RunStateHolder(
     world: World,

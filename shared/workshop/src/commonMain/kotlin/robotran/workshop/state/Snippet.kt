@@ -17,8 +17,8 @@ interface Snippet : BrickProgram {
     val source: String
 }
 
-/** [program] as an [Snippet]. */
-internal fun snippetOf(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
+/** [program] as a [Snippet]. */
+internal fun asSnippet(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
     is RcxProgram -> RcxSnippet(program, robot, slot, source)
     is NxtProgram -> NxtSnippet(program, robot, slot, source)
     else -> error("There is no brick for ${program.name}.")

@@ -20,7 +20,7 @@ internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modif
         Text(
             NxtTexts.exceptionCalls(spoken),
             Modifier.padding(bottom = 4.dp),
-            TextStyles.remark,
+            TextStyles.smallLines,
             color = LocalRobotranColours.current.quiet,
         )
         for (call in calls) {

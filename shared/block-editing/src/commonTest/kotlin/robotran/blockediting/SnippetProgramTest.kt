@@ -9,7 +9,7 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-class TrialTest {
+class SnippetProgramTest {
     private val program = blocksOf(
         """
         robot
