@@ -29,7 +29,7 @@ private var hidden: Canvas? = null
  * keep dialogs and menus from being drawn, since these have layers of their own, each with a veil over the whole screen.
  */
 @OptIn(ExperimentalTestApi::class)
-internal fun undrawnTest(width: Int, height: Int, check: ComposeUiTest.() -> Unit) =
+internal fun undrawnTest(width: Int, height: Int, check: ComposeUiTest.() -> Unit) = onEventThread {
     runDesktopComposeUiTest(width, height) {
         val canvas = canvasOf(this)
         try {
@@ -40,6 +40,7 @@ internal fun undrawnTest(width: Int, height: Int, check: ComposeUiTest.() -> Uni
             hidden = null
         }
     }
+}
 
 /** Compose's test has it for itself alone. */
 @OptIn(ExperimentalTestApi::class)

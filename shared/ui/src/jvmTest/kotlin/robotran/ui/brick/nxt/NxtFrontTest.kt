@@ -20,7 +20,6 @@ import androidx.compose.ui.test.assertWidthIsAtLeast
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performSemanticsAction
 import androidx.compose.ui.test.performTouchInput
-import androidx.compose.ui.test.runComposeUiTest
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
@@ -30,6 +29,7 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.language.InLanguage
+import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.state.Settings
 import robotran.world.FingerTouchPart
@@ -44,7 +44,7 @@ class NxtFrontTest {
         parts = listOf(FingerTouchPart(1)) + NxtScenes.robot.parts.filter { (it.port ?: 0) > 2 },
     )
 
-    private fun show(first: NxtState = NxtScenes.running, test: ComposeUiTest.() -> Unit) = runComposeUiTest {
+    private fun show(first: NxtState = NxtScenes.running, test: ComposeUiTest.() -> Unit) = undrawnTest(1024, 768) {
         state = first
         setContent {
             InLanguage(Language.ENGLISH) {
