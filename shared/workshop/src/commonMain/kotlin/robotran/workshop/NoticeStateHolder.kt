@@ -5,7 +5,13 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.runcontrol.RunOutcome
 import robotran.workshop.service.Notices
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 
@@ -38,24 +44,28 @@ internal class NoticeStateHolder(
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectLeaving -> if (event.isAnother) projectOpened()
+            is ProjectRoomEvent.Leaving -> if (event.isAnother) projectOpened()
 
-            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> {
+            is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged -> {
                 withdrawPraise(outcome())
                 withdrawUndo()
             }
 
-            is RoomEvent.WorldSaved -> withdrawUndo()
-            is RoomEvent.RunChanged -> withdrawPraise(event.outcome)
+            is ProjectRoomEvent.WorldSaved, ProjectRoomEvent.Touched -> withdrawUndo()
+            is RunRoomEvent.Changed -> withdrawPraise(event.outcome)
 
-            is RoomEvent.ProgramsWritten -> {
+            is ProgramRoomEvent.Written -> {
                 dismissIf { it == Notice.FirstProgramRuns }
                 if (event.byUser) projectUsed()
             }
 
-            RoomEvent.RunPressed -> dismissIf { it is Notice.SensorsPluggedIn }
-            is RoomEvent.RunStarted, is RoomEvent.SnippetRequested, RoomEvent.WorldEdited -> projectUsed()
-            else -> Unit
+            RunRoomEvent.Pressed -> dismissIf { it is Notice.SensorsPluggedIn }
+            is RunRoomEvent.Started, is ProgramRoomEvent.SnippetRequested, WorldRoomEvent.Edited -> projectUsed()
+            is ProjectRoomEvent.RunSettingsChanged, ProjectRoomEvent.AssignmentChanged, ProgramRoomEvent.Chosen,
+            ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun, is ProgramRoomEvent.Compiled,
+            is RunRoomEvent.PointShown, is WorldRoomEvent.EditorRequested, WorldRoomEvent.EditorOpening,
+            is WorldRoomEvent.EditorClosed, is WorldRoomEvent.RobotOpened, is SchoolRoomEvent, is WindowRoomEvent,
+            -> Unit
         }
     }
 
@@ -89,5 +99,5 @@ internal class NoticeStateHolder(
     fun take(): NoticeAction? = shown?.action.also { latest = null }
 
     /** Removes an offer to undo what cannot be undone any more. */
-    fun withdrawUndo() = dismissIf { notice -> notice.action?.let { !canUndo(it) } ?: false }
+    private fun withdrawUndo() = dismissIf { notice -> notice.action?.let { !canUndo(it) } ?: false }
 }

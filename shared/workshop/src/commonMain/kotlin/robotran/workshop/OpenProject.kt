@@ -15,8 +15,9 @@ import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.run.RunStateHolder
 import robotran.workshop.service.AssignmentRepository
 import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProjectEditor
-import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvents
 import robotran.world.RobotPlacement
 import robotran.world.World
@@ -71,46 +72,46 @@ internal class OpenProject(
     }
 
     override fun openProject(project: Project) {
-        events.publish(RoomEvent.ProjectLeaving(isAnother = true))
+        events.publish(ProjectRoomEvent.Leaving(isAnother = true))
         opened = project
-        events.publish(RoomEvent.ProjectOpened(project))
+        events.publish(ProjectRoomEvent.Opened(project))
     }
 
     override fun restoreBreakpoints(breakpoints: List<SavedBreakpoint>) {
         programs.restoreBreakpoints(breakpoints)
-        events.publish(RoomEvent.DebuggingChanged)
+        events.publish(ProgramRoomEvent.DebuggingChanged)
     }
 
     override fun changeWorld(world: World, isAnother: Boolean) {
-        events.publish(RoomEvent.ProjectLeaving(isAnother))
+        events.publish(ProjectRoomEvent.Leaving(isAnother))
         val before = run.state.world
         // An assignment belongs to its world.
         opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
         val hasNewTask = before.title != world.title || before.task != world.task
-        events.publish(RoomEvent.WorldChanged(opened, isAnother, hasNewTask, programsLeftBehind(world)))
+        events.publish(ProjectRoomEvent.WorldChanged(opened, isAnother, hasNewTask, programsLeftBehind(world)))
     }
 
     override fun saveWorld(world: World) {
-        events.publish(RoomEvent.ProjectLeaving(isAnother = false))
+        events.publish(ProjectRoomEvent.Leaving(isAnother = false))
         val before = opened.world.robots
         opened = opened.copy(world = world)
         // A robot with a new name would lose its programs.
         val isRenamed = before.size == world.robots.size && before.first().name != world.robots.first().name
-        events.publish(RoomEvent.WorldSaved(world, isRenamed))
+        events.publish(ProjectRoomEvent.WorldSaved(world, isRenamed))
     }
 
     override fun changeAssignment(assignment: Assignment?) {
         opened = opened.copy(assignment = assignment)
-        events.publish(RoomEvent.AssignmentChanged)
+        events.publish(ProjectRoomEvent.AssignmentChanged)
     }
 
     override fun saveTries(tries: AssignmentTries?) {
         opened = opened.copy(tries = tries)
-        events.publish(RoomEvent.AssignmentChanged)
+        events.publish(ProjectRoomEvent.AssignmentChanged)
     }
 
     override fun changeProjectSettings(settings: ProjectSettings) {
         opened = opened.copy(settings = settings)
-        events.publish(RoomEvent.RunSettingsChanged(opened))
+        events.publish(ProjectRoomEvent.RunSettingsChanged(opened))
     }
 }

@@ -31,6 +31,7 @@ import robotran.workshop.programs.ProgramRoom
 import robotran.workshop.run.RunRoom
 import robotran.workshop.school.SchoolRoom
 import robotran.workshop.screen.ScreenStateHolder
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.RoomEvents
 import robotran.workshop.service.Services
@@ -160,8 +161,7 @@ class Workshop(
             WorkshopEvent.NoticeDismissed -> notices.dismiss()
             WorkshopEvent.NoticeTaken -> takeNotice()
         }
-        notices.withdrawUndo()
-        events.publish(RoomEvent.ProjectTouched)
+        events.publish(ProjectRoomEvent.Touched)
     }
 
     /**

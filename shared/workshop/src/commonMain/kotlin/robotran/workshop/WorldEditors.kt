@@ -5,8 +5,14 @@ import robotran.workshop.assignment.VariationTarget
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.robot.RobotEditStateHolder
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Pane
@@ -35,10 +41,14 @@ internal class WorldEditors(private val services: Services, private val isLocked
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectLeaving -> if (event.isAnother) leave()
-            is RoomEvent.WorldEditorRequested -> open(event.variation)
-            is RoomEvent.RobotOpened -> if (putRobot(event.robot)) services.navigator.show(Pane.WORLD)
-            else -> Unit
+            is ProjectRoomEvent.Leaving -> if (event.isAnother) leave()
+            is WorldRoomEvent.EditorRequested -> open(event.variation)
+            is WorldRoomEvent.RobotOpened -> if (putRobot(event.robot)) services.navigator.show(Pane.WORLD)
+            is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged, is ProjectRoomEvent.WorldSaved,
+            is ProjectRoomEvent.RunSettingsChanged, ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched,
+            WorldRoomEvent.Edited, WorldRoomEvent.EditorOpening, is WorldRoomEvent.EditorClosed, is ProgramRoomEvent,
+            is RunRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
+            -> Unit
         }
     }
 
@@ -59,7 +69,7 @@ internal class WorldEditors(private val services: Services, private val isLocked
     private fun edit(change: () -> Unit) {
         val before = services.current.world
         change()
-        if (services.current.world != before) services.publish(RoomEvent.WorldEdited)
+        if (services.current.world != before) services.publish(WorldRoomEvent.Edited)
     }
 
     private fun perform(event: WorldEditEvent) {
@@ -68,7 +78,7 @@ internal class WorldEditors(private val services: Services, private val isLocked
             event is WorldEditEvent.PenbotChosen ||
             event is WorldEditEvent.RobotReplaced
         if (changesWorld && isLocked()) return notices.show(Notice.WorldOfAssignment)
-        if (event == WorldEditEvent.EditorOpened) services.publish(RoomEvent.WorldEditorOpening)
+        if (event == WorldEditEvent.EditorOpened) services.publish(WorldRoomEvent.EditorOpening)
         val wasOpen = worldEdit.state != null
         // Robots drive in the world itself, not in a variation of it.
         val isVariation = target.variation != null
@@ -81,7 +91,7 @@ internal class WorldEditors(private val services: Services, private val isLocked
             edited?.let(::draftError)?.let { notices.show(Notice.RobotKeptAsDraft(it)) }
         }
         target.leave()
-        services.publish(RoomEvent.WorldEditorClosed(isVariation || event != WorldEditEvent.TriedOut))
+        services.publish(WorldRoomEvent.EditorClosed(isVariation || event != WorldEditEvent.TriedOut))
     }
 
     /**

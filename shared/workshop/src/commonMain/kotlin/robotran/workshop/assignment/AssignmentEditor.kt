@@ -17,8 +17,8 @@ import robotran.projects.WorldVariation
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.programs.asPupil
-import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.PictureError
@@ -268,7 +268,7 @@ internal class AssignmentEditor(
         state = null
         useTask()
         isAway = true
-        services.publish(RoomEvent.WorldEditorRequested(variation))
+        services.publish(WorldRoomEvent.EditorRequested(variation))
     }
 
     private suspend fun addPicture() {

@@ -19,8 +19,14 @@ import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.programs.asProject
 import robotran.workshop.programs.asPupil
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.EndedAttempt
@@ -66,12 +72,18 @@ class AssignmentStateHolder(private val services: Services, physics: PhysicsEngi
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened -> projectChanged()
-            is RoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
-            is RoomEvent.ProgramsWritten -> programsChanged()
-            is RoomEvent.RunChanged -> runChanged(event.ended)
-            is RoomEvent.WorldEditorClosed -> worldEditorClosed(event.leadsBack)
-            else -> Unit
+            is ProjectRoomEvent.Opened -> projectChanged()
+            is ProjectRoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
+            is ProgramRoomEvent.Written -> programsChanged()
+            is RunRoomEvent.Changed -> runChanged(event.ended)
+            is WorldRoomEvent.EditorClosed -> worldEditorClosed(event.leadsBack)
+            is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
+            ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, ProgramRoomEvent.Chosen,
+            ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun, is ProgramRoomEvent.Compiled,
+            is ProgramRoomEvent.SnippetRequested, RunRoomEvent.Pressed, is RunRoomEvent.Started,
+            is RunRoomEvent.PointShown, WorldRoomEvent.Edited, is WorldRoomEvent.EditorRequested,
+            WorldRoomEvent.EditorOpening, is WorldRoomEvent.RobotOpened, is SchoolRoomEvent, is WindowRoomEvent,
+            -> Unit
         }
     }
 

@@ -17,11 +17,17 @@ import robotran.projects.Project
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Saving
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.service.StoredAssignments
 import robotran.workshop.service.SwitchResult
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.CoursePage
 import robotran.workshop.state.CourseState
 import robotran.workshop.state.Notice
@@ -62,10 +68,13 @@ class CourseStateHolder(
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened -> projectChanged()
-            is RoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
-            RoomEvent.AssignmentChanged -> triesChanged()
-            else -> Unit
+            is ProjectRoomEvent.Opened -> projectChanged()
+            is ProjectRoomEvent.WorldChanged -> if (event.isAnother) projectChanged()
+            ProjectRoomEvent.AssignmentChanged -> triesChanged()
+            is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
+            ProjectRoomEvent.Touched, is ProgramRoomEvent, is RunRoomEvent, is WorldRoomEvent, is SchoolRoomEvent,
+            is WindowRoomEvent,
+            -> Unit
         }
     }
 
@@ -81,7 +90,7 @@ class CourseStateHolder(
             CourseEvent.Removed -> remove()
             is CourseEvent.OwnCourseSaved -> launch { saveOwn(event.name) }
             is CourseEvent.HandInsRequested -> launch {
-                shelf.course(event.key)?.let { services.publish(RoomEvent.HandInsRequested(it)) }
+                shelf.course(event.key)?.let { services.publish(SchoolRoomEvent.HandInsRequested(it)) }
             }
             is CourseEvent.MakingRequested -> launch { author.open(event.key) }
             is CourseEvent.OfAuthor -> author.handle(event)

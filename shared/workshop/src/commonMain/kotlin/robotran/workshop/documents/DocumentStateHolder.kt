@@ -14,8 +14,10 @@ import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.platform.OpenRequest
+import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.service.StoredAssignments
 import robotran.workshop.service.SwitchResult
@@ -63,8 +65,8 @@ class DocumentStateHolder(
 
     fun on(event: RoomEvent) {
         when (event) {
-            RoomEvent.CompileBegun, RoomEvent.RunPressed -> guard.again(autosaver.openId)
-            is RoomEvent.RunChanged -> Unit
+            ProgramRoomEvent.CompileBegun, RunRoomEvent.Pressed -> guard.again(autosaver.openId)
+            is RunRoomEvent.Changed -> Unit
             else -> projectMayHaveChanged()
         }
     }

@@ -22,8 +22,8 @@ import robotran.projects.Course
 import robotran.projects.Project
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
@@ -260,7 +260,7 @@ internal class FileOpener(
             notices.show(Notice.NoSlotForProgram(missing.first().name, BrickProgram.MAX_PROGRAMS))
         }
         if (opened.world != null && opened.programs.isEmpty()) navigator.show(Pane.WORLD)
-        opened.robot?.let { services.publish(RoomEvent.RobotOpened(it)) }
+        opened.robot?.let { services.publish(WorldRoomEvent.RobotOpened(it)) }
     }
 
     /** Stores all projects but the first without opening them. Returns whether there are any. */

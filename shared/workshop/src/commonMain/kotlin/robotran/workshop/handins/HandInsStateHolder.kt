@@ -21,6 +21,7 @@ import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.state.AlikeHandIn
 import robotran.workshop.state.HandInRow
@@ -65,7 +66,7 @@ class HandInsStateHolder internal constructor(
     private val exports = HandInExports(platform, scope, ::tell)
 
     fun on(event: RoomEvent) {
-        if (event is RoomEvent.HandInsRequested) openCourse(event.course)
+        if (event is SchoolRoomEvent.HandInsRequested) openCourse(event.course)
     }
 
     fun handle(event: HandInsEvent) {

@@ -19,9 +19,15 @@ import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.programs.pupilPrograms
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
@@ -77,17 +83,22 @@ class LearningStateHolder(private val services: Services, private val switcher: 
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectLeaving -> leaveProject()
-            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> projectChanged()
-            is RoomEvent.ProgramsWritten, RoomEvent.ProgramChosen -> programsChanged()
-            is RoomEvent.RunChanged -> runChanged(event.session, event.outcome, current.shownProgram)
-            is RoomEvent.LanguageChanged -> refresh()
-            RoomEvent.WorldEditorOpening, RoomEvent.PagesLeft -> if (state.page !=
-                null
-            ) {
-                handle(LearningEvent.PageClosed)
+            is ProjectRoomEvent.Leaving -> leaveProject()
+            is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged -> projectChanged()
+            is ProgramRoomEvent.Written, ProgramRoomEvent.Chosen -> programsChanged()
+            is RunRoomEvent.Changed -> runChanged(event.session, event.outcome, current.shownProgram)
+            is WindowRoomEvent.LanguageChanged -> refresh()
+            WorldRoomEvent.EditorOpening, WindowRoomEvent.PagesLeft -> {
+                if (state.page != null) handle(LearningEvent.PageClosed)
             }
-            else -> Unit
+
+            is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged, ProjectRoomEvent.AssignmentChanged,
+            ProjectRoomEvent.Touched, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,
+            is ProgramRoomEvent.Compiled, is ProgramRoomEvent.SnippetRequested, RunRoomEvent.Pressed,
+            is RunRoomEvent.Started, is RunRoomEvent.PointShown, WorldRoomEvent.Edited,
+            is WorldRoomEvent.EditorRequested, is WorldRoomEvent.EditorClosed, is WorldRoomEvent.RobotOpened,
+            is WindowRoomEvent.SettingsChanged, is SchoolRoomEvent,
+            -> Unit
         }
     }
 
@@ -131,7 +142,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
             if (state.solved != null) state = state.copy(solved = null)
         } else if (state.solved == null && !isSolutionRun) {
             state = state.copy(solved = solve(outcome.finished ?: 0, program))
-            services.publish(RoomEvent.TaskSolved)
+            services.publish(SchoolRoomEvent.TaskSolved)
         }
     }
 

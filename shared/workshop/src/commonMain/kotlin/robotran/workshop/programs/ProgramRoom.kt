@@ -5,9 +5,15 @@ import robotran.programs.Program
 import robotran.projects.Project
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProgramTabs
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState
 
@@ -22,17 +28,20 @@ internal class ProgramRoom(project: Project, private val services: Services, roo
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened -> programs.open(event.project)
+            is ProjectRoomEvent.Opened -> programs.open(event.project)
 
-            is RoomEvent.WorldChanged -> {
+            is ProjectRoomEvent.WorldChanged -> {
                 programs.worldChanged(event.project.world)
                 if (event.isAnother) programs.removePrograms(event.isLeftBehind)
             }
 
-            is RoomEvent.WorldSaved -> if (event.isRenamed) programs.worldChanged(event.world)
-            is RoomEvent.RunSettingsChanged -> programs.runJava(event.project.settings.java)
-            is RoomEvent.LanguageChanged -> programs.setLanguage(event.language)
-            else -> Unit
+            is ProjectRoomEvent.WorldSaved -> if (event.isRenamed) programs.worldChanged(event.world)
+            is ProjectRoomEvent.RunSettingsChanged -> programs.runJava(event.project.settings.java)
+            is WindowRoomEvent.LanguageChanged -> programs.setLanguage(event.language)
+            is ProjectRoomEvent.Leaving, ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched,
+            is WindowRoomEvent.SettingsChanged, WindowRoomEvent.PagesLeft, is ProgramRoomEvent, is RunRoomEvent,
+            is WorldRoomEvent, is SchoolRoomEvent,
+            -> Unit
         }
     }
 
@@ -45,15 +54,15 @@ internal class ProgramRoom(project: Project, private val services: Services, roo
             with(services.preferences) { change(settings.copy(programView = event.view)) }
         }
         if (event is BlockEvent.SnippetRequested) {
-            programs.snippet(event.load)?.let { services.publish(RoomEvent.SnippetRequested(it)) }
+            programs.snippet(event.load)?.let { services.publish(ProgramRoomEvent.SnippetRequested(it)) }
         }
         // Selections and caret movements are nobody else's business.
         when {
-            programs.written != before -> services.publish(RoomEvent.ProgramsWritten(byUser))
-            event is ProgramEvent.ProgramChosen -> services.publish(RoomEvent.ProgramChosen)
+            programs.written != before -> services.publish(ProgramRoomEvent.Written(byUser))
+            event is ProgramEvent.ProgramChosen -> services.publish(ProgramRoomEvent.Chosen)
         }
         if (event is ProgramEvent.BreakpointToggled || event is ProgramEvent.RobotChosen) {
-            services.publish(RoomEvent.DebuggingChanged)
+            services.publish(ProgramRoomEvent.DebuggingChanged)
         }
     }
 
@@ -76,17 +85,17 @@ internal class ProgramRoom(project: Project, private val services: Services, roo
 
     override fun removePrograms(isMeant: (Program) -> Boolean) {
         programs.removePrograms(isMeant)
-        services.publish(RoomEvent.ProgramsWritten(byUser = false))
+        services.publish(ProgramRoomEvent.Written(byUser = false))
     }
 
     override fun replacePrograms(programs: List<Program>) {
         this.programs.replacePrograms(programs)
-        services.publish(RoomEvent.ProgramsWritten(byUser = false))
+        services.publish(ProgramRoomEvent.Written(byUser = false))
     }
 
     override fun showLine(index: Int, line: Int) {
         programs.showLine(index, line)
-        services.publish(RoomEvent.ProgramChosen)
+        services.publish(ProgramRoomEvent.Chosen)
     }
 
     override fun showDiagnostic(diagnostic: Diagnostic) = programs.showDiagnostic(diagnostic)

@@ -5,10 +5,16 @@ import robotran.runcontrol.RecordedRun
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.RunEvent
+import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProgramsToRun
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.RunControls
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.RunPaneState
 
 /** The room in which programs run. Publishes each change of the run. */
@@ -27,39 +33,42 @@ internal class RunRoom(
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened -> run.changeWorld(event.project.worldToRun, event.project.inputs)
-            is RoomEvent.WorldChanged -> run.changeWorld(event.project.worldToRun)
-            is RoomEvent.RunSettingsChanged -> run.changeWorld(event.project.worldToRun)
-            is RoomEvent.ProgramsWritten, RoomEvent.DebuggingChanged -> run.programsChanged()
+            is ProjectRoomEvent.Opened -> run.changeWorld(event.project.worldToRun, event.project.inputs)
+            is ProjectRoomEvent.WorldChanged -> run.changeWorld(event.project.worldToRun)
+            is ProjectRoomEvent.RunSettingsChanged -> run.changeWorld(event.project.worldToRun)
+            is ProgramRoomEvent.Written, ProgramRoomEvent.DebuggingChanged -> run.programsChanged()
 
-            is RoomEvent.ProgramsCompiled -> {
+            is ProgramRoomEvent.Compiled -> {
                 run.programsCompiled(event.status)
                 publishRun()
             }
 
-            is RoomEvent.SnippetRequested -> run.runSnippet(event.snippet)
-            is RoomEvent.SettingsChanged -> run.setSound(event.settings.soundOn)
+            is ProgramRoomEvent.SnippetRequested -> run.runSnippet(event.snippet)
+            is WindowRoomEvent.SettingsChanged -> run.setSound(event.settings.soundOn)
 
-            is RoomEvent.LanguageChanged -> {
+            is WindowRoomEvent.LanguageChanged -> {
                 run.programsCompiled(programs.compileStatus)
                 run.setLanguage(event.language)
             }
 
-            RoomEvent.TaskSolved -> if (!services.preferences.hasLessMotion) run.celebrate()
+            SchoolRoomEvent.TaskSolved -> if (!services.preferences.hasLessMotion) run.celebrate()
 
-            else -> Unit
+            is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, ProjectRoomEvent.AssignmentChanged,
+            ProjectRoomEvent.Touched, ProgramRoomEvent.Chosen, ProgramRoomEvent.CompileBegun,
+            is SchoolRoomEvent.HandInsRequested, WindowRoomEvent.PagesLeft, is RunRoomEvent, is WorldRoomEvent,
+            -> Unit
         }
     }
 
     fun handle(event: RunEvent) {
         val wasRunning = state.running
-        if (event == RunEvent.RunPressed) services.publish(RoomEvent.RunPressed)
+        if (event == RunEvent.RunPressed) services.publish(RunRoomEvent.Pressed)
         run.handle(event)
         val byUser = event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))
-        if (byUser || (!wasRunning && state.running)) services.publish(RoomEvent.RunStarted(byUser))
+        if (byUser || (!wasRunning && state.running)) services.publish(RunRoomEvent.Started(byUser))
         publishRun()
         if (event is RunEvent.ShortfallShown) {
-            event.shortfall.place?.let { services.publish(RoomEvent.PointShown(it)) }
+            event.shortfall.place?.let { services.publish(RunRoomEvent.PointShown(it)) }
         }
     }
 
@@ -80,8 +89,8 @@ internal class RunRoom(
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun compile() {
-        services.publish(RoomEvent.CompileBegun)
-        services.publish(RoomEvent.ProgramsCompiled(programs.compile()))
+        services.publish(ProgramRoomEvent.CompileBegun)
+        services.publish(ProgramRoomEvent.Compiled(programs.compile()))
     }
 
     override fun run() = handle(RunEvent.RunPressed)
@@ -98,5 +107,5 @@ internal class RunRoom(
     /** The result of the run so far. */
     fun report(): RunReport = run.report()
 
-    private fun publishRun() = services.publish(RoomEvent.RunChanged(state.session, state.outcome, run.endedTry))
+    private fun publishRun() = services.publish(RunRoomEvent.Changed(state.session, state.outcome, run.endedTry))
 }

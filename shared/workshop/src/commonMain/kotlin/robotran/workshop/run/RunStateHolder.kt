@@ -24,7 +24,7 @@ import robotran.simulation.startInputs
 import robotran.simulation.state.GoalShortfall
 import robotran.workshop.event.RunEvent
 import robotran.workshop.service.ProgramsToRun
-import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.EndedAttempt
@@ -384,7 +384,7 @@ class RunStateHolder(
     private fun show() {
         watchShownRobot()
         run.update()
-        if (run.keepFiles()) services.publish(RoomEvent.ProjectTouched)
+        if (run.keepFiles()) services.publish(ProjectRoomEvent.Touched)
         val frame = drawer.chosenFrame(player)
         if (!run.isChanged) stopLocation.update(player, run.world.robots[player.watched].name, frame)
         drawer.update(player)

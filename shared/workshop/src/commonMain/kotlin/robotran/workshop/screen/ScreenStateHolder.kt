@@ -4,9 +4,15 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.workshop.event.ScreenEvent
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.RoomEvents
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.Pane
 
 /**
@@ -47,12 +53,17 @@ internal class ScreenStateHolder(
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened -> worldChanged(hasNewTask = true)
-            is RoomEvent.WorldChanged -> worldChanged(event.isAnother || event.hasNewTask)
+            is ProjectRoomEvent.Opened -> worldChanged(hasNewTask = true)
+            is ProjectRoomEvent.WorldChanged -> worldChanged(event.isAnother || event.hasNewTask)
             // So that the whole sheet is visible.
-            is RoomEvent.SnippetRequested -> showTask(false)
-            is RoomEvent.RunStarted -> if (event.byUser) showTask(false)
-            else -> Unit
+            is ProgramRoomEvent.SnippetRequested -> showTask(false)
+            is RunRoomEvent.Started -> if (event.byUser) showTask(false)
+            is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
+            ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, is ProgramRoomEvent.Written,
+            ProgramRoomEvent.Chosen, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,
+            is ProgramRoomEvent.Compiled, RunRoomEvent.Pressed, is RunRoomEvent.Changed, is RunRoomEvent.PointShown,
+            is WorldRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
+            -> Unit
         }
     }
 
@@ -63,7 +74,7 @@ internal class ScreenStateHolder(
 
     override fun hideTask() = showTask(false)
 
-    override fun leavePages() = events.publish(RoomEvent.PagesLeft)
+    override fun leavePages() = events.publish(WindowRoomEvent.PagesLeft)
 
     override fun openSiteSetting() = openSite()
 

@@ -16,6 +16,7 @@ import robotran.workshop.service.Preferences
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.RoomEvents
 import robotran.workshop.service.SerialWriteQueue
+import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.state.PaneSizes
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WindowForm
@@ -45,7 +46,7 @@ class SettingsStateHolder(
     override val hasLessMotion: Boolean get() = state.lessMotion ?: platform.prefersLessMotion
 
     fun on(event: RoomEvent) {
-        if (event == RoomEvent.PagesLeft) show(page = false, atSite = false)
+        if (event == WindowRoomEvent.PagesLeft) show(page = false, atSite = false)
     }
 
     fun handle(event: SettingsEvent) {
@@ -75,8 +76,8 @@ class SettingsStateHolder(
         val before = language
         state = settings
         writes.add { platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
-        events.publish(RoomEvent.SettingsChanged(settings))
-        if (language != before) events.publish(RoomEvent.LanguageChanged(language))
+        events.publish(WindowRoomEvent.SettingsChanged(settings))
+        if (language != before) events.publish(WindowRoomEvent.LanguageChanged(language))
     }
 
     companion object {

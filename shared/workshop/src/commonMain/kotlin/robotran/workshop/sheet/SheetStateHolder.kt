@@ -5,7 +5,13 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.service.Preferences
+import robotran.workshop.service.ProgramRoomEvent
+import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.RunRoomEvent
+import robotran.workshop.service.SchoolRoomEvent
+import robotran.workshop.service.WindowRoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.SpaceCamera
@@ -84,9 +90,12 @@ class SheetStateHolder(private val preferences: Preferences) {
 
     fun on(event: RoomEvent) {
         when (event) {
-            is RoomEvent.ProjectOpened, is RoomEvent.WorldChanged -> view = SheetViewState(shown = state.shown)
-            is RoomEvent.PointShown -> handle(SheetEvent.PlaceRequested(event.point))
-            else -> Unit
+            is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged -> view = SheetViewState(shown = state.shown)
+            is RunRoomEvent.PointShown -> handle(SheetEvent.PlaceRequested(event.point))
+            is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
+            ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, RunRoomEvent.Pressed, is RunRoomEvent.Started,
+            is RunRoomEvent.Changed, is ProgramRoomEvent, is WorldRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
+            -> Unit
         }
     }
 
