@@ -232,7 +232,7 @@ class Workshop(
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun compilePrograms() {
-        run.compile()
+        programs.programs.compile()
         programs.programs.loadHelp()
     }
 
@@ -243,7 +243,7 @@ class Workshop(
     fun advance(milliseconds: Int) = run.advance(milliseconds)
 
     /** The result of the run so far. */
-    fun report(): RunReport = run.report()
+    fun report(): RunReport = run.run.report()
 
     /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {

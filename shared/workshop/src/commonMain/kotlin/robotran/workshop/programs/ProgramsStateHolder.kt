@@ -31,6 +31,7 @@ import robotran.workshop.blocks.firstLength
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProgramsToRun
 import robotran.workshop.service.Services
 import robotran.workshop.service.WrittenPrograms
@@ -50,7 +51,7 @@ import robotran.world.World
  */
 class ProgramsStateHolder(
     project: Project,
-    services: Services,
+    private val services: Services,
     private val roomInFile: () -> Int = { Int.MAX_VALUE },
 ) : ProgramsToRun {
     private val platform = services.platform
@@ -154,8 +155,10 @@ class ProgramsStateHolder(
     }
 
     override fun canStart(slot: Int): Boolean {
-        if (!isCompiled(slot)) requestCompileNow()
-        if (!isCompiled(slot)) return false
+        if (!isCompiled(slot)) {
+            requestCompileNow()
+            return false
+        }
         val withErrors =
             starting(slot).firstOrNull { (robot, itsSlot) -> robot.isNeeded() && !robot.list.canRun(itsSlot) }
                 ?: return true
@@ -285,14 +288,15 @@ class ProgramsStateHolder(
     /** Suspends until there is something to compile and typing pauses. */
     suspend fun awaitCompile() = compileScheduler.awaitCompile()
 
-    override suspend fun compile(): CompileStatus {
+    override suspend fun compile() {
+        services.publish(ProgramRoomEvent.CompileBegun)
         val result = resultOf { compileChanged() }
         lastStatus = result
         editing.programsCompiled(shown)
         // That may have changed a program.
         if (result == CompileStatus.DONE) requestCompile()
         refresh()
-        return result
+        services.publish(ProgramRoomEvent.Compiled(result))
     }
 
     /** Loads what completion and help say about Java for an NXT, if a robot needs that. Without it they offer less. */

@@ -4,6 +4,7 @@ import robotran.language.Language
 import robotran.nxt.storage.HasFlash
 import robotran.nxt.storage.NxtFile
 import robotran.programs.Program
+import robotran.runcontrol.IdleDetector
 import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
@@ -33,6 +34,8 @@ internal class DebuggedRun(
     private val preferences: Preferences,
     private val notices: Notices,
 ) {
+    val idleDetector = IdleDetector()
+    val escape = LoneEscape()
     private val sound = SoundPlayer(speaker)
     private var loaded = programs.written
 
@@ -86,6 +89,8 @@ internal class DebuggedRun(
             it.speed = before.speed
             if (before.watched in world.robots.indices) it.watched = before.watched
         }
+        escape.forget()
+        idleDetector.disturb()
     }
 
     /** Shows the run's messages in [language]. Uses newly compiled programs if they have not changed. */
@@ -178,6 +183,11 @@ internal class DebuggedRun(
     /** Turns the brick's sound on or off. */
     fun setSound(on: Boolean) {
         sound.muted = !on
+    }
+
+    /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
+    fun detectIdle() {
+        if (player.playback !is PlaybackState.Seeking) idleDetector.passed(player.state)
     }
 
     /** Releases the session. No function may be called afterwards. */

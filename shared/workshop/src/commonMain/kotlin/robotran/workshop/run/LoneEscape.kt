@@ -28,6 +28,3 @@ internal class LoneEscape {
         isDown = false
     }
 }
-
-/** What a program that reads the buttons of an NXT contains, in Robolang and in Java. */
-internal val BUTTON_WORDS = listOf("button", "escape")

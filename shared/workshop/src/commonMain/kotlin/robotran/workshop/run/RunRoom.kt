@@ -2,7 +2,6 @@ package robotran.workshop.run
 
 import robotran.projects.Project
 import robotran.runcontrol.RecordedRun
-import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.RunEvent
 import robotran.workshop.service.ProgramRoomEvent
@@ -87,25 +86,16 @@ internal class RunRoom(
         publishRun()
     }
 
-    /** Compiles all programs that have changed, then runs the actions that waited for the result. */
-    suspend fun compile() {
-        services.publish(ProgramRoomEvent.CompileBegun)
-        services.publish(ProgramRoomEvent.Compiled(programs.compile()))
-    }
-
     override fun run() = handle(RunEvent.RunPressed)
 
     override fun startOver() = handle(RunEvent.StartedOver)
 
     override suspend fun playInputs() {
-        compile()
+        programs.compile()
         handle(RunEvent.RecordingPlayed)
     }
 
     override fun recordedRun(): RecordedRun = run.recorded()
-
-    /** The result of the run so far. */
-    fun report(): RunReport = run.report()
 
     private fun publishRun() = services.publish(RunRoomEvent.Changed(state.session, state.outcome, run.endedTry))
 }

@@ -3,14 +3,20 @@ package robotran.workshop.run
 import robotran.brick.program.CallFrame
 import robotran.brick.state.RunState
 import robotran.runcontrol.PlaybackState
-import robotran.runcontrol.RunPlayer
+import robotran.simulation.StopReason
 import robotran.workshop.service.ProgramsToRun
 
 /**
- * Shows the file in which the program of the watched robot has stopped, or that of the selected frame, once per stop
- * and selection. The pupil may then switch to another file.
+ * Keeps together what is watched and which program is shown. The brick, the status and the debugger are those of the
+ * robot whose program is shown; where a program stops, its robot and its file are shown, once per stop and selected
+ * frame. The pupil may then switch to others.
  */
-internal class StopLocation(private val programs: ProgramsToRun) {
+internal class StopLocation(
+    private val run: DebuggedRun,
+    private val programs: ProgramsToRun,
+    private val drawer: DrawerStateHolder,
+) {
+    private var seenStop: StopReason? = null
     private var seen: Pair<Long, RunState>? = null
     private var seenFrame: CallFrame? = null
 
@@ -19,20 +25,39 @@ internal class StopLocation(private val programs: ProgramsToRun) {
         seen = null
     }
 
+    /** Shows the programs of the robot with the index [robot]. */
+    fun choose(robot: Int) {
+        run.world.robots.getOrNull(robot)?.let { programs.showRobot(it.name) }
+    }
+
+    fun watchShownRobot() {
+        val stop = run.player.stop as? StopReason.Breakpoint
+        if (stop != null && stop !== seenStop) choose(stop.robot)
+        seenStop = stop
+        val robot = run.world.robots.indexOfFirst { it.name == programs.shownRobot }
+        if (robot < 0 || robot == run.player.watched) return
+        run.watch(robot)
+        drawer.startNewRun()
+    }
+
     /** @param frame the selected frame; null if none is. */
-    fun update(player: RunPlayer, robot: String, frame: CallFrame?) {
+    fun showFile(frame: CallFrame?) {
+        if (run.isChanged) return
+        val player = run.player
         val brick = player.state.robots[player.watched].brick
-        val run = brick.run
+        val now = brick.run
         val stop = when {
-            run is RunState.Failed -> 0L to run
-            run is RunState.Running && player.playback == PlaybackState.Paused -> player.time to run
+            now is RunState.Failed -> 0L to now
+            now is RunState.Running && player.playback == PlaybackState.Paused -> player.time to now
             else -> null
         }
         if (stop == seen && frame == seenFrame) return
         seen = stop
         seenFrame = frame
-        val file = (run as? RunState.Failed)?.failure?.sourceFile ?: frame?.sourceFile
-            ?: (run as? RunState.Running)?.sourceFile
-        if (stop != null && file != null) programs.showFile(robot, brick.selectedSlot, file)
+        val file = (now as? RunState.Failed)?.failure?.sourceFile ?: frame?.sourceFile
+            ?: (now as? RunState.Running)?.sourceFile
+        if (stop != null && file != null) {
+            programs.showFile(run.world.robots[player.watched].name, brick.selectedSlot, file)
+        }
     }
 }

@@ -41,12 +41,12 @@ interface ProgramsToRun {
 
     /**
      * Whether the program in [slot] of the first robot, and those of the others, can run now. Shows the first error if
-     * there is one. If a program is not compiled yet, starts the compilation.
+     * there is one. If a program is not compiled yet, has it compiled.
      */
     fun canStart(slot: Int): Boolean
 
-    /** Compiles all changed programs. */
-    suspend fun compile(): CompileStatus
+    /** Compiles all changed programs, and publishes that. */
+    suspend fun compile()
 
     /** The breakpoints of the program in [slot] of the robot [robot]. */
     fun breakpoints(robot: String, slot: Int): Set<Breakpoint>
