@@ -1,5 +1,7 @@
 package robotran.programs
 
+import robotran.robolang.syntax.ParsedText
+
 /** Compiles programs in one language for one robot. Not thread-safe. */
 internal interface LanguageCompiler {
     /** Whether it tells by itself, as a mistake, that a program is for another brick. */
@@ -13,6 +15,9 @@ internal interface LanguageCompiler {
 
     /** Compiles [program], after [load]. */
     fun compile(program: Program): ProgramResult
+
+    /** The same for a program of which an editor has [read] the text. */
+    fun compile(program: Program, read: ParsedText): ProgramResult = compile(program)
 
     /** The class files of [program] for leJOS, with the compiler that [java] makes; only for languages of leJOS. */
     suspend fun compileToClasses(program: Program, java: suspend () -> TimedJavaProgramCompiler): CompiledSource =

@@ -8,6 +8,7 @@ import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.ParsedText
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
@@ -92,15 +93,25 @@ class ProgramCompiler private constructor(
      * Compiles any [source], after [prepareFor] has loaded what that needs. Not thread-safe.
      *
      * The fixes of its mistakes are known to help; only those of a slow compiler are not tried out.
+     *
+     * @param read its text in Robolang, if an editor has read it; it is not read again then.
      */
-    fun compileNow(source: ProgramSource): ProgramResult {
+    fun compileNow(source: ProgramSource, read: ParsedText? = null): ProgramResult {
         wrongBrick(source)?.let { return ProgramResult.Failure(listOf(it)) }
-        val result = compileUnverified(source)
+        val result = compileUnverified(source, read)
         return if (source.language?.support?.hasSlowCompiler == true) result else fixes.verified(source, result)
     }
 
-    private fun compileUnverified(source: ProgramSource): ProgramResult = when (source) {
-        is Program -> compilerOf(source.language).compile(source)
+    private fun compileUnverified(source: ProgramSource, read: ParsedText? = null): ProgramResult = when (source) {
+        is Program -> compilerOf(source.language).let {
+            if (read ==
+                null
+            ) {
+                it.compile(source)
+            } else {
+                it.compile(source, read)
+            }
+        }
         is ProgramSource.CompiledClasses -> javaTools.link(source)
         is ProgramSource.FirmwareImage -> source.compile(language)
     }

@@ -4,11 +4,16 @@ import robotran.programs.messages.ProgramMessages
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.syntax.ParsedText
 
 internal class RobolangProgramCompiler(private val settings: CompilerSettings) : LanguageCompiler {
     override val tellsOtherBrick get() = true
 
-    override fun compile(program: Program): ProgramResult = when (val result = robolang(program)) {
+    override fun compile(program: Program): ProgramResult = resultOf(robolang(program))
+
+    override fun compile(program: Program, read: ParsedText): ProgramResult = resultOf(robolang(program, read))
+
+    private fun resultOf(result: RobolangResult): ProgramResult = when (result) {
         is RobolangResult.Success -> ProgramResult.Success(result.program, result.warnings)
         is RobolangResult.Failure -> ProgramResult.Failure(result.diagnostics)
     }
@@ -24,6 +29,6 @@ internal class RobolangProgramCompiler(private val settings: CompilerSettings) :
         is RobolangResult.Failure -> CompiledSource.Failure(result.diagnostics)
     }
 
-    private fun robolang(program: Program) =
-        compileRobolang(program.name, program.text, settings.target, RobolangMessages.of(settings.language))
+    private fun robolang(program: Program, read: ParsedText? = null) =
+        compileRobolang(program.name, program.text, settings.target, RobolangMessages.of(settings.language), read)
 }

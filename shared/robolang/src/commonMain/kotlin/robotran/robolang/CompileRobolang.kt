@@ -6,10 +6,9 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.syntax.Parser
+import robotran.robolang.syntax.ParsedText
 import robotran.robolang.syntax.RobolangLimits
-import robotran.robolang.syntax.brickIn
-import robotran.robolang.syntax.scan
+import robotran.robolang.syntax.parse
 
 /**
  * Compiles a Robolang program: scans, parses and checks it, in time linear in its length. Never throws for any
@@ -19,10 +18,17 @@ import robotran.robolang.syntax.scan
  * @param source the text of the program, with any line ends, with or without a byte order mark.
  * @param robot the robot that it will run on. A program whose header names another brick has a mistake.
  * @param messages the diagnostics in the pupil's language.
+ * @param known a text that was read before; if it is [source], it is not read again.
  */
-fun compileRobolang(name: String, source: String, robot: RobotTarget, messages: RobolangMessages): RobolangResult {
-    val diagnostics = DiagnosticSink(messages, name)
+fun compileRobolang(
+    name: String,
+    source: String,
+    robot: RobotTarget,
+    messages: RobolangMessages,
+    known: ParsedText? = null,
+): RobolangResult {
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) {
+        val diagnostics = DiagnosticSink(messages, name)
         val start = SourceRange(line = 1, column = 1, endColumn = 1)
         diagnostics.report(
             DiagnosticCode.SOURCE_TOO_LONG,
@@ -32,10 +38,9 @@ fun compileRobolang(name: String, source: String, robot: RobotTarget, messages: 
         )
         return RobolangResult.Failure(diagnostics.errorsInSourceOrder())
     }
-    val lines = scan(source, diagnostics)
-    diagnostics.brick = brickIn(lines) ?: robot.kind
-    val parsed = Parser(lines, diagnostics).program()
-    val checked = Checker(robot, diagnostics).check(parsed)
+    val parsed = known?.takeIf { it.isOf(source, robot.kind, messages) } ?: parse(source, robot.kind, messages)
+    val diagnostics = parsed.diagnostics(name)
+    val checked = Checker(robot, diagnostics).check(parsed.program)
     return if (diagnostics.isEmpty) {
         RobolangResult.Success(RobolangProgram.of(name, checked, robot, messages), diagnostics.warningsInSourceOrder())
     } else {

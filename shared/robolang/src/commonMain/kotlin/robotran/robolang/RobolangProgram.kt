@@ -17,6 +17,7 @@ import robotran.robolang.run.RobolangRun
 import robotran.robolang.run.RobotDevice
 import robotran.robolang.run.lower
 import robotran.robolang.syntax.Facing
+import robotran.robolang.syntax.ParsedText
 
 /**
  * A valid Robolang program, made by [compileRobolang], ready to be loaded into the brick of the robot that it was
@@ -38,6 +39,9 @@ sealed class RobolangProgram(
             Facing.FORWARD -> LightSensorFacing.FORWARD
             null -> null
         }
+
+    /** Whether this was made of [text] as it was read by somebody else, and not read again. */
+    fun isMadeOf(text: ParsedText): Boolean = text.program.tree === checked.tree
 
     internal fun run(device: RobotDevice, durations: Durations): DebuggableRun =
         RobolangRun(code, device, durations, messages)

@@ -27,6 +27,15 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
     /** Keywords, in lower case, that the program declares as names, each with the lines of these declarations. */
     val takenWords = mutableMapOf<String, MutableSet<Int>>()
 
+    /** Another one for the source [file], with what was reported so far. */
+    fun copied(file: String): DiagnosticSink = DiagnosticSink(messages, file).also { copy ->
+        copy.brick = brick
+        copy.declaredNames = declaredNames
+        copy.diagnostics += diagnostics.map { it.copy(file = file) }
+        copy.errorLines += errorLines
+        copy.warnedLines += warnedLines
+    }
+
     val isEmpty: Boolean get() = errorLines.isEmpty()
 
     /** The lines with an error so far. */

@@ -8,10 +8,8 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.ParsedProgram
-import robotran.robolang.syntax.Parser
 import robotran.robolang.syntax.RobolangLimits
-import robotran.robolang.syntax.brickIn
-import robotran.robolang.syntax.scan
+import robotran.robolang.syntax.parse
 import robotran.robolang.words.LineForm
 
 /**
@@ -21,14 +19,12 @@ import robotran.robolang.words.LineForm
  * @param messages the mistakes in the pupil's language.
  */
 fun outlineRobolang(source: String, messages: RobolangMessages): ProgramOutline {
-    val diagnostics = DiagnosticSink(messages)
-    if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, diagnostics)
-    val lines = scan(source, diagnostics)
-    diagnostics.brick = brickIn(lines) ?: BrickKind.default
-    val parsed = Parser(lines, diagnostics).program()
-    val offsets = LineOffsets(source, parsed.lines)
-    return ProgramOutline(source, linesOf(parsed, offsets, diagnostics)) {
-        declaredNames(it, parsed, offsets, diagnostics)
+    if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, DiagnosticSink(messages))
+    val parsed = parse(source, BrickKind.default, messages)
+    val program = parsed.program
+    val offsets = LineOffsets(source, program.lines)
+    return ProgramOutline(source, linesOf(program, offsets, parsed.diagnostics()), parsed) {
+        declaredNames(it, program, offsets, parsed.diagnostics())
     }
 }
 
@@ -46,7 +42,7 @@ private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline
         comment = null,
         diagnostics.errorsInSourceOrder().single(),
     )
-    return ProgramOutline(source, listOf(line)) { emptyList() }
+    return ProgramOutline(source, listOf(line), parsed = null) { emptyList() }
 }
 
 private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: DiagnosticSink): List<OutlineLine> {

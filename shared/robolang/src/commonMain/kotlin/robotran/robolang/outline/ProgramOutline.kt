@@ -1,6 +1,7 @@
 package robotran.robolang.outline
 
 import robotran.language.source.SourceSpan
+import robotran.robolang.syntax.ParsedText
 import robotran.robolang.words.ValueKind
 
 /**
@@ -9,10 +10,12 @@ import robotran.robolang.words.ValueKind
  *
  * @property lines all lines; a text that ends in a line break has an empty last one. Their offsets have neither gaps nor
  * overlaps, except that a byte order mark stands before the first line.
+ * @property parsed what the compiler needs of it; null for a text that is too long.
  */
 class ProgramOutline internal constructor(
     val source: String,
     val lines: List<OutlineLine>,
+    val parsed: ParsedText?,
     findNames: (ProgramOutline) -> List<DeclaredName>,
 ) {
     /** The names that the program declares, with all their uses, in source order. */

@@ -23,7 +23,6 @@ import robotran.robolang.words.BlockGroup
  * @property anchor the selected block from which more are selected; null for the first one.
  * @property isChoosing whether a touch on a block selects all up to it.
  * @property sheet what covers the lower part of the blocks; null for nothing.
- * @property drag what a finger carries; null if nothing.
  * @property said what the last edit has done, in words for a screen reader; null if nothing.
  * @property error why the last edit was impossible, until the next one or until the pupil closes the message.
  */
@@ -38,7 +37,6 @@ data class BlocksState(
     val isChoosing: Boolean = false,
     val sheet: BlockDialog? = null,
     val palette: BlockPalette = BlockPalette(),
-    val drag: BlockDrag? = null,
     val said: String? = null,
     val error: BlockEditError? = null,
 ) {
@@ -84,15 +82,7 @@ sealed interface BlockDialog {
 @Immutable
 data class BlockPalette(val group: BlockGroup = BlockGroup.DRIVE, val query: String = "")
 
-/**
- * What a finger or a mouse carries.
- *
- * @property target where it goes if it is let go; null if nowhere.
- */
-@Immutable
-data class BlockDrag(val load: DragPayload, val target: BlockTarget? = null)
-
-/** Blocks that are carried, or run at once. */
+/** What a finger or a mouse carries, or what runs at once. */
 sealed interface DragPayload {
     data class Blocks(val run: BlockRun) : DragPayload
 

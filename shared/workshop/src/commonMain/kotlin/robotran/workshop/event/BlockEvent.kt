@@ -7,9 +7,9 @@ import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.blocks.BlockDialog
-import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockPalette
 import robotran.workshop.blocks.BlockStep
+import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.DragPayload
 
 /** A user action on the blocks of the current program. Ignored while it is shown as text only, except [ViewChosen]. */
@@ -59,14 +59,8 @@ sealed interface BlockEvent : ProgramEvent {
 
     data class PaletteGroupSelected(val palette: BlockPalette) : BlockEvent
 
-    /** What is carried, and where it would land now. */
-    data class Dragged(val drag: BlockDrag) : BlockEvent
-
-    /** Lets go of what is carried; it lands where [Dragged] said last. */
-    data object Dropped : BlockEvent
-
-    /** Stops carrying; everything stays as it was. */
-    data object DragCancelled : BlockEvent
+    /** Lets go of [load], which was carried, at [target]. */
+    data class Dropped(val load: DragPayload, val target: BlockTarget) : BlockEvent
 
     data object ErrorDismissed : BlockEvent
 }

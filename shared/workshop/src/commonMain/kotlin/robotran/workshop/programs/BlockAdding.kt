@@ -36,16 +36,13 @@ internal fun FileEditorState.pasted(now: BlocksState, text: String): FileEditorS
     }
 }
 
-/** Lets go of what is carried. If it goes nowhere, all stays as it was. */
-internal fun FileEditorState.dropped(now: BlocksState): FileEditorState {
-    val drag = now.drag ?: return this
-    return when (val target = drag.target) {
-        is BlockTarget.Between -> droppedBetween(now, drag.load, target.place)
-        is BlockTarget.Socket -> droppedInto(now, drag.load, target.span)
-        BlockTarget.Bin -> droppedIntoBin(now, drag.load)
-        null -> null
-    } ?: copy(blocks = now.copy(drag = null))
-}
+/** Lets go of [load] at [target]. If it cannot go there, all stays as it was. */
+internal fun FileEditorState.dropped(now: BlocksState, load: DragPayload, target: BlockTarget): FileEditorState =
+    when (target) {
+        is BlockTarget.Between -> droppedBetween(now, load, target.place)
+        is BlockTarget.Socket -> droppedInto(now, load, target.span)
+        BlockTarget.Bin -> droppedIntoBin(now, load)
+    } ?: this
 
 private fun FileEditorState.droppedBetween(now: BlocksState, load: DragPayload, place: BlockPlace) = when (load) {
     is DragPayload.Blocks -> edited(now, BlockEdit.Move(load.run, place))
@@ -60,14 +57,8 @@ private fun FileEditorState.droppedInto(now: BlocksState, load: DragPayload, spa
 }
 
 private fun FileEditorState.droppedIntoBin(now: BlocksState, load: DragPayload) = when (load) {
-    is DragPayload.Blocks -> edited(
-        now,
-        BlockEdit.Delete(
-            now.program.blocksIn(load.run).mapTo(mutableSetOf()) {
-                it.id
-            },
-        ),
-    )
+    is DragPayload.Blocks ->
+        edited(now, BlockEdit.Delete(now.program.blocksIn(load.run).mapTo(mutableSetOf()) { it.id }))
     is DragPayload.New -> null
     is DragPayload.Value -> valueEdited(now, BlockEdit.ClearValue(load.span))
 }
@@ -91,8 +82,7 @@ private fun FileEditorState.valueEdited(now: BlocksState, edit: BlockEdit): File
 /** Inserts lines at [place], or outside of all blocks if they may only stand there. */
 private fun FileEditorState.inserted(now: BlocksState, text: String, place: BlockPlace): FileEditorState {
     val isOutermost = blocksOf(text, messages = RobolangMessages.of(Language.ENGLISH)).blocks.any {
-        it.head.form?.isOutermost ==
-            true
+        it.head.form?.isOutermost == true
     }
     return edited(now, BlockEdit.Insert(text, if (isOutermost) now.program.outside(place) else place))
 }

@@ -44,7 +44,6 @@ internal fun FileEditorState.withBlocksRead(language: Language): FileEditorState
         anchor = null,
         isChoosing = false,
         sheet = known.sheet?.takeIf { it == BlockDialog.Palette },
-        drag = null,
         said = null,
         error = null,
     )
@@ -107,9 +106,7 @@ internal fun FileEditorState.after(event: BlockEvent): FileEditorState {
         is BlockEvent.DialogShown -> showing(now, event.sheet)
         is BlockEvent.SnippetRequested -> copy(blocks = now.copy(error = null))
         is BlockEvent.PaletteGroupSelected -> copy(blocks = now.copy(palette = event.palette))
-        is BlockEvent.Dragged -> copy(blocks = now.copy(drag = event.drag))
-        BlockEvent.Dropped -> dropped(now)
-        BlockEvent.DragCancelled -> copy(blocks = now.copy(drag = null))
+        is BlockEvent.Dropped -> dropped(now, event.load, event.target)
         BlockEvent.ErrorDismissed -> copy(blocks = now.copy(error = null))
     }
 }
@@ -154,7 +151,7 @@ private fun FileEditorState.moved(now: BlocksState, place: BlockPlace?): FileEdi
 
 internal fun FileEditorState.edited(now: BlocksState, edit: BlockEdit): FileEditorState =
     when (val result = apply(now.program, edit)) {
-        is BlockEditResult.Failure -> copy(blocks = now.copy(drag = null, error = result.reason))
+        is BlockEditResult.Failure -> copy(blocks = now.copy(error = result.reason))
 
         is BlockEditResult.Success -> {
             val said = describe(now.program, edit, result, BlockMessages.of(now.language))
@@ -186,7 +183,6 @@ private fun FileEditorState.madeOf(
         anchor = null,
         isChoosing = now.isChoosing,
         sheet = sheet,
-        drag = null,
         error = null,
     )
     if (program.text == draft.text) return copy(blocks = after)

@@ -9,6 +9,7 @@ import robotran.programs.ProgramResult
 import robotran.programs.ProgramTranslation
 import robotran.programs.translated
 import robotran.projects.ProgramView
+import robotran.robolang.syntax.ParsedText
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.text.TextDocument
@@ -54,6 +55,9 @@ internal class ProgramBuffer private constructor(
 
     /** Whether the translations belong to the current program. */
     val isTranslated: Boolean get() = runnable != null
+
+    /** Its text as the blocks have read it; null if they have not. */
+    val parsed: ParsedText? get() = editorStates.first().blocks?.program?.outline?.parsed
 
     private val runnable get() = (result as? ProgramResult.Success)?.program
 

@@ -111,9 +111,8 @@ internal class ProgramEditing(
         remember(robot, after)
     }
 
-    private fun remember(robot: RobotPrograms, editorState: FileEditorState) {
-        robot.list.change(robot.shownProgram, robot.entry.with(robot.shownFile, editorState))
-    }
+    private fun remember(robot: RobotPrograms, editorState: FileEditorState) =
+        robot.change(editorState, preferences.language)
 
     private fun rememberUndo(robot: RobotPrograms, editorState: FileEditorState, isRedo: Boolean) {
         val read = editorState.withBlocksRead(preferences.language)

@@ -86,7 +86,7 @@ internal class ProgramList(
         val program = entry.program
         val isShort =
             !program.language.support.hasSlowCompiler && program.characters <= MAX_COMPILED_AT_ONCE
-        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program)) else entry
+        return if (entry.result == null && isShort) entry.read(compiler.compileNow(program, entry.parsed)) else entry
     }
 
     private companion object {

@@ -362,7 +362,7 @@ class ProgramsStateHolder(
         if (robot.entry.diagnostics.isEmpty()) null else otherBrick.find(robot.entry.program, robot.brick)
 
     private fun refresh() {
-        shown.readBlocks(preferences.language)
+        shown.change(shown.editorState, preferences.language)
         state = stateNow()
     }
 

@@ -62,11 +62,14 @@ internal class RobotPrograms(
             is ClosedFile.OfProgram -> list.entries[closed.slot].program.files.none { it.name == closed.name }
         }
 
-    /** Reads the blocks of the shown file anew if it is shown in blocks and its text has changed. */
-    fun readBlocks(language: Language) {
-        if (!entry.program.language.support.hasBlocks) return
-        val read = editorState.withBlocksRead(language)
-        if (read !== editorState) list.change(shownProgram, entry.with(shownFile, read))
+    /**
+     * Puts [editorState] in the place of that of the shown file; its blocks are read anew if it is shown in blocks and its
+     * text has changed. The compiler, which comes next, gets what they have read.
+     */
+    fun change(editorState: FileEditorState, language: Language) {
+        val hasBlocks = entry.program.language.support.hasBlocks
+        val read = if (hasBlocks) editorState.withBlocksRead(language) else editorState
+        if (read !== this.editorState) list.change(shownProgram, entry.with(shownFile, read))
     }
 
     /** Whether the pupil has changed nothing, so that it has the world's program. */

@@ -118,19 +118,14 @@ class BlockEditingTest {
     fun `a block that is carried lands where it was last`() = onBlocks("beep\nrepeat 4 times\nend\n") {
         val load = DragPayload.Blocks(state.runOf(block("beep")))
         val inside = checkNotNull(state.program.endOf(block("repeat 4 times")))
-        send(BlockEvent.Dragged(BlockDrag(load, BlockTarget.Between(inside))))
-        assertEquals("beep\nrepeat 4 times\nend\n", text)
-        send(BlockEvent.Dropped)
+        drag(load, BlockTarget.Between(inside))
         assertEquals("repeat 4 times\n  beep\nend\n", text)
-        assertNull(state.drag)
     }
 
     @Test
-    fun `a block that lands nowhere stays where it was`() = onBlocks("beep\nbuzz\n") {
-        send(BlockEvent.Dragged(BlockDrag(DragPayload.Blocks(state.runOf(block("beep"))), null)))
-        send(BlockEvent.Dropped)
-        assertEquals("beep\nbuzz\n", text)
-        assertNull(state.drag)
+    fun `a block that lands where only values go stays where it was`() = onBlocks("beep\nforward 20\n") {
+        drag(DragPayload.Blocks(state.runOf(block("beep"))), BlockTarget.Socket(span("forward 20", "20")))
+        assertEquals("beep\nforward 20\n", text)
     }
 
     @Test

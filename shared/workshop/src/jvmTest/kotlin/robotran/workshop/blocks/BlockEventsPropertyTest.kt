@@ -55,21 +55,21 @@ class BlockEventsPropertyTest {
             5 -> BlockEvent.Edited(BlockEdit.Delete(state.selected.toSet()))
             6 -> row?.let { BlockEvent.Folded(it.block.id) } ?: BlockEvent.ErrorDismissed
             7 -> BlockEvent.Stepped(BlockStep.entries[random % BlockStep.entries.size])
-            8 -> row?.let { BlockEvent.SelectedTo(it.block.id) } ?: BlockEvent.DragCancelled
+            8 -> row?.let { BlockEvent.SelectedTo(it.block.id) } ?: BlockEvent.ErrorDismissed
             9 -> dragTo(row)
             10 -> dragValue(random)
             11 -> dragIntoBin(row)
             12 -> BlockEvent.Nested(isOut = random % 2 == 0)
             13 -> BlockEvent.Pasted(PASTED[random % PASTED.size])
             14 -> row?.let { BlockEvent.StackSelected(it.block.id) } ?: BlockEvent.MultiSelectChanged(random % 2 == 0)
-            else -> BlockEvent.Dropped
+            else -> BlockEvent.DialogShown(null)
         }
     }
 
     /** Carries a value of the program, or of the palette, over one of the values. */
     private fun OnBlocks.dragValue(random: Int): BlockEvent {
         val values = state.program.outline.lines.flatMap { it.editableParts }.filterIsInstance<PhrasePart.Value>()
-        if (values.isEmpty()) return BlockEvent.DragCancelled
+        if (values.isEmpty()) return BlockEvent.ErrorDismissed
         val to = BlockTarget.Socket(values[random % values.size].span)
         val fresh = Palette.blocks.filter { it.isValue }
         val load = if (random % 3 == 0) {
@@ -77,19 +77,18 @@ class BlockEventsPropertyTest {
         } else {
             DragPayload.Value(values[random / 7 % values.size].span)
         }
-        return BlockEvent.Dragged(BlockDrag(load, if (random % 5 == 0) BlockTarget.Bin else to))
+        return BlockEvent.Dropped(load, if (random % 5 == 0) BlockTarget.Bin else to)
     }
 
     private fun OnBlocks.dragIntoBin(row: BlockRow?): BlockEvent {
-        val run = row?.let { state.runOf(it.block.id) } ?: return BlockEvent.DragCancelled
-        return BlockEvent.Dragged(BlockDrag(DragPayload.Blocks(run), BlockTarget.Bin))
+        val run = row?.let { state.runOf(it.block.id) } ?: return BlockEvent.ErrorDismissed
+        return BlockEvent.Dropped(DragPayload.Blocks(run), BlockTarget.Bin)
     }
 
     private fun OnBlocks.dragTo(row: BlockRow?): BlockEvent {
-        val run = state.run ?: return BlockEvent.DragCancelled
-        return BlockEvent.Dragged(
-            BlockDrag(DragPayload.Blocks(run), row?.placeBelow(state.program)?.let(BlockTarget::Between)),
-        )
+        val run = state.run ?: return BlockEvent.ErrorDismissed
+        val place = row?.placeBelow(state.program) ?: return BlockEvent.ErrorDismissed
+        return BlockEvent.Dropped(DragPayload.Blocks(run), BlockTarget.Between(place))
     }
 
     private companion object {

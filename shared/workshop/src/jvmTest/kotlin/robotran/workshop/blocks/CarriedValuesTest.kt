@@ -27,7 +27,6 @@ class CarriedValuesTest {
             drag(load, BlockTarget.Socket(span("forward 20", "20")))
             assertEquals("if left bumper\nend\nforward 20\n", text)
             assertEquals(BlockEditError.NumberNeeded, state.error)
-            assertNull(state.drag)
         }
 
     @Test

@@ -63,10 +63,7 @@ internal class OnBlocks(val workshop: Workshop) {
     }
 
     /** Carries [load] to [target] and lets go. */
-    fun drag(load: DragPayload, target: BlockTarget?) {
-        send(BlockEvent.Dragged(BlockDrag(load, target)))
-        send(BlockEvent.Dropped)
-    }
+    fun drag(load: DragPayload, target: BlockTarget) = send(BlockEvent.Dropped(load, target))
 
     /** Opens the sheet of the part [words] of the row [line]. */
     fun open(line: String, words: String) {

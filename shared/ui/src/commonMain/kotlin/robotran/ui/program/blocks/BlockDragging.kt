@@ -14,7 +14,6 @@ import robotran.blockediting.palette.PaletteBlock
 import robotran.language.source.SourceSpan
 import robotran.robolang.words.ValueForm
 import robotran.uikit.*
-import robotran.workshop.blocks.BlockDrag
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.BlockTarget
 import robotran.workshop.blocks.BlocksState
@@ -52,9 +51,10 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     /** The place of the bin; null if there is none. */
     var bin: Rect? = null
 
-    /** Whether something is carried. Composition reads this and not [finger], which changes in each frame. */
-    var isCarrying by mutableStateOf(false)
+    /** What is carried; null if nothing. Composition reads this and not [finger], which changes in each frame. */
+    var load: DragPayload? by mutableStateOf(null)
         private set
+    val isCarrying: Boolean get() = load != null
 
     /** Where the finger is; null while nothing is carried. */
     var finger: Offset? by mutableStateOf(null)
@@ -67,13 +67,11 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
         private set
 
     /** Whether a block of the palette is carried. */
-    var isNew by mutableStateOf(false)
-        private set
+    val isNew: Boolean get() = load is DragPayload.New
 
     /** The value that is carried; null if none is. */
     var value: CarriedValue? by mutableStateOf(null)
         private set
-    private var load: DragPayload? = null
 
     override fun isGrip(position: Offset): Boolean = with(density) {
         val row = rowAt(position) as? BlockRow.First ?: return false
@@ -100,15 +98,12 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
 
     /** Takes up a new [block] of the palette. */
     fun takeNew(block: PaletteBlock, position: Offset) {
-        isNew = true
         take(DragPayload.New(block), if (block.isValue) CarriedValue(block) else null, position)
     }
 
     private fun take(load: DragPayload, value: CarriedValue?, position: Offset) {
         this.load = load
         this.value = value
-        isCarrying = true
-        onEvent(BlockEvent.Dragged(BlockDrag(load)))
         moveTo(position)
     }
 
@@ -133,23 +128,18 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
 
     override fun drop() {
         val carried = load ?: return
-        // The program hears of the target only now, since it would show all blocks anew for each one on the way.
-        onEvent(BlockEvent.Dragged(BlockDrag(carried, target)))
-        end(BlockEvent.Dropped)
+        val place = target
+        cancel()
+        // The program hears of this only now, since it would show all blocks anew for each place on the way.
+        if (place != null) onEvent(BlockEvent.Dropped(carried, place))
     }
 
-    override fun cancel() = end(BlockEvent.DragCancelled)
-
-    private fun end(event: BlockEvent) {
-        if (load == null) return
+    override fun cancel() {
         load = null
         value = null
-        isNew = false
-        isCarrying = false
         finger = null
         landing = null
         target = null
-        onEvent(event)
     }
 
     /** How many pixels the list scrolls in this frame, because the finger is near its upper or lower edge. */

@@ -66,7 +66,7 @@ internal fun BlockListView(
     dragging.density = LocalDensity.current
     dragging.onEvent = scope.onEvent
     dragging.isRightToLeft = LocalLayoutDirection.current == LayoutDirection.Rtl
-    val carried = remember(scope.state.drag?.load, scope.state.program) { carriedBlocks(scope) }
+    val carried = remember(dragging.load, scope.state.program) { carriedBlocks(dragging.load, scope) }
     val shadow = LocalRobotranColours.current.focus
     val isCarrying by remember(dragging) { derivedStateOf { dragging.finger != null } }
     LaunchedEffect(isCarrying) {
@@ -115,8 +115,8 @@ internal fun BlockListView(
 }
 
 /** The blocks that a finger carries, with those inside. */
-private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
-    val run = (scope.state.drag?.load as? DragPayload.Blocks)?.run ?: return emptySet()
+private fun carriedBlocks(load: DragPayload?, scope: BlockScope): Set<BlockId> {
+    val run = (load as? DragPayload.Blocks)?.run ?: return emptySet()
     val outer = scope.state.program.blocksIn(run)
     val lines = outer.firstOrNull()?.let { it.lines.first..outer.last().lines.last } ?: return emptySet()
     return scope.state.program.all.filter { it.head.index in lines }.mapTo(mutableSetOf()) { it.id }
@@ -125,7 +125,7 @@ private fun carriedBlocks(scope: BlockScope): Set<BlockId> {
 /** The words of what is carried, under the finger. */
 @Composable
 private fun Carried(scope: BlockScope, dragging: BlockDragging) {
-    val (words, look) = when (val load = scope.state.drag?.load) {
+    val (words, look) = when (val load = dragging.load) {
         null -> return
 
         is DragPayload.Blocks -> {
