@@ -15,6 +15,23 @@ import robotran.projects.writeProject
 class ProjectRepository(private val store: KeyValueStore) {
     private val newest = mutableMapOf<String, Place>()
 
+    /** The copies that were read since the walk through the projects began; null if none goes on. */
+    private var known: MutableMap<String, List<Pair<String, SavedProjectCopy?>>>? = null
+
+    /**
+     * Reads each project at most once during [walk]. What other windows save meanwhile is seen only of projects that this
+     * one claims then.
+     */
+    suspend fun <T> readingOnce(walk: suspend () -> T): T {
+        if (known != null) return walk()
+        known = mutableMapOf()
+        return try {
+            walk()
+        } finally {
+            known = null
+        }
+    }
+
     /** All readable projects, newest first. */
     suspend fun projects(): List<ProjectSummary> = ids().mapNotNull {
         copies(it).newestWhole()?.second?.entry
@@ -58,7 +75,9 @@ class ProjectRepository(private val store: KeyValueStore) {
         val last = newest[work.id]
         val place = if (last?.copy == COPIES.first()) COPIES.last() else COPIES.first()
         val order = (last?.order ?: 0) + 1
-        return when (val result = store.write(nameOf(work.id, place), SavedProjectText.write(work, order, project))) {
+        val result = store.write(nameOf(work.id, place), SavedProjectText.write(work, order, project))
+        known?.remove(work.id)
+        return when (result) {
             StoreResult.Done -> SaveResult.Saved.also { newest[work.id] = Place(place, order) }
             StoreResult.Full -> SaveResult.Full
             StoreResult.NoAnswer -> SaveResult.NoAnswer
@@ -73,11 +92,12 @@ class ProjectRepository(private val store: KeyValueStore) {
         val last = copies(id).newestWhole()?.first ?: COPIES.first()
         val results = (COPIES - last + last).map { store.remove(nameOf(id, it)) }
         newest.remove(id)
+        known?.remove(id)
         return results.firstOrNull { it != StoreResult.Done } ?: StoreResult.Done
     }
 
     /** Locks the project [id] for this window; null if another window holds the lock. */
-    suspend fun claim(id: String): ProjectLock? = store.claim("$PREFIX$id")
+    suspend fun claim(id: String): ProjectLock? = store.claim("$PREFIX$id").also { known?.remove(id) }
 
     /** The ids of all projects, readable or not. */
     suspend fun ids(): List<String> =
@@ -85,9 +105,10 @@ class ProjectRepository(private val store: KeyValueStore) {
             .map { it.removePrefix(PREFIX).substringBeforeLast('.') }.distinct()
 
     /** The copies of the project [id], with null for a damaged one. */
-    private suspend fun copies(id: String): List<Pair<String, SavedProjectCopy?>> = COPIES.mapNotNull { copy ->
-        store.read(nameOf(id, copy))?.let { copy to SavedProjectText.open(id, it) }
-    }
+    private suspend fun copies(id: String): List<Pair<String, SavedProjectCopy?>> =
+        known?.get(id) ?: COPIES.mapNotNull { copy ->
+            store.read(nameOf(id, copy))?.let { copy to SavedProjectText.open(id, it) }
+        }.also { known?.set(id, it) }
 
     private fun List<Pair<String, SavedProjectCopy?>>.newestWhole(): Pair<String, SavedProjectCopy.Whole>? =
         mapNotNull { (place, copy) ->

@@ -59,17 +59,16 @@ internal class WorldEditors(private val services: Services, private val isLocked
         else -> true
     }
 
-    fun handle(event: WorldEditEvent): Unit = edit { perform(event) }
-
-    fun handle(event: RobotEditEvent): Unit = edit {
-        if (event is RobotEditEvent.BenchOpened) notices.dismissIf { it.action is NoticeAction.BuildOn }
-        robotEdit.handle(event)
+    fun handle(event: WorldEditEvent) {
+        val before = services.current.world
+        perform(event)
+        if (services.current.world != before) services.publish(WorldRoomEvent.Edited)
     }
 
-    private fun edit(change: () -> Unit) {
-        val before = services.current.world
-        change()
-        if (services.current.world != before) services.publish(WorldRoomEvent.Edited)
+    /** What the workbench changes in the world comes back as a [WorldEditEvent]. */
+    fun handle(event: RobotEditEvent) {
+        if (event is RobotEditEvent.BenchOpened) notices.dismissIf { it.action is NoticeAction.BuildOn }
+        robotEdit.handle(event)
     }
 
     private fun perform(event: WorldEditEvent) {

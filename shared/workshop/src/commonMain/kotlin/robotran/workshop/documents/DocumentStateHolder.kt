@@ -102,7 +102,7 @@ class DocumentStateHolder(
     }
 
     /** Restores the last project, unless files were passed to this window. */
-    suspend fun start() {
+    suspend fun start() = autosaver.repository.readingOnce {
         val arrival = platform.openRequests.takeNow()
         val back = restoration.take(hasIncomingFiles = arrival != null)
         if (back == null) autosaver.startNew(autosaver.unusedName()) else restore(back)
@@ -181,8 +181,8 @@ class DocumentStateHolder(
     /** Releases the claims of this window when it closes. */
     fun release() = autosaver.release()
 
-    private suspend fun receive(arrival: OpenRequest) {
-        if (isHandledElsewhere(arrival)) return
+    private suspend fun receive(arrival: OpenRequest): Unit = autosaver.repository.readingOnce {
+        if (isHandledElsewhere(arrival)) return@readingOnce
         when (arrival) {
             is OpenRequest.OfFiles -> arrival.files.filterNot { it.isUnread }.ifEmpty { null }?.let { opener.open(it) }
             is OpenRequest.OfLink -> opener.openLink(arrival.link)
@@ -280,7 +280,7 @@ class DocumentStateHolder(
         return result
     }
 
-    override suspend fun worksAt(ids: Set<String>): Map<String, String> {
+    override suspend fun worksAt(ids: Set<String>): Map<String, String> = autosaver.repository.readingOnce {
         saveNow()
         val found = mutableMapOf<String, String>()
         for (summary in autosaver.repository.projects()) {
@@ -289,15 +289,15 @@ class DocumentStateHolder(
             }?.assignment?.id
             if (id != null && id in ids) found.getOrPut(id) { summary.id }
         }
-        return found
+        found
     }
 
     override suspend fun storedProject(id: String): Project? =
         if (id == autosaver.openId) current.project else savedProject(id)
 
-    override suspend fun assignmentsToAdd(): List<WorkToAdd> {
+    override suspend fun assignmentsToAdd(): List<WorkToAdd> = autosaver.repository.readingOnce {
         saveNow()
-        return autosaver.repository.projects().mapNotNull { summary ->
+        autosaver.repository.projects().mapNotNull { summary ->
             savedProject(summary.id)?.takeIf { it.assignment != null && it.handIn == null }
                 ?.let { WorkToAdd(summary.id, summary.name, it.world.title) }
         }
@@ -366,8 +366,10 @@ class DocumentStateHolder(
     private fun launch(work: suspend () -> Unit) {
         scope.launch {
             val before = autosaver.openId
-            work()
-            if (platform.showsRecentFiles && autosaver.openId != before) view.findRecentFiles()
+            autosaver.repository.readingOnce {
+                work()
+                if (platform.showsRecentFiles && autosaver.openId != before) view.findRecentFiles()
+            }
             projectMayHaveChanged()
         }
     }

@@ -15,6 +15,9 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.platform.OpenedFile
+import robotran.workshop.service.ProjectRoomEvent
+import robotran.workshop.service.RoomEvent
+import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.Notice
 import robotran.workshop.state.RobotEditState
 import robotran.workshop.state.WorkshopStatus
@@ -70,6 +73,27 @@ class RobotEditTest {
         assertNull(workshop.state.robotEdit)
         assertNull(workshop.state.worldEdit)
         assertEquals(ReadyRobots.SUMO, workshop.state.world.robots.first().description)
+    }
+
+    @Test
+    fun `a part that is dragged is one step, the world is saved once, and others hear of it once`() {
+        open()
+        val steps = bench.editing.history
+        val heard = mutableListOf<RoomEvent>()
+        workshop.services.events.subscribe { heard += it }
+        val part = RobotHandle.Body(RobotElement.Part(0))
+        make(RobotEdit.StartDrag(part, Point(8.0, 0.0)))
+        repeat(5) { make(RobotEdit.DragTo(Point(8.0 + it, 1.0))) }
+        assertEquals(6, heard.size, "a move is one event")
+        assertEquals(setOf<RoomEvent>(ProjectRoomEvent.Touched), heard.toSet())
+        assertEquals(steps, bench.editing.history)
+        heard.clear()
+        make(RobotEdit.Drop)
+        assertEquals(1, heard.count { it == WorldRoomEvent.Edited })
+        assertEquals(1, heard.count { it is ProjectRoomEvent.WorldSaved })
+        assertEquals(steps.past.size + 1, bench.editing.history.past.size)
+        make(RobotEdit.Undo)
+        assertEquals(ReadyRobots.RCX_PENBOT, bench.editing.robot)
     }
 
     @Test

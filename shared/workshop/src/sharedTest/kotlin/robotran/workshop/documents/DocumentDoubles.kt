@@ -77,9 +77,16 @@ internal class MemoryOpeningMarks : OpeningMarks {
     override fun timeOf(name: String): Long? = times[name]
 }
 
-/** A store that can be full. */
+/** A store that can be full, and counts how often each text is read. */
 internal class FillingStore(private val disk: MemoryStore = MemoryStore()) : KeyValueStore by disk {
     var full = false
+    val reads = mutableMapOf<String, Int>()
+
+    override suspend fun read(name: String): String? {
+        reads[name] = (reads[name] ?: 0) + 1
+        return disk.read(name)
+    }
+
     override var isAnswering = true
 
     override suspend fun write(name: String, text: String): StoreResult = when {
