@@ -1,7 +1,6 @@
 package robotran.blockediting
 
 import robotran.language.source.SourceSpan
-import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.ValueForm
@@ -30,17 +29,11 @@ internal class PartEdits(private val program: BlockProgram) {
         val to = program.partAt(edit.to) as? PhrasePart.Value ?: return refused(BlockEditError.NotFound)
         if (edit.to in edit.from) return refused(BlockEditError.IntoItself)
         val text = edit.from.textIn(program.text)
-        val placed = value(to, text)
-        if (edit.from in edit.to || placed !is BlockEditResult.Success) return placed
-        // Both changes together, the later one first, so that the offsets of the earlier one stay right.
-        val left = value(from, from.use.example) as? BlockEditResult.Success ?: return placed
-        val changes = (placed.changes + left.changes).sortedBy { it.start }
-        val shift = if (edit.from.start < edit.to.start) left.changes.sumOf { it.growth } else 0
-        val selection = SourceSpan(placed.selection.start + shift, placed.selection.end + shift)
-        return resultOf(program, changes, selection)
+        return value(to, text, if (edit.from in edit.to) emptyList() else changes(from, from.use.example))
     }
 
-    private fun value(part: PhrasePart.Value, text: String): BlockEditResult {
+    /** @param left changes elsewhere that are made together with this one. */
+    private fun value(part: PhrasePart.Value, text: String, left: List<TextEdit> = emptyList()): BlockEditResult {
         val alone = outlineRobolang(VALUE_LINE + text, program.messages).lines
         val isValue = alone.size == 1 && alone.first().comment == null &&
             alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
@@ -48,8 +41,9 @@ internal class PartEdits(private val program: BlockProgram) {
         val line = program.lineAt(part.span.start)
         // An operand with a weaker operator inside needs brackets.
         for (attempt in listOf(text, "($text)")) {
-            val changes = listOf(change(part.span, attempt)) + listOfNotNull(unitChange(line, part, attempt))
-            val placed = SourceSpan(part.span.start, part.span.start + attempt.length)
+            val changes = (left + changes(part, attempt)).sortedBy { it.start }
+            val start = part.span.start + left.filter { it.start < part.span.start }.sumOf { it.growth }
+            val placed = SourceSpan(start, start + attempt.length)
             val after = blocksOf(changed(program.text, changes), program.messages, program)
             val now = after.partAt(placed) as? PhrasePart.Value
             if (now == null || after.lineAt(placed.start).form != line.form || now.use != part.use) continue
@@ -60,8 +54,12 @@ internal class PartEdits(private val program: BlockProgram) {
         return refused(BlockEditError.NoValue(text, error = null))
     }
 
+    private fun changes(part: PhrasePart.Value, text: String): List<TextEdit> =
+        listOf(change(part.span, text)) + listOfNotNull(unitChange(part, text))
+
     /** The unit behind a number takes its singular or plural. */
-    private fun unitChange(line: OutlineLine, part: PhrasePart.Value, text: String): TextEdit? {
+    private fun unitChange(part: PhrasePart.Value, text: String): TextEdit? {
+        val line = program.lineAt(part.span.start)
         val place = line.parts.indexOfFirst { it.span == part.span }
         val unit = line.parts.getOrNull(place + 1)?.takeIf { place >= 0 } ?: return null
         val word = unit.span.textIn(program.text)

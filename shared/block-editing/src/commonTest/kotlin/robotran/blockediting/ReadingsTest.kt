@@ -35,5 +35,6 @@ class ReadingsTest {
     fun `so does a value that is put somewhere`() {
         assertEquals(1, readingsOf { BlockEdit.Replace(span("20"), "light") })
         assertEquals(1, readingsOf { BlockEdit.ClearValue(span("20")) })
+        assertEquals(1, readingsOf { BlockEdit.MoveValue(span("20"), span("4")) })
     }
 }

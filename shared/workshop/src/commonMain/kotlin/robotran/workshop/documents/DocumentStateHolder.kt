@@ -6,7 +6,9 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.brick.kind.BrickKind
 import robotran.documents.AutosaveThrottle
+import robotran.documents.ProjectLock
 import robotran.documents.RestoredProject
+import robotran.documents.SavedProject
 import robotran.documents.SavedProjectResult
 import robotran.documents.defaultProjectName
 import robotran.documents.validProjectName
@@ -192,8 +194,7 @@ class DocumentStateHolder(
 
     override suspend fun beginProject(name: String, project: Project, into: String?): SwitchResult {
         val taken = into?.let { projects.claim(it) }
-        var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace { before ->
+        return switch(taken) { before ->
             val left = before ?: autosaver.openId
             guard.begin(into ?: SWITCHED)
             editor.openProject(project)
@@ -205,65 +206,47 @@ class DocumentStateHolder(
             }
             view.show(null)
             saveNow()
-            result = SwitchResult.Switched(left, autosaver.openId)
+            left
         }
-        if (result == SwitchResult.Cancelled) taken?.second?.release()
-        projectMayHaveChanged()
-        return result
     }
 
     override suspend fun previewProject(name: String, project: Project): SwitchResult {
         val left = autosaver.openId
-        var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace { before ->
+        val result = switch { before ->
             guard.begin(SWITCHED)
             editor.openProject(project)
             autosaver.opened(name, null, before, isOnlyChosen = true)
             view.show(null)
-            result = SwitchResult.Switched(left, null)
+            left
         }
-        projectMayHaveChanged()
-        return if (result is SwitchResult.Switched) SwitchResult.Switched(left, autosaver.openId) else result
+        // It is stored by now.
+        return if (result is SwitchResult.Switched) result.copy(currentId = autosaver.openId) else result
     }
 
     override suspend fun returnTo(id: String?, name: String, project: Project): SwitchResult {
         val taken = id?.let { projects.claim(it) }
-        var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace { before ->
+        return switch(taken) { before ->
             guard.begin(id ?: SWITCHED)
             editor.openProject(taken?.first?.project ?: project)
             if (taken != null) autosaver.resume(taken.first, taken.second) else autosaver.opened(name, null)
             view.show(null)
-            result = SwitchResult.Switched(before, autosaver.openId)
+            before
         }
-        if (result == SwitchResult.Cancelled) taken?.second?.release()
-        projectMayHaveChanged()
-        return result
     }
 
-    override suspend fun openWorld(world: World): SwitchResult {
-        var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace { before ->
-            guard.begin(SWITCHED)
-            editor.changeWorld(world, isAnother = true)
-            autosaver.opened(
-                validProjectName(world.title) ?: defaultProjectName(preferences.language),
-                null,
-                before,
-                isOnlyChosen = true,
-            )
-            view.show(null)
-            replacement.offerPreviousProject(before)
-            result = SwitchResult.Switched(before, autosaver.openId)
-        }
-        projectMayHaveChanged()
-        return result
+    override suspend fun openWorld(world: World): SwitchResult = switch { before ->
+        guard.begin(SWITCHED)
+        editor.changeWorld(world, isAnother = true)
+        val name = validProjectName(world.title) ?: defaultProjectName(preferences.language)
+        autosaver.opened(name, null, before, isOnlyChosen = true)
+        view.show(null)
+        replacement.offerPreviousProject(before)
+        before
     }
 
     override suspend fun resumeProject(id: String?, brick: BrickKind): SwitchResult {
         val taken = id?.let { projects.claim(it) }
-        var result: SwitchResult = SwitchResult.Cancelled
-        replacement.replace { before ->
+        return switch(taken) { before ->
             if (taken == null) {
                 begin(brick)
             } else {
@@ -273,8 +256,21 @@ class DocumentStateHolder(
                 claimFile()
                 view.show(null)
             }
-            result = SwitchResult.Switched(before, autosaver.openId)
+            before
         }
+    }
+
+    /**
+     * Lets [put] open another project, in place of the one with the ID that it gets, and give the ID of the previous one.
+     *
+     * @param taken what is opened, if it is stored; it is released if the pupil keeps the open project.
+     */
+    private suspend fun switch(
+        taken: Pair<SavedProject, ProjectLock>? = null,
+        put: suspend (before: String?) -> String?,
+    ): SwitchResult {
+        var result: SwitchResult = SwitchResult.Cancelled
+        replacement.replace { before -> result = SwitchResult.Switched(put(before), autosaver.openId) }
         if (result == SwitchResult.Cancelled) taken?.second?.release()
         projectMayHaveChanged()
         return result

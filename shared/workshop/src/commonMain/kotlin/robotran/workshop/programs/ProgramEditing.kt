@@ -50,17 +50,12 @@ internal class ProgramEditing(
             is BlockEvent -> editBlocks(robot, event)
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
             is ProgramEvent.ProgramChosen -> if (event.slot in robot.list.entries.indices) choose(robot, event.slot)
-            is ProgramEvent.FileChosen -> if (event.index in
-                robot.entry.editorStates.indices
-            ) {
-                robot.shownFile = event.index
-            }
+            is ProgramEvent.FileChosen ->
+                if (event.index in robot.entry.editorStates.indices) robot.shownFile = event.index
             is ProgramEvent.ProgramAdded -> add(robot, opened(event.program.withPlainLineEnds()))
 
-            is ProgramEvent.NewProgramRequested -> add(
-                robot,
-                opened(newProgram(event.language, robot.list.programs, robot.brick)),
-            )
+            is ProgramEvent.NewProgramRequested ->
+                add(robot, opened(newProgram(event.language, robot.list.programs, robot.brick)))
 
             ProgramEvent.FileAdded -> addFile(robot)
             is ProgramEvent.FileRenamed -> rename(robot, event)
