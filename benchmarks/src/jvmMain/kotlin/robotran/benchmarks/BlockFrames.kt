@@ -32,8 +32,8 @@ internal suspend fun blockDragTime(): Measurement = onScreen(DRAGGED_GROUPS, Pro
         val down = frame % TURN / TURN.toFloat()
         mouse(PointerEventType.Move, Offset(PROGRAM.x, TOP + (HIGH - TOP) * down))
     }
-    check(screen.workshop.state.programs.blocks?.drag != null) { "Nothing is carried." }
     screen.mouse(PointerEventType.Release, PROGRAM)
+    check(screen.workshop.state.programs.blocks?.said != null) { "Nothing was carried." }
     figureOf(times, "${DRAGGED_GROUPS * BLOCKS} blocks")
 }
 

@@ -126,7 +126,11 @@ internal class RunStarter(
 
     fun startNewRun(slot: Int) = startNewRun(programs.slotsBeginning(slot))
 
-    private fun startNewRun(firstSlots: List<Int>, world: World = run.world, inputs: List<RecordedInput> = emptyList()) {
+    private fun startNewRun(
+        firstSlots: List<Int>,
+        world: World = run.world,
+        inputs: List<RecordedInput> = emptyList(),
+    ) {
         run.startNewRun(firstSlots, world, inputs)
         tries.leave()
         drawer.startNewRun()
