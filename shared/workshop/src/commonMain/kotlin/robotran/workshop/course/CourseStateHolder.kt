@@ -275,11 +275,7 @@ class CourseStateHolder(
         val course = OwnCourses.named(name, preferences.language) ?: return
         val bytes = checkNotNull(withContext(platform.background) { courseFile(course) }) { "Our courses are files." }
         val saved = when (
-            val saving = platform.files.save(
-                fileNameFor(course.title, FileKind.COURSE),
-                FileKind.COURSE,
-                bytes,
-            )
+            val saving = platform.files.save(fileNameFor(course.title, FileKind.COURSE), FileKind.COURSE, bytes)
         ) {
             is Saving.Saved -> SavedOwnCourse(name, saving.name)
             is Saving.Failed -> SavedOwnCourse(name, null, saving.reason)

@@ -118,15 +118,10 @@ class DocumentStateHolder(
     private suspend fun restore(back: RestoredProject) {
         editor.openProject(back.work.project)
         autosaver.resume(back.work, back.claim, current.project.takeIf { back.isAutosaved })
-        claimFile()
+        replacement.claimFile()
         if (!back.isAutosaved) saveNow()
         navigator.hideTask()
         restoration.show(back)
-    }
-
-    /** Claims the file of the open project. Says so if another window has it. */
-    private suspend fun claimFile() {
-        if (!autosaver.claimFile()) notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
     }
 
     /** Whether something is being opened; and how many were opened before it. */
@@ -200,7 +195,7 @@ class DocumentStateHolder(
             editor.openProject(project)
             if (taken != null) {
                 autosaver.resume(taken.first, taken.second, taken.first.project)
-                claimFile()
+                replacement.claimFile()
             } else {
                 autosaver.opened(name, null)
             }
@@ -253,7 +248,7 @@ class DocumentStateHolder(
                 guard.begin(taken.first.id)
                 editor.openProject(taken.first.project)
                 autosaver.resume(taken.first, taken.second)
-                claimFile()
+                replacement.claimFile()
                 view.show(null)
             }
             before

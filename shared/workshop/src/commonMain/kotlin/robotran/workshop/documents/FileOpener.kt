@@ -151,9 +151,7 @@ internal class FileOpener(
             }
             addPrograms(opened)
         }
-        if (!tellFileElsewhere() && others) {
-            notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
-        }
+        if (replacement.claimFile() && others) notices.show(Notice.MoreProjectsOpened(opened.projects.size - 1))
     }
 
     /** Answers the question whether to go on with My work ([isWork]) or to open the file. */
@@ -212,14 +210,8 @@ internal class FileOpener(
             addPrograms(opened)
         }
         if (!isDone) claim?.release()
-        tellFileElsewhere()
+        replacement.claimFile()
         return true
-    }
-
-    private suspend fun tellFileElsewhere(): Boolean {
-        val isClaimed = autosaver.claimFile()
-        if (!isClaimed) notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
-        return !isClaimed
     }
 
     /** The ID of the newest stored project with the same assignment that has been worked at; null if there is none. */

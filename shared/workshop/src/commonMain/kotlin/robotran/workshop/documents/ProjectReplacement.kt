@@ -38,6 +38,11 @@ internal class ProjectReplacement(
         else -> true
     }
 
+    /** Claims the file of the open project for this window; says so, and returns false, if another one has it. */
+    suspend fun claimFile(): Boolean = autosaver.claimFile().also { isClaimed ->
+        if (!isClaimed) notices.show(Notice.FileOpenElsewhere(autosaver.file?.place?.name.orEmpty()))
+    }
+
     /** Reports that the project [before] is saved and offers to return to it; does nothing for null. */
     fun offerPreviousProject(before: String?) {
         if (before != null) notices.show(Notice.EarlierProjectSaved(before))

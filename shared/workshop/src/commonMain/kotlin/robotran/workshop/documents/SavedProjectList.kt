@@ -61,11 +61,7 @@ internal class SavedProjectList(
         view.saveNow()
         val language = preferences.settings.language?.tag.orEmpty()
         val projects = autosaver.repository.projects().map {
-            ProjectListEntry(
-                it,
-                platform.clock.describe(it.keptAt, language),
-                it.id == autosaver.openId,
-            )
+            ProjectListEntry(it, platform.clock.describe(it.keptAt, language), it.id == autosaver.openId)
         }
         (view.dialog as? DocumentDialog.ProjectList)?.let {
             view.show(DocumentDialog.ProjectList(projects, notice = it.notice))
@@ -109,9 +105,7 @@ internal class SavedProjectList(
                     autosaver.resume(reading.work, claim)
                     view.show(null)
                 }
-                if (!autosaver.claimFile()) {
-                    notices.show(Notice.FileOpenElsewhere(reading.work.file?.place?.name.orEmpty()))
-                }
+                replacement.claimFile()
             }
 
             is SavedProjectResult.Unusable -> {

@@ -209,9 +209,7 @@ internal class ProgramEditing(
         robot.closed = ClosedFile.OfProgram(robot.shownProgram, index, files[index].first, files[index].second)
         robot.list.change(
             robot.shownProgram,
-            robot.entry.withFiles(
-                files.filterIndexed { other, _ -> other != index },
-            ),
+            robot.entry.withFiles(files.filterIndexed { other, _ -> other != index }),
         )
         robot.shownFile = robot.shownFile.let { if (it > index) it - 1 else it }.coerceAtMost(files.size - 2)
     }

@@ -89,9 +89,7 @@ internal class DrawerUpdater {
         }
 
         DrawerTab.WHY -> {
-            drawer.copy(
-                why = WhyState(player.session.explain(), player.state.robots[player.watched].warnings),
-            )
+            drawer.copy(why = WhyState(player.session.explain(), player.state.robots[player.watched].warnings))
         }
 
         DrawerTab.GOALS -> drawer

@@ -63,10 +63,7 @@ class ToneWave {
             val end = if (change.isInfinite()) {
                 buffer.size
             } else {
-                minOf(
-                    buffer.size.toLong(),
-                    place + samplesUntil(change),
-                ).toInt()
+                minOf(buffer.size.toLong(), place + samplesUntil(change)).toInt()
             }
             write(buffer, place, end)
             place = end
