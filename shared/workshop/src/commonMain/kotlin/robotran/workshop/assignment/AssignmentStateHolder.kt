@@ -17,8 +17,6 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.AssignmentEvent
-import robotran.workshop.programs.asProject
-import robotran.workshop.programs.asPupil
 import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.RoomEvent
@@ -27,6 +25,8 @@ import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
+import robotran.workshop.service.asProject
+import robotran.workshop.service.asPupil
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.EndedAttempt

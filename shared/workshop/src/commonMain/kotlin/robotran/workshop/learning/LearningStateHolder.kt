@@ -18,7 +18,6 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.firstProgram
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.ProjectSwitcher
@@ -28,6 +27,7 @@ import robotran.workshop.service.SchoolRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
+import robotran.workshop.service.pupilPrograms
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState

@@ -17,6 +17,7 @@ import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.ProgramsOfRobots
 import robotran.workshop.service.Services
 import robotran.workshop.service.WrittenPrograms
+import robotran.workshop.service.asPupil
 import robotran.workshop.state.Snippet
 import robotran.world.RobotPlacement
 import robotran.world.World
