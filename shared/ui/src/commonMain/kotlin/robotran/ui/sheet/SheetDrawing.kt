@@ -12,7 +12,7 @@ import robotran.world.World
  */
 class SheetDrawing(internal val world: World, internal val transform: SheetTransform) {
     internal val marks: List<MarkDrawing> = world.marks.map { markDrawing(it, transform) }
-    internal val template: Path? = world.template?.let { templatePath(it, transform) }
+    internal val template: Outline? = world.template?.let { templateOutline(it, transform) }
     internal val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
     internal val solids = SolidsDrawing(world, transform)
     internal val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }
