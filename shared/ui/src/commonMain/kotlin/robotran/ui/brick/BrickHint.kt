@@ -59,7 +59,7 @@ internal fun BrickHint(
                     Modifier.testTag("brick-hint").announced(),
                     TextStyles.label,
                 )
-                BelowBrickHint(state, Modifier.padding(top = 8.dp))
+                state.kind.face.BelowHint(state, Modifier.padding(top = 8.dp))
             }
             action()
             if (onClose != null) {
