@@ -16,8 +16,7 @@ internal fun DrawTarget.drawBody(plan: RobotPlan, build: RobotPlacement, robot: 
     if (plan.isBox) {
         box(plan.chassisBox, RobotColours.CHASSIS, 1f, RobotColours.CHASSIS_EDGE)
     } else {
-        val chassis = Outline(Outline.Polyline(plan.chassis, isClosed = true))
-        shape(chassis, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE, Line(EDGE_WIDTH))
+        shape(plan.chassisOutline, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE, Line(EDGE_WIDTH))
     }
     for (motor in plan.motors) drawMotor(motor)
     with(plan.brick.look) { drawBrick(plan.brick, build.colour) }

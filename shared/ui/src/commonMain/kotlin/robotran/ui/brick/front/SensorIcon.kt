@@ -9,6 +9,7 @@ import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.graphics.drawscope.scale
 import robotran.brick.sensors.SensorKind
+import robotran.ui.common.BrickColours
 import robotran.ui.texts.NxtTexts
 import robotran.ui.texts.RunTexts
 import robotran.ui.texts.ScreenTexts
@@ -36,8 +37,8 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, ink:
             SensorKind.ULTRASONIC -> {
                 drawRoundRect(ink, Offset(0.5f, 4f), Size(15f, 8f), CornerRadius(3f))
                 for (x in listOf(4.4f, 11.6f)) {
-                    drawCircle(LIGHT, 2.7f, Offset(x, 8f))
-                    drawCircle(ACCENT, 1.3f, Offset(x, 8f))
+                    drawCircle(BrickColours.SENSOR_LIGHT, 2.7f, Offset(x, 8f))
+                    drawCircle(BrickColours.SENSOR_ORANGE, 1.3f, Offset(x, 8f))
                 }
             }
 
@@ -58,7 +59,7 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, ink:
 
             SensorKind.COMPASS, SensorKind.MINDSENSORS_COMPASS -> {
                 drawCircle(ink, 6.8f, Offset(8f, 8f), style = Stroke(LINE))
-                drawPath(polygon(8f, 1.8f, 10.3f, 8f, 5.7f, 8f), ACCENT)
+                drawPath(polygon(8f, 1.8f, 10.3f, 8f, 5.7f, 8f), BrickColours.SENSOR_ORANGE)
                 drawPath(polygon(8f, 14.2f, 5.7f, 8f, 10.3f, 8f), ink)
             }
 
@@ -82,12 +83,12 @@ internal fun DrawScope.drawSensorIcon(kind: SensorKind, isPressed: Boolean, ink:
 
             SensorKind.INFRARED_SEEKER, SensorKind.INFRARED_SEEKER_2 -> {
                 drawArc(ink, 180f, 180f, true, Offset(1f, 4f), Size(14f, 14f))
-                for (x in listOf(4f, 8f, 12f)) drawCircle(LIGHT, 1.4f, Offset(x, 9f))
+                for (x in listOf(4f, 8f, 12f)) drawCircle(BrickColours.SENSOR_LIGHT, 1.4f, Offset(x, 9f))
             }
 
             SensorKind.OPTICAL_DISTANCE -> {
                 drawRoundRect(ink, Offset(0.5f, 4f), Size(15f, 8f), CornerRadius(1f))
-                for (x in listOf(4.4f, 11.6f)) drawCircle(LIGHT, 2.4f, Offset(x, 8f))
+                for (x in listOf(4.4f, 11.6f)) drawCircle(BrickColours.SENSOR_LIGHT, 2.4f, Offset(x, 8f))
             }
 
             SensorKind.TEMPERATURE, SensorKind.NXT_TEMPERATURE -> {
@@ -107,10 +108,6 @@ private fun DrawScope.arc(colour: Color, middle: Offset, radius: Float, from: Fl
     style = Stroke(LINE),
 )
 
-/** That of a plug, seen through holes, and what is orange on LEGO's sensors. */
-private val LIGHT = Color(0xFFC3C8CB)
-private val ACCENT = Color(0xFFF07C1A)
-
 private const val ICON_UNITS = 16f
 private const val LINE = 1.6f
 
@@ -127,5 +124,5 @@ private val RAYS = listOf(
 private val PARTS = listOf(
     Offset(8f, 5f) to RobotranColours.ON_OFF_RED,
     Offset(5.3f, 9.8f) to RobotranColours.RUN_GREEN,
-    Offset(10.7f, 9.8f) to Color(0xFF2563C9),
+    Offset(10.7f, 9.8f) to BrickColours.SENSOR_BLUE,
 )

@@ -4,13 +4,13 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.StrokeCap
-import androidx.compose.ui.graphics.StrokeJoin
 import robotran.ui.sheet.Dots
 import robotran.ui.sheet.DrawTarget
 import robotran.ui.sheet.GLOW_STOPS
 import robotran.ui.sheet.GreyCells
 import robotran.ui.sheet.Line
 import robotran.ui.sheet.Outline
+import robotran.uikit.*
 import kotlin.math.PI
 import kotlin.math.cos
 import kotlin.math.sin
@@ -164,8 +164,8 @@ internal class SvgTarget(private val svg: SvgWriter, override val dp: Float, pri
     override fun outside(outline: Outline, content: DrawTarget.() -> Unit) {
         val name = "clip${++names}"
         svg.element("mask", "id" to name, "maskUnits" to "userSpaceOnUse", *place(extent)) {
-            box(extent, Color.White)
-            shape(outline, Color.Black)
+            box(extent, RobotranColours.CASING)
+            shape(outline, RobotranColours.SHADE)
         }
         svg.element("g", "mask" to "url(#$name)") { content() }
     }
@@ -178,33 +178,5 @@ internal class SvgTarget(private val svg: SvgWriter, override val dp: Float, pri
 
         /** From the middle of a text down to where its letters stand, relative to the font's height. */
         const val HALF_LETTER = 0.35f
-
-        fun place(bounds: Rect) = arrayOf<Pair<String, Any?>>(
-            "x" to bounds.left,
-            "y" to bounds.top,
-            "width" to bounds.width,
-            "height" to bounds.height,
-        )
-
-        fun circle(middle: Offset, radius: Float) =
-            arrayOf<Pair<String, Any?>>("cx" to middle.x, "cy" to middle.y, "r" to radius)
-
-        fun filled(colour: Color?) = arrayOf<Pair<String, Any?>>(
-            "fill" to (colour?.let(::hex) ?: "none"),
-            "fill-opacity" to colour?.alpha?.takeIf { it < 1 },
-        )
-
-        fun drawn(colour: Color?, line: Line) = if (colour == null) {
-            emptyArray()
-        } else {
-            arrayOf<Pair<String, Any?>>(
-                "stroke" to hex(colour),
-                "stroke-opacity" to colour.alpha.takeIf { it < 1 },
-                "stroke-width" to line.width,
-                "stroke-linecap" to "round".takeIf { line.cap == StrokeCap.Round },
-                "stroke-linejoin" to "round".takeIf { line.join == StrokeJoin.Round },
-                "stroke-dasharray" to line.dashes?.let { (dash, gap) -> "${figure(dash)} ${figure(gap)}" },
-            )
-        }
     }
 }

@@ -97,23 +97,8 @@ private fun escaped(text: String): String = buildString {
             letter == '<' -> append("&lt;")
             letter == '>' -> append("&gt;")
             letter == '"' -> append("&quot;")
-
-            letter.isHighSurrogate() -> append(
-                if (text.getOrNull(place + 1)?.isLowSurrogate() == true) {
-                    letter
-                } else {
-                    MISSING
-                },
-            )
-
-            letter.isLowSurrogate() -> append(
-                if (text.getOrNull(place - 1)?.isHighSurrogate() == true) {
-                    letter
-                } else {
-                    MISSING
-                },
-            )
-
+            letter.isHighSurrogate() && text.getOrNull(place + 1)?.isLowSurrogate() != true -> append(MISSING)
+            letter.isLowSurrogate() && text.getOrNull(place - 1)?.isHighSurrogate() != true -> append(MISSING)
             letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
             letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
             else -> append(letter)
