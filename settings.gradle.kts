@@ -62,6 +62,11 @@ if (providers.systemProperty("robotran.targets").get().contains("wasm")) {
 if (providers.systemProperty("robotran.targets").get().contains("compose")) {
     include(":shared:workshop")
     include(":shared:uikit")
+    include(":shared:ui-common")
+    include(":shared:ui-program")
+    include(":shared:ui-run")
+    include(":shared:ui-world")
+    include(":shared:ui-school")
     include(":shared:ui")
     if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
         include(":desktopApp")

@@ -13,6 +13,7 @@ android {
 
 dependencies {
     implementation(project(":shared:ui"))
+    implementation(project(":shared:ui-school"))
     implementation(project(":shared:projects"))
     implementation(project(":shared:documents"))
     implementation(libs.androidx.activity.compose)

@@ -24,6 +24,7 @@ kotlin {
         }
         jvmMain.dependencies {
             implementation(project(":shared:ui"))
+            implementation(project(":shared:ui-world"))
             implementation(project(":shared:projects"))
         }
         jvmMain {

@@ -37,5 +37,6 @@ tasks.test {
     inputs.dir(rootProject.file("shared/desktop-tower/src")).withPathSensitivity(PathSensitivity.RELATIVE)
     inputs.dir(rootProject.file("shared/documents/src")).withPathSensitivity(PathSensitivity.RELATIVE)
     inputs.dir(rootProject.file("shared/ui/src")).withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir(rootProject.file("shared/ui-common/src")).withPathSensitivity(PathSensitivity.RELATIVE)
     inputs.dir(rootProject.file("shared/workshop/src")).withPathSensitivity(PathSensitivity.RELATIVE)
 }

@@ -22,10 +22,10 @@ while [ $# -gt 0 ]; do
     -*) ;;
     check | quick) need jvm wasm compose ;;
     :cli:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
-    :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui:*[jJ]vm* | :shared:uikit:*[jJ]vm* | :shared:ui:thoroughTest) need jvm compose ;;
+    :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui*:*[jJ]vm* | :shared:ui*:thoroughTest) need jvm compose ;;
     :shared:*:*[jJ]vm* | :shared:*:fuzzTest | :shared:*:thoroughTest) need jvm ;;
     :wasmTests:* | :allWasmTests:* | :webApp:*) need wasm compose ;;
-    :shared:workshop:*[wW]asm* | :shared:ui:*[wW]asm* | :shared:uikit:*[wW]asm*) need wasm compose ;;
+    :shared:workshop:*[wW]asm* | :shared:ui*:*[wW]asm*) need wasm compose ;;
     :shared:*:*[wW]asm*) need wasm ;;
     :androidApp:*) need jvm android compose ;;
     *) needed=; break ;;

@@ -1,4 +1,4 @@
-"""Makes shared/ui/src/wasmJsMain/composeResources/files/noto_emoji.ttf of NotoEmoji_400Regular.ttf (docs/third-party.md says from where).
+"""Makes shared/ui-common/src/wasmJsMain/composeResources/files/noto_emoji.ttf of NotoEmoji_400Regular.ttf (docs/third-party.md says from where).
 
 All emoji stay. Their outlines get fewer points on a coarser grid, at most 10 of 2048 units, a tenth of a pixel in a text of 20 pixels, beside
 where they were; metrics for vertical text go. Needs fontTools 4.

@@ -5,12 +5,11 @@ plugins {
 kotlin {
     sourceSets {
         commonMain.dependencies {
-            api(project(":shared:uikit"))
-            api(project(":shared:workshop"))
-            implementation(project(":shared:nxt"))
-            implementation(project(":shared:qr-code"))
-            implementation(project(":shared:scene3d"))
-            implementation(libs.compose.resources)
+            api(project(":shared:ui-common"))
+            implementation(project(":shared:ui-program"))
+            implementation(project(":shared:ui-run"))
+            implementation(project(":shared:ui-world"))
+            implementation(project(":shared:ui-school"))
             implementation(libs.coroutines.core)
             // Material, inside the kit, requires 0.6.0, whose wasm library is missing on some registries.
             implementation(libs.datetime)
@@ -23,15 +22,11 @@ kotlin {
             implementation(libs.compose.ui.tooling.preview)
         }
         jvmTest {
+            kotlin.srcDir("src/sharedTest/kotlin")
             kotlin.srcDir("../workshop/src/sharedTest/kotlin")
         }
         jvmTest.dependencies {
             implementation(libs.kotest.property)
-            implementation(libs.zxing)
         }
     }
-}
-
-compose.resources {
-    packageOfResClass = "robotran.ui.resources"
 }

@@ -13,6 +13,8 @@ class HandWrittenOutputsTest : CommandTest() {
         "shared/documents/src/jvmMain",
         "shared/workshop/src/jvmMain",
         "shared/ui/src/jvmMain",
+        "shared/ui-common/src/jvmMain",
+        "shared/ui-common/src/jvmAndAndroidMain",
         "shared/ui/src/jvmAndAndroidMain",
         "shared/desktop-tower/src/main",
     ).flatMap { folder -> tree.resolve(folder).walk().filter { it.extension == "kt" }.toList() }

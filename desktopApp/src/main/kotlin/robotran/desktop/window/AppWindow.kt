@@ -20,7 +20,7 @@ import kotlinx.coroutines.flow.collectLatest
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
 import robotran.ui.RobotranWindow
-import robotran.ui.brick.BrickIcon
+import robotran.ui.common.BrickIcon
 import robotran.ui.desktop.WorkshopMenuBar
 import robotran.ui.desktop.windowTitle
 import java.awt.Dimension

@@ -17,7 +17,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.programs.Program
 import robotran.ui.pictures.DrawnWorldPictures
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.theme.RobotranTheme
 import robotran.uikit.*
 import robotran.workshop.Workshop

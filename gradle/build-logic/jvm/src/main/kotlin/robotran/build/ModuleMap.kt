@@ -4,14 +4,14 @@ package robotran.build
  * One row of the module map.
  *
  * @property folder the folder of the module, relative to the root.
- * @property packageName the package that contains all its code.
+ * @property packages the packages that contain all its code, each with those below it.
  * @property uses the folders of the modules it may import.
  * @property core whether it is plain common Kotlin, which must not depend on UI, threads, clocks or platforms.
  * @property presentation whether it publishes state to Compose, but must not depend on UI classes.
  */
 data class MappedModule(
     val folder: String,
-    val packageName: String,
+    val packages: List<String>,
     val uses: List<String>,
     val core: Boolean,
     val presentation: Boolean = false,
@@ -44,8 +44,8 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
      */
     fun violations(module: MappedModule, file: SourceFile): List<String> {
         val allowed = listOf(module) + module.uses.map { byFolder.getValue(it) }
-        val wrongPackage = listOf(file.packageName).filterNot { inPackage(it, module.packageName) }.map {
-            "${file.path}: package $it does not belong to ${module.folder}, whose package is ${module.packageName}"
+        val wrongPackage = listOf(file.packageName).filterNot { file.isTest || owner(it) == module }.map {
+            "${file.path}: package $it does not belong to ${module.folder}, whose code is in ${module.packages.joinToString()}"
         }
         val foreign = file.imports.filter { name ->
             !file.isTest && owner(name)?.let { it !in allowed } ?: false
@@ -65,7 +65,11 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
     }
 
     private fun owner(name: String): MappedModule? =
-        modules.filter { inPackage(name, it.packageName) }.maxByOrNull { it.packageName.length }
+        modules.maxByOrNull { it.lengthOfPackage(name) }?.takeIf { it.lengthOfPackage(name) > 0 }
+
+    /** The length of the package of this module that contains [name]; 0 if none does. */
+    private fun MappedModule.lengthOfPackage(name: String): Int =
+        packages.filter { inPackage(name, it) }.maxOfOrNull { it.length } ?: 0
 
     companion object {
         /**
@@ -130,7 +134,7 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
                     require(cells.size == 5) { "the module map's rows have five cells: $row" }
                     MappedModule(
                         folder = code(cells[0]).single(),
-                        packageName = code(cells[1]).single(),
+                        packages = code(cells[1]),
                         uses = code(cells[3]),
                         core = cells[4] == "core",
                         presentation = cells[4] == "presentation",

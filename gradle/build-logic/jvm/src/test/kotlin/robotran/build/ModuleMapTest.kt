@@ -14,6 +14,7 @@ class ModuleMapTest {
             |---|---|---|---|---|
             | `shared/rom` | `robotran.rom` | the brick | - | core |
             | `shared/world` | `robotran.world` | the world | `shared/rom` | core |
+            | `shared/ink` | `robotran.world.ink`, `robotran.pens` | ink | `shared/world` | core |
             | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
 
             | constants of | only in |
@@ -29,8 +30,8 @@ class ModuleMapTest {
 
     @Test
     fun `a module may import itself and what the map allows it`() {
-        val text = "package robotran.world.ink\n\nimport robotran.rom.Rom\nimport robotran.world.Pose\n"
-        assertEquals(emptyList(), violations("shared/world", "src/commonMain/kotlin/Ink.kt", text))
+        val text = "package robotran.world.walls\n\nimport robotran.rom.Rom\nimport robotran.world.Pose\n"
+        assertEquals(emptyList(), violations("shared/world", "src/commonMain/kotlin/Walls.kt", text))
     }
 
     @Test
@@ -58,6 +59,17 @@ class ModuleMapTest {
     @Test
     fun `a file must be in its module's package`() {
         assertEquals(1, violations("shared/rom", "src/commonMain/kotlin/Brick.kt", "package robotran.world\n").size)
+    }
+
+    @Test
+    fun `a module may have several packages, some below that of another module`() {
+        fun found(folder: String, name: String, import: String = "robotran.world.Pose") =
+            violations(folder, "src/commonMain/kotlin/Ink.kt", "package $name\n\nimport $import\n").size
+        assertEquals(0, found("shared/ink", "robotran.world.ink"))
+        assertEquals(0, found("shared/ink", "robotran.pens.thin", "robotran.world.ink.Ink"))
+        assertEquals(1, found("shared/ink", "robotran.world.walls"))
+        assertEquals(1, found("shared/world", "robotran.world.ink"))
+        assertEquals(1, found("shared/world", "robotran.world", "robotran.pens.Pen"))
     }
 
     @Test

@@ -16,7 +16,7 @@ import robotran.workshop.state.Pane
 import robotran.workshop.state.WorkshopState
 
 /** The pages over the workshop that Back closes, topmost first. Menus and dialogs handle Back themselves. */
-internal fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
+fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
     if (state.settingsShown) add(SettingsEvent.SettingsShown(false))
     state.handIns?.let { handIns ->
         if (handIns.isScanning) add(HandInsEvent.ScanEnded)

@@ -21,8 +21,8 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.common.AutosaveBanner
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.task.TaskCard
-import robotran.ui.texts.ScreenTexts
 import robotran.ui.world.SHEET_BUTTON_STEP
 import robotran.ui.world.WorldPane
 import robotran.ui.world.hasZoomButtons

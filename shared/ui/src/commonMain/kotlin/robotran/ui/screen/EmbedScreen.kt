@@ -21,11 +21,11 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
+import robotran.ui.run.texts.RunTexts
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
 import robotran.ui.runbar.StopButton
-import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

@@ -16,7 +16,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent

@@ -18,9 +18,10 @@ import robotran.editing.RobotTexts
 import robotran.ui.documents.ProjectMenuEntry
 import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
-import robotran.ui.texts.LearningTexts
-import robotran.ui.texts.SchoolTexts
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.school.texts.LearningTexts
+import robotran.ui.school.texts.SchoolTexts
+import robotran.ui.screen.texts.ScreenTexts
+import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
@@ -87,7 +88,7 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
         choose(LearningEvent.PageRequested(LearningPage.HELP))
     }
     if (!isEditingWorld) {
-        MenuItem(ScreenTexts.editWorld(spoken), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
+        MenuItem(SheetTexts.editWorld(spoken), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
         MenuItem(RobotTexts.buildMenu(spoken), "menu-build-robot") {
             choose(RobotEditEvent.BenchOpened())
         }

@@ -36,7 +36,7 @@ import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.runbar.RunBar
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.world.MiniSheet
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent

@@ -20,7 +20,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
@@ -60,7 +60,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 if (isBeside) action?.let { ActionButton(it, onEvent) }
                 IconButton(
                     Icon.CLOSE,
-                    ScreenTexts.noticeClose(spoken),
+                    CommonTexts.noticeClose(spoken),
                     "notice-close",
                     if (notice.isError) IconButtonKind.ERROR else IconButtonKind.PLAIN,
                 ) {

@@ -5,12 +5,13 @@ import robotran.editing.RobotTexts
 import robotran.ui.assignment.worldName
 import robotran.ui.common.portNumbers
 import robotran.ui.learning.robotTitle
-import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.LearningTexts
+import robotran.ui.run.texts.RunTexts
+import robotran.ui.school.texts.DocumentTexts
+import robotran.ui.school.texts.LearningTexts
+import robotran.ui.school.texts.SchoolTexts
+import robotran.ui.screen.texts.ScreenTexts
+import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NxtTexts
-import robotran.ui.texts.RunTexts
-import robotran.ui.texts.SchoolTexts
-import robotran.ui.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
@@ -18,7 +19,7 @@ import robotran.world.messages.sentence
 
 /** The localised text of [notice]. */
 @Composable
-internal fun noticeText(notice: Notice): String = when (notice) {
+fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ExternalError -> notice.sentence
     is Notice.WithWarnings -> withWarnings(notice)
     Notice.Unexpected -> DocumentTexts.unexpected(spoken)
@@ -38,7 +39,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     Notice.LinkNotCopied -> DocumentTexts.notCopied(spoken)
     is Notice.FileSaved -> DocumentTexts.saved(spoken, notice.name)
     is Notice.FileNotSaved -> notSaved(notice)
-    Notice.StoreSilent -> DocumentTexts.troubleSilent(spoken)
+    Notice.StoreSilent -> CommonTexts.troubleSilent(spoken)
     Notice.ProjectTooLong -> DocumentTexts.tooLong(spoken)
     is Notice.FileOpenElsewhere -> DocumentTexts.openElsewhere(spoken, notice.name)
     is Notice.MoreProjectsOpened -> DocumentTexts.openedMore(spoken, notice.others)
@@ -46,7 +47,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
     Notice.CourseTooLong -> SchoolTexts.courseTooLong(spoken)
     Notice.ReplayEmpty -> DocumentTexts.replayEmpty(spoken)
     is Notice.KitNeedsCorrectProgram -> DocumentTexts.kitMistake(spoken, notice.line)
-    Notice.CompilerMissing -> ScreenTexts.statusNoCompiler(spoken)
+    Notice.CompilerMissing -> RunTexts.statusNoCompiler(spoken)
 
     is Notice.ProjectOpenElsewhere -> DocumentTexts.workElsewhere(
         spoken,
@@ -103,7 +104,7 @@ internal fun noticeText(notice: Notice): String = when (notice) {
 
 /** The label of [action]. */
 internal fun noticeActionText(action: NoticeAction): Label = when (action) {
-    NoticeAction.ShowProjects -> DocumentTexts::myWork
+    NoticeAction.ShowProjects -> CommonTexts::myWork
     is NoticeAction.GoBack -> DocumentTexts::goBack
     is NoticeAction.GoOn -> SchoolTexts::assignmentGoOn
     NoticeAction.ChangeNumber -> ScreenTexts::noticeChangeNumber

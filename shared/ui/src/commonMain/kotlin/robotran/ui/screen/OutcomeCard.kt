@@ -37,9 +37,9 @@ import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
 import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
+import robotran.ui.run.texts.RunTexts
+import robotran.ui.school.texts.LearningTexts
 import robotran.ui.sheet.SheetColours
-import robotran.ui.texts.LearningTexts
-import robotran.ui.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ScreenEvent

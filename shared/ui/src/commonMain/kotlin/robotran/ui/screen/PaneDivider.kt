@@ -38,7 +38,7 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.dp
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 
 /** The room that two panes share, and what both must keep. */

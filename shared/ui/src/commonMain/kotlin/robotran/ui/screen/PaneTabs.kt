@@ -9,7 +9,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.state.Pane
 

@@ -1,7 +1,7 @@
 package robotran.ui.screen
 
 import androidx.compose.runtime.Composable
-import robotran.ui.texts.RunTexts
+import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.SolvedTask
 

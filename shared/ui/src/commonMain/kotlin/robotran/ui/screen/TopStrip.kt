@@ -12,7 +12,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.ProjectMenu
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
+import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
@@ -65,7 +66,7 @@ internal fun TopStrip(
                     Icon.SHEET_EDIT,
                     ScreenTexts.editWorldHelp(spoken),
                     "edit-world",
-                    label = ScreenTexts.editWorld(spoken).takeIf { withWords },
+                    label = SheetTexts.editWorld(spoken).takeIf { withWords },
                 ) {
                     onEvent(WorldEditEvent.EditorOpened)
                 }

@@ -54,7 +54,7 @@ import robotran.workshop.state.WorkshopState
 
 /** The main screen: panes side by side or stacked if there is room, otherwise one at a time. Pages cover it. */
 @Composable
-internal fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     BoxWithConstraints(
         modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
             val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }

@@ -17,7 +17,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.howFar
 import robotran.ui.drawer.FootTabs
 import robotran.ui.drawer.TaskAndGoals
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent

@@ -9,7 +9,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
-import robotran.ui.texts.ScreenTexts
+import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.AppTheme

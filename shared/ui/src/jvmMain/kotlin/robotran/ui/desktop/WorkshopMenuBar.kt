@@ -13,16 +13,15 @@ import robotran.editing.RobotTexts
 import robotran.robotediting.RobotEdit
 import robotran.simulation.Breakpoint
 import robotran.ui.language.InLanguage
+import robotran.ui.program.texts.EditorTexts
+import robotran.ui.run.texts.RunTexts
+import robotran.ui.school.texts.DocumentTexts
+import robotran.ui.school.texts.LearningTexts
+import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.BrickLabels
-import robotran.ui.texts.DocumentTexts
-import robotran.ui.texts.EditorTexts
-import robotran.ui.texts.ExportTexts
-import robotran.ui.texts.LearningTexts
+import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.OTHER_BRICKS
-import robotran.ui.texts.RunTexts
-import robotran.ui.texts.SchoolTexts
-import robotran.ui.texts.SendTexts
 import robotran.ui.theme.coloursOf
 import robotran.uikit.*
 import robotran.workshop.Workshop
@@ -123,13 +122,13 @@ private fun MenuScope.FileItems(
     close: () -> Unit,
     quit: () -> Unit,
 ) {
-    Choice(DocumentTexts::new, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
+    Choice(CommonTexts::newProject, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
     for (brick in OTHER_BRICKS) {
         Choice(BrickLabels.of(brick).newProject) { onEvent(DocumentEvent.NewWithBrick(brick)) }
     }
     Choice(DocumentTexts::newWindow, control(Key.N, shift = true), onClick = openAnother)
     Separator()
-    Choice(DocumentTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
+    Choice(CommonTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
     Choice(SchoolTexts::courseList) { onEvent(CourseEvent.ListRequested) }
     Choice(DocumentTexts::open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
     Menu(DocumentTexts.recent(spoken), enabled = document.recentFiles.isNotEmpty()) {
@@ -138,17 +137,17 @@ private fun MenuScope.FileItems(
     Choice(DocumentTexts::openLink) { onEvent(DocumentEvent.LinkPastingRequested) }
     Separator()
     Choice(DocumentTexts::save, control(Key.S)) { onEvent(DocumentEvent.SaveRequested) }
-    Choice(DocumentTexts::saveAs, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
+    Choice(CommonTexts::saveAs, control(Key.S, shift = true)) { onEvent(DocumentEvent.SaveAsRequested) }
     Choice(DocumentTexts::rename) { onEvent(DocumentEvent.RenameRequested) }
     Separator()
     Choice(RobotTexts::buildMenu) { onEvent(RobotEditEvent.BenchOpened()) }
-    Choice(ExportTexts::title) { onEvent(ExportEvent.Requested) }
+    Choice(CommonTexts::showWork) { onEvent(ExportEvent.Requested) }
     Choice(SchoolTexts::makeTitle) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(DocumentTexts::share) { onEvent(DocumentEvent.LinkRequested) }
-    Choice(SendTexts::robot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
+    Choice(CommonTexts::sendToRobot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
     Choice(DocumentTexts::replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(DocumentTexts::programFile) { onEvent(DocumentEvent.ProgramFileRequested) }
-    val kit = if (document.hasFirmwareImage) NqcTexts::documentsFirmwareImage else DocumentTexts::kit
+    val kit = if (document.hasFirmwareImage) NqcTexts::documentsFirmwareImage else CommonTexts::sendingKit
     Choice(kit) { onEvent(DocumentEvent.KitRequested) }
     Separator()
     Choice(SchoolTexts::handInsMenu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }

@@ -1,0 +1,26 @@
+package robotran.ui.common
+
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import robotran.simulation.state.MissingSensors
+import robotran.ui.texts.CommonTexts
+import robotran.uikit.*
+
+/** Changes the world so that the robot has all of the [missing] sensors; for the warning about them. */
+@Composable
+fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
+    val ports = missing.sensors.map { it.port }
+    val description = ports.singleOrNull()?.let { CommonTexts.plugInPort(spoken, it) }
+        ?: CommonTexts.plugInPorts(spoken, portNumbers(ports))
+    Button(
+        if (ports.size == 1) CommonTexts.plugIn(spoken) else CommonTexts.plugInSeveral(spoken),
+        "plug-in",
+        ButtonKind.LINK,
+        modifier.named(description),
+    ) { onPlug(missing) }
+}

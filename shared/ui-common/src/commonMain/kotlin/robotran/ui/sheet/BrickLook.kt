@@ -1,0 +1,107 @@
+package robotran.ui.sheet
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import robotran.brick.kind.BrickKind
+import robotran.uikit.*
+import robotran.world.RobotColour
+import robotran.world.RobotDescription
+import kotlin.math.max
+
+/** How a kind of brick and its motors look from above, in centimetres; its upper end is at smaller y. */
+interface BrickLook {
+    val body: Rect
+    val display: Rect
+
+    fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour)
+
+    /**
+     * The motors of the wheels, and that of the pen where it shows.
+     *
+     * @param side the y to which the motor of a wheel reaches.
+     */
+    fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop>
+
+    companion object {
+        fun of(brick: BrickKind): BrickLook = when (brick) {
+            BrickKind.RCX -> RcxLook
+            BrickKind.NXT -> NxtLook
+        }
+    }
+}
+
+/** 6.4 by 11.2 cm. View and On-Off are behind the display if it lies across, Prgm and Run ahead. */
+private object RcxLook : BrickLook {
+    private const val MOTOR_BACK = -4.6f
+    private val buttons =
+        listOf(Offset(-2.05f, -1.1f), Offset(-2.05f, 1.1f), Offset(1.95f, -1.1f), Offset(1.95f, 1.1f))
+    private val inputs = portsAt(-3.6f)
+    private val outputs = portsAt(3.6f)
+
+    override val body = Rect(-3.05f, -4.9f, 3.05f, 4.9f)
+    override val display = Rect(-0.95f, -1.5f, 1.05f, 1.5f)
+
+    override fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour) {
+        box(top.box, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
+        box(top.display, RobotColours.GLASS, 0.2f, RobotColours.CHASSIS)
+        for ((place, button) in buttons.zip(RobotColours.BUTTONS)) disc(top.point(place), 0.55f, button)
+        for (place in inputs) box(top.rect(place), RobotColours.BUMPER, 0.15f)
+        for (place in outputs) box(top.rect(place), RobotColours.CHASSIS, 0.15f)
+    }
+
+    override fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop> {
+        val back = max(MOTOR_BACK, chassis.left + EDGE)
+        return listOf(Rect(back, -3.8f, back + 2.7f, -0.5f), Rect(back, 0.5f, back + 2.7f, 3.8f)).map { MotorTop(it) }
+    }
+
+    private fun portsAt(y: Float): List<Rect> = listOf(-1.85f, 0.05f, 1.95f).map {
+        Rect(it - 0.7f, y - 0.7f, it + 0.7f, y + 0.7f)
+    }
+}
+
+/** 7.2 by 11.2 cm: a grey brick in a frame of the robot's colour. */
+internal object NxtLook : BrickLook {
+    private const val MOTOR_BACK = -7.4f
+    private const val MOTOR_FRONT = 1.4f
+    private const val MOTOR_WIDTH = 2.5f
+    private val face = Rect(-2.75f, -4.75f, 2.75f, 4.75f)
+    private val frame = Rect(-2.4f, -3.75f, 2.4f, -0.55f)
+    private val enter = Rect(-0.75f, 0f, 0.75f, 1.5f)
+    private val arrows = listOf(Offset(-1.65f, 0.75f), Offset(1.65f, 0.75f))
+    private val escape = Rect(-1.3f, 1.85f, 1.3f, 2.75f)
+    val motorPorts: List<Rect> = portsAt(-4.55f, listOf(-1.75f, 0f, 1.75f))
+    private val sensorPorts = portsAt(4.1f, listOf(-2f, -0.67f, 0.67f, 2f))
+
+    override val body = Rect(-3.3f, -5.1f, 3.3f, 5.1f)
+    override val display = Rect(-2.05f, -3.4f, 2.05f, -0.9f)
+
+    override fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour) {
+        box(top.box, RobotColours.brick(colour), 0.7f, RobotColours.edge(colour))
+        box(top.rect(face), RobotColours.NXT_FACE, 0.5f, RobotColours.edge(colour))
+        box(top.rect(frame), RobotColours.BUMPER_EDGE, 0.3f)
+        box(top.display, RobotColours.GLASS, 0.15f)
+        box(top.rect(enter), RobotColours.ORANGE, 0.2f)
+        for (place in arrows) disc(top.point(place), 0.6f, RobotColours.BUMPER)
+        box(top.rect(escape), RobotColours.BUMPER_EDGE, 0.2f)
+        for (place in motorPorts + sensorPorts) box(top.rect(place), RobotColours.CHASSIS, 0.1f)
+    }
+
+    override fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop> {
+        val back = max(MOTOR_BACK, chassis.left + EDGE)
+        val outer = side - 0.1f
+        val wheels = listOf(-1, 1).map { sign ->
+            val middle = sign * (outer - MOTOR_WIDTH / 2)
+            val body = Rect(back, middle - MOTOR_WIDTH / 2, MOTOR_FRONT, middle + MOTOR_WIDTH / 2)
+            MotorTop(body, Offset(0f, body.center.y))
+        }
+        val pen = if (robot.pen == null) null else Rect(back, -1.2f, -1.5f, 1.2f)
+        return wheels + listOfNotNull(pen?.let { MotorTop(it, Offset(it.right - 1f, 0f)) })
+    }
+
+    private fun portsAt(y: Float, middles: List<Float>): List<Rect> = middles.map {
+        Rect(it - 0.5f, y - 0.1f, it + 0.5f, y + 0.6f)
+    }
+}
+
+/** What stays free at the edge of the chassis. */
+private const val EDGE = 0.4f

@@ -1,0 +1,59 @@
+package robotran.ui.texts
+
+import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.uikit.*
+
+/**
+ * What the screens call a kind of brick and what it has.
+ *
+ * @property newProject begins a project with such a robot.
+ * @property programIsFor says that a program is for this brick and not for that of the robot with the given name.
+ * @property use gives the robot this brick.
+ * @property send what brings a program onto a real one.
+ * @property off what its picture says while it is off.
+ * @property log the calls of its programs.
+ * @property noCalls what is shown while there are none.
+ * @property forgivingJava what Java forgives that a real one does not.
+ */
+class BrickLabels private constructor(
+    val newProject: Label,
+    val programIsFor: (language: Language, robot: String) -> String,
+    val use: Label,
+    val send: Label,
+    val off: Label,
+    val log: Label,
+    val noCalls: Label,
+    val forgivingJava: Label,
+) {
+    companion object {
+        private val RCX = BrickLabels(
+            newProject = CommonTexts::newProject,
+            programIsFor = NxtTexts::programForRcx,
+            use = NxtTexts::programUseRcx,
+            send = CommonTexts::sendToRobot,
+            off = CommonTexts::brickOff,
+            log = CommonTexts::tabLog,
+            noCalls = CommonTexts::logEmpty,
+            forgivingJava = CommonTexts::javaForgivingHelp,
+        )
+        private val NXT = BrickLabels(
+            newProject = NxtTexts::documentsNewNxt,
+            programIsFor = NxtTexts::programForNxt,
+            use = NxtTexts::programUseNxt,
+            send = CommonTexts::sendingKit,
+            off = NxtTexts::off,
+            log = NxtTexts::runTabCalls,
+            noCalls = NxtTexts::runLogEmptyCalls,
+            forgivingJava = CommonTexts::javaForgivingHelpNxt,
+        )
+
+        fun of(brick: BrickKind): BrickLabels = when (brick) {
+            BrickKind.RCX -> RCX
+            BrickKind.NXT -> NXT
+        }
+    }
+}
+
+/** The bricks with which a project can begin instead of the default one. */
+val OTHER_BRICKS: List<BrickKind> = BrickKind.entries - BrickKind.default

@@ -1,0 +1,149 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.DisposableEffect
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.dp
+import robotran.language.ProgramLanguage
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.texts.EditorTexts
+import robotran.ui.programlanguages.translationTexts
+import robotran.uikit.*
+
+/**
+ * The menu of the program's tools.
+ *
+ * @param hasText whether the program is shown as text, so that tools for the text at the caret make sense.
+ * @param hasFind whether searching is in the menu.
+ * @param sendWords the name of what [onSend] does.
+ * @param onSend sends the program to a robot; null if that is not in the menu.
+ * @param hasLayout whether the program can be formatted.
+ * @param translations what the program can be shown as by the menu.
+ * @param shown the one of them that is, or would be, shown.
+ */
+@Composable
+internal fun EditorMenu(
+    hasText: Boolean,
+    hasFind: Boolean,
+    sendWords: Label,
+    onSend: (() -> Unit)?,
+    hasLayout: Boolean,
+    translations: List<ProgramLanguage>,
+    shown: ProgramLanguage?,
+    onTranslation: (ProgramLanguage) -> Unit,
+    onCommand: (EditorCommand.Plain) -> Unit,
+) {
+    var open by remember { mutableStateOf(false) }
+    var chosen: Tool? by remember { mutableStateOf(null) }
+    val command by rememberUpdatedState(onCommand)
+    Box {
+        IconButton(ThinIcons.MORE, EditorTexts.more(spoken), "editor-more", IconButtonKind.TOOL) { open = true }
+        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
+            // An open menu would keep the keyboard focus from what the tool opens.
+            DisposableEffect(Unit) {
+                onDispose {
+                    chosen?.let { command(it.command) }
+                    chosen = null
+                }
+            }
+            onSend?.let { send ->
+                MenuItem(sendWords(spoken), "send-robot") {
+                    open = false
+                    send()
+                }
+            }
+            for (kind in translations) {
+                val tag = if (kind == shown) "translation-switch" else "translation-${kind.name.lowercase()}"
+                MenuItem(kind.translationTexts.switch(spoken), tag) {
+                    open = false
+                    onTranslation(kind)
+                }
+            }
+            val isSecond = onSend != null || translations.isNotEmpty()
+            if (isSecond) HorizontalDivider()
+            for ((index, group) in toolsFor(hasText, hasFind, hasLayout).withIndex()) {
+                if (index > 0) HorizontalDivider()
+                for (tool in group) {
+                    ToolItem(tool) {
+                        if (tool.closesMenu) {
+                            chosen = tool
+                            open = false
+                        } else {
+                            onCommand(tool.command)
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun ToolItem(tool: Tool, onClick: () -> Unit) = MenuItem(
+    tool.words(spoken),
+    "tool-${tool.command.name.lowercase()}",
+    trailing = if (tool.keys.isEmpty()) null else ({ Keys(tool.keys) }),
+    onClick = onClick,
+)
+
+@Composable
+private fun Keys(keys: String) = Text(keys, style = TextStyles.small, color = LocalRobotranColours.current.quiet)
+
+/**
+ * An item of the menu.
+ *
+ * @property keys its keyboard shortcut.
+ * @property closesMenu false for actions that are often repeated.
+ * @property isForText whether it does nothing useful in blocks.
+ */
+private class Tool(
+    val command: EditorCommand.Plain,
+    val words: Label,
+    val keys: String,
+    val closesMenu: Boolean = true,
+    val isForText: Boolean = false,
+)
+
+private fun toolsFor(hasText: Boolean, hasFind: Boolean, hasLayout: Boolean): List<List<Tool>> =
+    (if (hasFind) listOf(listOf(FIND)) + TOOLS else TOOLS)
+        .map { group -> group.filter { hasText || !it.isForText } }
+        .map { group -> group.filter { hasLayout || it.command != EditorCommand.Plain.FORMAT } }
+        .filter { it.isNotEmpty() }
+
+private val FIND = Tool(EditorCommand.Plain.FIND, EditorTexts::find, "Ctrl F")
+
+private val TOOLS: List<List<Tool>> = listOf(
+    listOf(
+        Tool(EditorCommand.Plain.FORMAT, EditorTexts::format, "Alt F"),
+        Tool(EditorCommand.Plain.COMPLETE, EditorTexts::complete, "Ctrl Space", isForText = true),
+        Tool(EditorCommand.Plain.HELP, EditorTexts::helpOnWord, "F1"),
+        Tool(EditorCommand.Plain.TOGGLE_BREAKPOINT, EditorTexts::breakpoint, "F9"),
+    ),
+    listOf(
+        Tool(EditorCommand.Plain.TOGGLE_COMMENT, EditorTexts::comment, "Ctrl /", isForText = true),
+        Tool(EditorCommand.Plain.INDENT, EditorTexts::indent, "Tab", closesMenu = false, isForText = true),
+        Tool(
+            EditorCommand.Plain.UNINDENT,
+            EditorTexts::unindent,
+            "Shift Tab",
+            closesMenu = false,
+            isForText = true,
+        ),
+    ),
+    listOf(
+        Tool(EditorCommand.Plain.LARGER, EditorTexts::larger, "Ctrl +", closesMenu = false),
+        Tool(EditorCommand.Plain.SMALLER, EditorTexts::smaller, "Ctrl −", closesMenu = false),
+        Tool(EditorCommand.Plain.RENAME, EditorTexts::rename, "F2"),
+    ),
+)
+
+private val SIGN = 16.dp

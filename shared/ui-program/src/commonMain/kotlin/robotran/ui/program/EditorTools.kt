@@ -1,0 +1,81 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.Spacer
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.width
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import robotran.language.ProgramLanguage
+import robotran.programs.support
+import robotran.projects.ProgramView
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.texts.EditorTexts
+import robotran.ui.programlanguages.translationTexts
+import robotran.ui.texts.BrickLabels
+import robotran.uikit.*
+import robotran.workshop.state.ProgramsState
+
+/** A slim row above the program: frequent actions, and a menu with the rest and with what has no room in the row. */
+@Composable
+internal fun EditorTools(
+    state: ProgramsState,
+    onTranslation: (Boolean, ProgramLanguage) -> Unit,
+    onView: (ProgramView) -> Unit,
+    onSend: () -> Unit,
+    onCommand: (EditorCommand.Plain) -> Unit,
+) {
+    val support = state.program.language.support
+    val send = BrickLabels.of(state.brick).send
+    val translation = state.translationKind
+    BoxWithConstraints(Modifier.fillMaxWidth().background(LocalRobotranColours.current.pane)) {
+        val places = toolPlaces(maxWidth, support.hasBlocks, translation?.translationTexts?.switch, send)
+        Row(
+            Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
+            verticalAlignment = Alignment.CenterVertically,
+        ) {
+            IconButton(ThinIcons.UNDO, EditorTexts.undo(spoken), "undo", IconButtonKind.TOOL, enabled = state.canUndo) {
+                onCommand(EditorCommand.Plain.UNDO)
+            }
+            IconButton(ThinIcons.REDO, EditorTexts.redo(spoken), "redo", IconButtonKind.TOOL, enabled = state.canRedo) {
+                onCommand(EditorCommand.Plain.REDO)
+            }
+            if (places.hasFind) {
+                IconButton(ThinIcons.FIND, EditorTexts.find(spoken), "find-open", IconButtonKind.TOOL) {
+                    onCommand(EditorCommand.Plain.FIND)
+                }
+            }
+            Spacer(Modifier.weight(1f))
+            if (support.hasBlocks) {
+                ViewSwitch(state.view, onView)
+                Spacer(Modifier.width(ToolSizes.GAP))
+            }
+            if (translation != null && places.hasTranslation) {
+                PaneChip(translation.translationTexts.switch(spoken), "translation-switch", state.translationShown) {
+                    onTranslation(!state.translationShown, translation)
+                }
+                Spacer(Modifier.width(ToolSizes.GAP))
+            }
+            if (places.send != SendPlace.MENU) SendButton(send, places.send == SendPlace.WORDS, onSend)
+            EditorMenu(
+                hasText = state.view.hasText,
+                hasFind = !places.hasFind,
+                sendWords = send,
+                onSend = onSend.takeIf { places.send == SendPlace.MENU },
+                hasLayout = support.code.hasFormat,
+                translations = state.translationKinds.filter { it != translation || !places.hasTranslation },
+                shown = translation,
+                onTranslation = { onTranslation(it != translation || !state.translationShown, it) },
+                onCommand = onCommand,
+            )
+        }
+    }
+}
+
+private val SIGN = 16.dp

@@ -1,0 +1,235 @@
+package robotran.ui.program
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.text.BasicTextField
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.Stable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableIntStateOf
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.SolidColor
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.isShiftPressed
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.language.source.SourceSpan
+import robotran.textediting.find.Search
+import robotran.ui.program.editor.editorStyle
+import robotran.ui.program.texts.EditorTexts
+import robotran.uikit.*
+
+/** The state of the search. */
+@Stable
+internal class FindState {
+    var isOpen by mutableStateOf(false)
+        private set
+    var search by mutableStateOf(Search(""))
+    var replacement by mutableStateOf("")
+
+    /** Counts the requests; each moves the focus to the search field. */
+    var asked by mutableIntStateOf(0)
+        private set
+
+    /** Opens the search with [text], if it is searchable. */
+    fun open(text: String) {
+        if (text.isNotEmpty() && '\n' !in text) search = search.copy(text = text)
+        isOpen = true
+        asked++
+    }
+
+    fun close() {
+        isOpen = false
+    }
+
+    /** The matches in [text]; empty while the search is closed. */
+    fun matchesIn(text: String): List<SourceSpan> = if (isOpen) search.matchesIn(text) else emptyList()
+}
+
+/** Actions on the matches. */
+internal interface FindActions {
+    fun next()
+
+    fun previous()
+
+    fun replaceOne()
+
+    fun replaceAll()
+
+    fun close()
+}
+
+/**
+ * The fields for search and replacement.
+ *
+ * @param index the number of the selected match, from 1; 0 for none.
+ */
+@Composable
+internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActions) {
+    val colours = LocalRobotranColours.current
+    val first = remember { FocusRequester() }
+    LaunchedEffect(state.asked) { first.requestFocus() }
+    BackGesture(onBack = actions::close)
+    Column(
+        Modifier
+            .fillMaxWidth()
+            .testTag("find-bar")
+            .background(colours.desk.copy(alpha = SHADE))
+            .padding(horizontal = 8.dp, vertical = 4.dp),
+    ) {
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            val words = EditorTexts.find(spoken)
+            val change = { typed: String -> state.search = state.search.copy(text = typed) }
+            LineField(
+                state.search.text,
+                words,
+                "find",
+                change,
+                actions,
+                Modifier.weight(1f).focusRequester(first),
+                actions::next,
+            )
+            val before = EditorTexts.findPrevious(spoken)
+            IconButton(
+                ThinIcons.UP,
+                before,
+                "find-previous",
+                IconButtonKind.SMALL,
+                enabled = count > 0,
+                onClick = actions::previous,
+            )
+            IconButton(
+                ThinIcons.DOWN,
+                EditorTexts.findNext(spoken),
+                "find-next",
+                IconButtonKind.SMALL,
+                enabled = count > 0,
+                onClick = actions::next,
+            )
+            IconButton(
+                ThinIcons.CROSS,
+                EditorTexts.findClose(spoken),
+                "find-close",
+                IconButtonKind.SMALL,
+                onClick = actions::close,
+            )
+        }
+        Row(verticalAlignment = Alignment.CenterVertically) {
+            val words = EditorTexts.replace(spoken)
+            LineField(state.replacement, words, "replace", {
+                state.replacement = it
+            }, actions, Modifier.weight(1f), actions::replaceOne)
+            Button(
+                EditorTexts.replaceOne(spoken),
+                "replace-one",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceOne,
+            )
+            Button(
+                EditorTexts.replaceAll(spoken),
+                "replace-all",
+                ButtonKind.SMALL_LINK,
+                enabled = count > 0,
+                onClick = actions::replaceAll,
+            )
+        }
+        Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+            PaneChip(EditorTexts.findCase(spoken), "find-case", state.search.matchCase) {
+                state.search = state.search.copy(matchCase = !state.search.matchCase)
+            }
+            PaneChip(EditorTexts.findWords(spoken), "find-words", state.search.wholeWords) {
+                state.search = state.search.copy(wholeWords = !state.search.wholeWords)
+            }
+            Text(
+                if (state.search.text.isEmpty()) "" else countText(count, index),
+                Modifier.weight(1f).testTag("find-count").announced(),
+                TextStyles.small,
+            )
+        }
+    }
+}
+
+@Composable
+private fun countText(count: Int, index: Int): String = if (count == 0) {
+    EditorTexts.findNone(spoken)
+} else {
+    EditorTexts.findCount(spoken, index, count)
+}
+
+@Composable
+private fun LineField(
+    text: String,
+    label: String,
+    tag: String,
+    onChange: (String) -> Unit,
+    actions: FindActions,
+    modifier: Modifier,
+    onEnter: () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
+    BasicTextField(
+        text,
+        onChange,
+        modifier
+            .testTag(tag)
+            .defaultMinSize(minHeight = Dimensions.TARGET)
+            .padding(vertical = 4.dp)
+            .named(label)
+            .onPreviewKeyEvent { event ->
+                val isDown = event.type == KeyEventType.KeyDown
+                when (event.key) {
+                    Key.Enter, Key.NumPadEnter -> when {
+                        !isDown -> Unit
+                        event.isShiftPressed -> actions.previous()
+                        else -> onEnter()
+                    }
+
+                    Key.Escape -> if (isDown) actions.close()
+                    else -> return@onPreviewKeyEvent false
+                }
+                true
+            },
+        singleLine = true,
+        textStyle = editorStyle(FIELD_SIZE),
+        cursorBrush = SolidColor(colours.focus),
+        decorationBox = { inner ->
+            Box(
+                Modifier.background(
+                    colours.pane,
+                    SHAPE,
+                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
+                Alignment.CenterStart,
+            ) {
+                if (text.isEmpty()) Text(label, style = TextStyles.compact, color = colours.quiet, maxLines = 1)
+                inner()
+            }
+        },
+    )
+}
+
+private val SHAPE = Shapes.SMALL
+private const val FIELD_SIZE = 15f
+private const val SHADE = 0.5f

@@ -1,0 +1,56 @@
+package robotran.ui.program.blocks.dialogs
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalClipboardManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.blockediting.BlockEdit
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.copy
+import robotran.ui.program.texts.BlockTexts
+import robotran.ui.program.texts.EditorTexts
+import robotran.uikit.*
+import robotran.workshop.event.BlockEvent
+
+/** How many blocks are chosen, and what can be done to all of them. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun ChoosingBar(scope: BlockScope) {
+    val clipboard = LocalClipboardManager.current
+    val state = scope.state
+    Surface(Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"), Shapes.LARGE, shadowElevation = 6.dp) {
+        Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
+            Text(
+                BlockTexts.chosen(spoken, state.selected.size),
+                Modifier.announced(),
+                TextStyles.label,
+            )
+            FlowRow(
+                horizontalArrangement = Arrangement.spacedBy(8.dp),
+                verticalArrangement = Arrangement.spacedBy(8.dp),
+            ) {
+                DialogButton(BlockTexts.done(spoken), "choosing-done") {
+                    scope.onEvent(BlockEvent.MultiSelectChanged(false))
+                }
+                DialogButton(EditorTexts.copy(spoken), "choosing-copy") { clipboard.copy(scope) }
+                DialogButton(BlockTexts.duplicate(spoken), "choosing-duplicate") {
+                    state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
+                }
+                DialogButton(BlockTexts.delete(spoken), "choosing-delete") {
+                    scope.edit(BlockEdit.Delete(state.selected.toSet()))
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,233 @@
+package robotran.ui.program.blocks.dialogs
+
+import androidx.compose.foundation.focusGroup
+import androidx.compose.foundation.horizontalScroll
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.width
+import androidx.compose.foundation.lazy.LazyColumn
+import androidx.compose.foundation.lazy.LazyListState
+import androidx.compose.foundation.lazy.items
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.graphics.graphicsLayer
+import androidx.compose.ui.input.key.Key
+import androidx.compose.ui.input.key.KeyEventType
+import androidx.compose.ui.input.key.key
+import androidx.compose.ui.input.key.onPreviewKeyEvent
+import androidx.compose.ui.input.key.type
+import androidx.compose.ui.layout.onGloballyPositioned
+import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.LocalInputModeManager
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.unit.dp
+import robotran.blockediting.palette.Palette
+import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.palette.PaletteHelp
+import robotran.blockediting.palette.isWritten
+import robotran.blockediting.palette.ownBlocks
+import robotran.blockediting.palette.searchPalette
+import robotran.brick.kind.BrickKind
+import robotran.learning.WordHelp
+import robotran.programs.blockLanguage
+import robotran.robolang.words.BlockGroup
+import robotran.ui.program.blocks.BlockDragging
+import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.blocks.DoNowButton
+import robotran.ui.program.texts.BlockTexts
+import robotran.ui.program.texts.EditorTexts
+import robotran.uikit.*
+import robotran.workshop.blocks.BlockPalette
+import robotran.workshop.blocks.BlocksState
+import robotran.workshop.blocks.placeForNew
+import robotran.workshop.event.BlockEvent
+
+/**
+ * The blocks that can be added: a group, or what is searched for; in the tutorial only those that it has introduced. A
+ * touch adds one below the cursor, and a value where the cursor is in a line; one that is carried out of the sheet lands
+ * anywhere.
+ */
+@Composable
+internal fun PaletteDialog(
+    scope: BlockScope,
+    dragging: BlockDragging,
+    room: BlocksRoom,
+    onClose: () -> Unit,
+    modifier: Modifier,
+) {
+    val palette = scope.state.palette
+    val turn = { next: BlockPalette -> scope.onEvent(BlockEvent.PaletteGroupSelected(next)) }
+    var showsAll by remember { mutableStateOf(false) }
+    val introduced = scope.introduced.takeIf { !showsAll }
+    val shown = remember(palette, scope.state.program, scope.state.cursor, introduced, scope.brick) {
+        shownBlocks(scope.state, introduced, scope.brick)
+    }
+    val (values, lines) = shown.partition { it.isValue }
+    val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
+    val list = remember { FocusRequester() }
+    val isOver = room.dialogs == SheetPlace.OVER
+    val input = LocalInputModeManager.current
+    val take = { block: PaletteBlock ->
+        scope.onEvent(BlockEvent.Taken(block))
+        // A finger often takes several blocks; the keyboard goes on at the new one.
+        if (input.areKeysInUse) onClose()
+    }
+    // While a block is carried out of it, the sheet stays, because its touches come from there.
+    val place = modifier
+        .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
+        .onGloballyPositioned {
+            val top = it.positionInRoot().y - dragging.corner.y
+            dragging.coveredFrom = if (room.dialogs == SheetPlace.BELOW) top else Float.MAX_VALUE
+        }
+    val search: @Composable () -> Unit = {
+        PaletteSearchField(palette, turn, { list.requestFocus() }) { (lines + values).firstOrNull()?.let(take) }
+    }
+    val showAll: @Composable () -> Unit = {
+        if (introduced != null && !scope.isIntroductionFixed) {
+            DialogButton(BlockTexts.showAll(spoken), "palette-all") { showsAll = true }
+        }
+    }
+    val noneFound: @Composable () -> Unit = {
+        Text(
+            when {
+                introduced == null -> BlockTexts.noneFound(spoken)
+                scope.isIntroductionFixed -> EditorTexts.assignmentBlocksNone(spoken)
+                else -> BlockTexts.notYet(spoken)
+            },
+            style = TextStyles.body,
+            color = LocalRobotranColours.current.onPane,
+        )
+    }
+    // Other blocks begin at the top.
+    val items = remember(palette) { LazyListState() }
+    val blocks: @Composable (Modifier, Boolean) -> Unit = { where, hasAll ->
+        LazyColumn(
+            where
+                .focusRequester(list)
+                .focusGroup()
+                .testTag("palette-blocks")
+                .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
+            items,
+            verticalArrangement = Arrangement.spacedBy(8.dp),
+        ) {
+            if (hasAll && palette.query.isBlank()) item { DialogHeading(scope.messages.group(palette.group)) }
+            if (hasAll && shown.isEmpty()) item { noneFound() }
+            val allLines = {
+                items(lines) { block ->
+                    Row(verticalAlignment = Alignment.Top) {
+                        Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
+                        DoNowButton(block, scope)
+                    }
+                }
+            }
+            if (!valuesFirst) allLines()
+            if (values.isNotEmpty()) item { DialogHeading(BlockTexts.paletteValues(spoken)) }
+            items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
+            if (valuesFirst) {
+                if (lines.isNotEmpty()) item { DialogHeading(BlockTexts.paletteLines(spoken)) }
+                allLines()
+            }
+            if (hasAll && introduced != null) item { showAll() }
+        }
+    }
+    BlockDialogFrame(BlockTexts.palette(spoken), onClose, place, scrolls = false) {
+        if (isOver) {
+            Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
+                Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+                    search()
+                    GroupGrid(scope, turn)
+                }
+                blocks(Modifier.weight(1f).fillMaxHeight(), true)
+            }
+        } else {
+            search()
+            if (!room.hasGroups) GroupChips(scope, turn)
+            if (shown.isEmpty()) noneFound()
+            showAll()
+            blocks(Modifier.fillMaxWidth(), false)
+        }
+    }
+}
+
+@Composable
+private fun PaletteSearchField(
+    palette: BlockPalette,
+    onTurn: (BlockPalette) -> Unit,
+    onLeave: () -> Unit,
+    onTake: () -> Unit,
+) = TextField(
+    palette.query,
+    { onTurn(palette.copy(query = it)) },
+    Modifier
+        .fillMaxWidth()
+        .onPreviewKeyEvent { event ->
+            val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
+            if (leaves) onLeave()
+            leaves
+        }.testTag("palette-search"),
+    BlockTexts.search(spoken),
+    keyboard = KeyboardOptions(imeAction = ImeAction.Search),
+    onKeyboard = KeyboardActions(onSearch = { onTake() }),
+)
+
+/** All groups beside their blocks. The list says the name of the one that it shows. */
+@Composable
+private fun GroupGrid(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
+    val palette = scope.state.palette
+    Column {
+        for (row in BlockGroup.entries.chunked(GROUPS_IN_ROW)) {
+            Row {
+                for (group in row) {
+                    val isShown = palette.query.isEmpty() && palette.group == group
+                    GroupSign(group, isShown, scope) { onTurn(BlockPalette(group)) }
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
+    val palette = scope.state.palette
+    Row(Modifier.horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
+        for (group in BlockGroup.entries) {
+            val isShown = palette.query.isEmpty() && palette.group == group
+            GroupChip(group, isShown, scope) { onTurn(BlockPalette(group)) }
+        }
+    }
+}
+
+/** The lines that can be added, and the values. */
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
+    val own = ownBlocks(state.program, state.placeForNew)
+    val known = Palette.blocksFor(brick).filter { introduced == null || it.id in introduced }
+    val all = (known + own).filterNot { it.isWritten }
+    val query = state.palette.query
+    return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
+}
+
+private val HELP =
+    PaletteHelp { word, language -> WordHelp.of(language, blockLanguage, word, BrickKind.default)?.sentence }
+
+private const val CARRIED_FROM = 0.2f
+
+/** In this width all groups are in two rows. */
+private val SIDE = 216.dp
+private const val GROUPS_IN_ROW = 4

@@ -1,0 +1,120 @@
+package robotran.ui.program.blocks
+
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performTouchInput
+import androidx.compose.ui.test.swipeUp
+import robotran.projects.ProgramView
+import robotran.ui.screen.checkTargets
+import robotran.ui.screen.onPhone
+import robotran.ui.screen.pass
+import robotran.ui.screen.scrollAndTouch
+import robotran.ui.screen.touch
+import robotran.workshop.text
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertTrue
+
+/** Tests blocks with a finger and without a keyboard. */
+@OptIn(ExperimentalTestApi::class)
+class BlocksTouchTest {
+    @Test
+    fun `a finger switches between text, blocks and both`() = onPhone { workshop ->
+        touch("tab-program")
+        touch("view-switch")
+        touch("view-blocks")
+        assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
+        assertEquals(1, onAllNodesWithTag("blocks").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag("program").fetchSemanticsNodes().size)
+        touch("view-switch")
+        touch("view-both")
+        assertEquals(1, onAllNodesWithTag("program").fetchSemanticsNodes().size)
+    }
+
+    @Test
+    fun `a square is built from the palette on a phone`() = onPhoneInBlocks("") { workshop ->
+        touch("blocks-add")
+        scrollAndTouch("group-control")
+        scrollAndTouch("take-repeat")
+        scrollAndTouch("group-drive")
+        scrollAndTouch("take-move")
+        scrollAndTouch("take-turn")
+        touch("block-sheet-close")
+        assertEquals("repeat 4 times\n  forward 20\n  turn left 90\nend", workshop.text.trim())
+    }
+
+    @Test
+    fun `a number is changed with the number pad, and undone at once`() = onPhoneInBlocks(SQUARE) { workshop ->
+        touch(socketOf(SQUARE, "20"))
+        for (digit in "135") scrollAndTouch("digit-$digit")
+        assertEquals(SQUARE.replace("20", "135"), workshop.text)
+        scrollAndTouch("number-less")
+        assertEquals(SQUARE.replace("20", "134"), workshop.text)
+        touch("block-sheet-close")
+        touch("undo")
+        assertEquals(SQUARE, workshop.text)
+    }
+
+    @Test
+    fun `a choice is made in a menu`() = onTabletInBlocks(SQUARE) { workshop ->
+        touch(socketOf(SQUARE, "left"))
+        touch("choice-1")
+        assertEquals(SQUARE.replace("left", "right"), workshop.text)
+    }
+
+    @Test
+    fun `a finger that rests on a block carries it to another place`() = onPhoneInBlocks("beep\nbuzz\nstop\n") {
+        carry("block-0", placeOf("block-2").bottomLeft + CLEAR)
+        assertEquals("buzz\nstop\nbeep\n", it.text)
+    }
+
+    @Test
+    fun `a block is carried out of the palette into another one`() = onPhoneInBlocks("repeat 4 times\nend\n") {
+        touch("blocks-add")
+        val room = onNodeWithTag("block-0-room-0").fetchSemanticsNode().boundsInRoot.center
+        val from = onNodeWithTag("take-move").fetchSemanticsNode().boundsInRoot
+        onNodeWithTag("take-move").performTouchInput { down(center) }
+        pass(800)
+        onNodeWithTag("take-move").performTouchInput { moveTo(room - from.topLeft) }
+        pass(100)
+        onNodeWithTag("take-move").performTouchInput { up() }
+        pass(200)
+        assertEquals("repeat 4 times\n  forward 20\nend\n", it.text)
+    }
+
+    @Test
+    fun `a block is deleted with its inside, and comes back`() = onTabletInBlocks(SQUARE) { workshop ->
+        touch("block-0")
+        touch("block-more")
+        touch("action-delete")
+        assertEquals("", workshop.text.trim())
+        touch("undo")
+        assertEquals(SQUARE, workshop.text)
+    }
+
+    @Test
+    fun `a touch on a line's number sets a breakpoint`() = onPhoneInBlocks(SQUARE) { workshop ->
+        touch("block-line-2")
+        assertEquals(setOf(2), workshop.state.programs.breakpoints)
+        checkTargets("block-line-2", "block-0", "blocks-add", "view-switch")
+    }
+
+    @Test
+    fun `of a long program only the visible blocks are on the screen`() = onTabletInBlocks(LONG) {
+        val before = onAllNodesWithTag("block-1990").fetchSemanticsNodes().size
+        assertEquals(0, before)
+        onNodeWithTag("blocks").performTouchInput { swipeUp() }
+        pass(500)
+        assertTrue(onAllNodesWithTag("block-0").fetchSemanticsNodes().isEmpty())
+    }
+
+    private companion object {
+        const val SQUARE = "repeat 4 times\n  forward 20\n  turn left 90\nend\n"
+        val LONG = (1..2_000).joinToString("\n", postfix = "\n") { "forward $it" }
+
+        /** Below the middle of the last block. */
+        val CLEAR = Offset(60f, -4f)
+    }
+}

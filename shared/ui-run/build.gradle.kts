@@ -1,0 +1,27 @@
+plugins {
+    id("robotran.compose")
+}
+
+kotlin {
+    sourceSets {
+        commonMain.dependencies {
+            api(project(":shared:ui-common"))
+            implementation(project(":shared:nxt"))
+            implementation(libs.coroutines.core)
+            // Material, inside the kit, requires 0.6.0, whose wasm library is missing on some registries.
+            implementation(libs.datetime)
+        }
+        androidMain.dependencies {
+            // Compose requires 2.8.3, which some mirrors of Google's repository lack.
+            implementation(libs.androidx.lifecycle.runtime.compose)
+        }
+        jvmTest {
+            kotlin.srcDir("../ui/src/sharedTest/kotlin")
+            kotlin.srcDir("../workshop/src/sharedTest/kotlin")
+        }
+        jvmTest.dependencies {
+            implementation(project(":shared:ui")) // the tests show the whole app
+            implementation(libs.kotest.property)
+        }
+    }
+}

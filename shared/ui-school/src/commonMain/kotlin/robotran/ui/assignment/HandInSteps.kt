@@ -1,0 +1,125 @@
+package robotran.ui.assignment
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.heightIn
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.selection.selectable
+import androidx.compose.foundation.selection.selectableGroup
+import androidx.compose.foundation.text.KeyboardActions
+import androidx.compose.foundation.text.KeyboardOptions
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.Role
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.text.input.KeyboardCapitalization
+import androidx.compose.ui.unit.dp
+import robotran.projects.AssignmentLimits
+import robotran.ui.school.texts.SchoolTexts
+import robotran.uikit.*
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.HandInStep
+
+@Composable
+internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Unit) {
+    TextField(
+        step.name,
+        { onEvent(AssignmentEvent.NameEntered(it.take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS))) },
+        Modifier.fillMaxWidth().testTag("hand-in-name"),
+        step.wanted.ifBlank { SchoolTexts.handInName(spoken) },
+        keyboard = KeyboardOptions(
+            capitalization = KeyboardCapitalization.Words,
+            autoCorrectEnabled = false,
+            imeAction = ImeAction.Done,
+        ),
+        onKeyboard = KeyboardActions(onDone = { onEvent(AssignmentEvent.HandInMade()) }),
+    )
+    val best = step.best
+    when {
+        best == null -> Explanation(SchoolTexts.handInEditorIs(spoken), Modifier.testTag("hand-in-what"))
+
+        !step.canChoose -> {
+            Explanation(
+                SchoolTexts.handInBestIs(spoken, best.goalsMet, best.goals, secondsText(best.milliseconds)),
+                Modifier.testTag("hand-in-what"),
+            )
+        }
+
+        else -> {
+            Column(Modifier.selectableGroup()) {
+                Explanation(SchoolTexts.handInWhat(spoken), Modifier.testTag("hand-in-what"))
+                val time = secondsText(best.milliseconds)
+                Choice(
+                    SchoolTexts.handInBest(spoken, best.goalsMet, best.goals, time),
+                    !step.isEditor,
+                    "hand-in-best",
+                ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
+                Choice(SchoolTexts.handInEditor(spoken), step.isEditor, "hand-in-editor") {
+                    onEvent(AssignmentEvent.WorkChosen(isEditor = true))
+                }
+            }
+        }
+    }
+    if (step.isUnchanged && (best == null || (step.canChoose && step.isEditor))) {
+        Explanation(SchoolTexts.handInUnchanged(spoken), Modifier.testTag("hand-in-unchanged"))
+    }
+    NotAllowedLines(step.notAllowed)
+    Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
+}
+
+@Composable
+private fun Choice(label: String, isChosen: Boolean, tag: String, onClick: () -> Unit) {
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .heightIn(min = Dimensions.TARGET)
+            .focusRing()
+            .selectable(isChosen, role = Role.RadioButton, onClick = onClick)
+            .testTag(tag)
+            .padding(horizontal = 4.dp),
+        Arrangement.spacedBy(12.dp),
+        Alignment.CenterVertically,
+    ) {
+        RadioMark(isChosen)
+        Text(label, Modifier.weight(1f), TextStyles.label)
+    }
+}
+
+@Composable
+internal fun RunningView(step: HandInStep.Running) {
+    Explanation(
+        SchoolTexts.handInRunning(spoken),
+        Modifier.testTag("hand-in-running").announced(),
+    )
+    ProgressBar(step.part, "hand-in-progress")
+}
+
+/** @param part of the work that is done, 0..1. */
+@Composable
+internal fun ProgressBar(part: Float, tag: String) =
+    Progress({ part }, Modifier.fillMaxWidth().height(10.dp).testTag(tag))
+
+@Composable
+internal fun ErrorsView(step: HandInStep.HasErrors) {
+    Explanation(SchoolTexts.handInMistakes(spoken), Modifier.testTag("hand-in-mistakes"), bad = true)
+    for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
+}
+
+@Composable
+internal fun Quiet(label: String, tag: String) = Text(
+    label,
+    Modifier.testTag(tag),
+    TextStyles.smallLines,
+    color = LocalRobotranColours.current.quiet,
+)
+
+private const val MAX_REASONS = 5

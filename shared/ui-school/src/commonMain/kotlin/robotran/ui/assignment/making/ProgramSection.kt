@@ -1,0 +1,140 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.unit.dp
+import robotran.blockediting.messages.BlockMessages
+import robotran.language.ProgramLanguage
+import robotran.programs.blockLanguage
+import robotran.programs.support
+import robotran.projects.Assignment
+import robotran.robolang.words.BlockGroup
+import robotran.ui.assignment.Quiet
+import robotran.ui.school.texts.SchoolTexts
+import robotran.uikit.*
+import robotran.workshop.blocks.wordsOf
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentEditorState
+
+/** The goals, which the world editor edits, and whether the world is the pupils' to change. */
+@Composable
+internal fun GoalSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
+    Section(SchoolTexts.makeGoals(spoken), "make-goal-section") {
+        Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag("make-goal-count"))
+        Button(SchoolTexts.makeGoalsEdit(spoken), "make-world", ButtonKind.SECOND) {
+            onEvent(AssignmentEvent.WorldRequested)
+        }
+        SwitchRow(SchoolTexts.makeMayChange(spoken), state.assignment.mayChangeWorld, "make-may-change") {
+            change(state.assignment.copy(mayChangeWorld = it))
+        }
+    }
+}
+
+/** What pupils begin with, the solution, and what may be used. */
+@Composable
+internal fun ProgramSection(
+    state: AssignmentEditorState,
+    change: (Assignment) -> Unit,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    Section(SchoolTexts.makePrograms(spoken), "make-program-section") {
+        Start(state, onEvent)
+        Solution(state, onEvent)
+        Languages(state.assignment, change)
+        val languages = state.assignment.languages
+        // Only Robolang has words and blocks to choose from.
+        if (languages.isEmpty() || blockLanguage in languages) Words(state.assignment, change)
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
+    Subtitle(SchoolTexts.makeStart(spoken))
+    Chips {
+        state.programs.forEachIndexed { index, program ->
+            Chip(program.name, program.isStart, "make-start-$index") {
+                onEvent(AssignmentEvent.StartSwitched(index, !program.isStart))
+            }
+        }
+    }
+    if (state.notGiven.isNotEmpty()) {
+        ComesIntoView(state.notGiven) {
+            for (name in state.notGiven) {
+                Explanation(
+                    SchoolTexts.makeStartRefused(spoken, name),
+                    Modifier.testTag("make-start-refused").announced(),
+                    bad = true,
+                )
+            }
+        }
+    }
+    state.emptyStart?.let {
+        Explanation(SchoolTexts.makeStartEmpty(spoken, it), Modifier.testTag("make-start-empty"))
+    }
+    state.programs.forEachIndexed { index, program ->
+        if (program.isStart && program.isChanged) {
+            FlowRow(verticalArrangement = Arrangement.Center) {
+                Explanation(SchoolTexts.makeStartChanged(spoken, program.name))
+                Button(SchoolTexts.makeStartRetake(spoken), "make-start-retake-$index", ButtonKind.QUIET) {
+                    onEvent(AssignmentEvent.StartSwitched(index, on = true))
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun Languages(assignment: Assignment, change: (Assignment) -> Unit) {
+    Subtitle(SchoolTexts.makeLanguages(spoken))
+    Chips {
+        Chip(SchoolTexts.makeAll(spoken), assignment.languages.isEmpty(), "make-language-all") {
+            change(assignment.copy(languages = emptyList()))
+        }
+        // Nobody is asked to write what is for experts.
+        for (language in ProgramLanguage.entries.filterNot { it.support.isForExperts }) {
+            val isOnly = assignment.languages == listOf(language)
+            Chip(language.ownName, isOnly, "make-language-${language.name.lowercase()}") {
+                change(assignment.copy(languages = if (isOnly) emptyList() else listOf(language)))
+            }
+        }
+    }
+}
+
+@Composable
+private fun Words(assignment: Assignment, change: (Assignment) -> Unit) {
+    val messages = BlockMessages.of(LocalLanguage.current)
+    val groups = remember { BlockGroup.entries.filter { wordsOf(it).isNotEmpty() } }
+    val chosen = groups.filter { assignment.words.containsAll(wordsOf(it)) }
+    val choose = { now: List<BlockGroup> -> change(assignment.copy(words = now.flatMap { wordsOf(it) }.distinct())) }
+    Subtitle(SchoolTexts.makeWords(spoken))
+    Chips {
+        Chip(SchoolTexts.makeAll(spoken), assignment.words.isEmpty(), "make-words-all") { choose(emptyList()) }
+        for (group in groups) {
+            val isChosen = group in chosen
+            Chip(messages.group(group), isChosen, "make-words-${group.name.lowercase()}") {
+                choose(if (isChosen) chosen - group else chosen + group)
+            }
+        }
+    }
+    if (assignment.words.isNotEmpty()) {
+        Quiet(SchoolTexts.makeWordsSome(spoken, assignment.words.joinToString()), "make-words-list")
+    }
+}
+
+/** Chips or buttons, side by side. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun Chips(content: @Composable () -> Unit) {
+    Column { FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(4.dp)) { content() } }
+}

@@ -1,0 +1,48 @@
+package robotran.ui.export
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import robotran.ui.school.texts.ExportTexts
+import robotran.uikit.*
+import robotran.workshop.event.ExportEvent
+import robotran.workshop.state.ExportState
+import robotran.workshop.state.ShowStep
+
+/** The buttons of the step: at the left the one that leaves it, at the right what goes on. */
+@Composable
+internal fun ExportButtons(state: ExportState, onEvent: (ExportEvent) -> Unit, modifier: Modifier = Modifier) {
+    val (first, others) = actionsOf(state)
+    ButtonRows(modifier) {
+        Button(first.words(spoken), first.tag, ButtonKind.DIALOG_OTHER) { onEvent(first.event) }
+        for (action in others.dropLast(1)) {
+            Button(action.words(spoken), action.tag, ButtonKind.DIALOG_OTHER) {
+                onEvent(action.event)
+            }
+        }
+        others.lastOrNull()?.let { main ->
+            Button(main.words(spoken), main.tag, ButtonKind.DIALOG_MAIN) { onEvent(main.event) }
+        }
+    }
+}
+
+private fun actionsOf(state: ExportState): Pair<ShowAction, List<ShowAction>> = when (state.step) {
+    ShowStep.Choosing -> ShowAction.CLOSE to emptyList()
+    is ShowStep.ChoosingSpeed -> ShowAction.BACK to listOf(ShowAction.MAKE)
+    is ShowStep.Making -> ShowAction.CANCEL to emptyList()
+
+    is ShowStep.ChoosingPoster -> {
+        ShowAction.BACK to listOf(ShowAction.SAVE, ShowAction.PRINT).filter { it != ShowAction.PRINT || state.canPrint }
+    }
+
+    is ShowStep.Saved, is ShowStep.Failed -> ShowAction.MORE to listOf(ShowAction.CLOSE)
+}
+
+private enum class ShowAction(val words: Label, val tag: String, val event: ExportEvent) {
+    CLOSE(ExportTexts::close, "show-close", ExportEvent.Closed),
+    BACK(ExportTexts::back, "show-back", ExportEvent.BackRequested),
+    CANCEL(ExportTexts::cancel, "show-cancel", ExportEvent.BackRequested),
+    MORE(ExportTexts::more, "show-more", ExportEvent.BackRequested),
+    MAKE(ExportTexts::make, "show-make", ExportEvent.MakingRequested),
+    SAVE(ExportTexts::posterSave, "poster-save", ExportEvent.PosterSaved),
+    PRINT(ExportTexts::posterPrint, "poster-print", ExportEvent.PosterPrinted),
+}

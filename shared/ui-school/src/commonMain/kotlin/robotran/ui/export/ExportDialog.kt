@@ -1,0 +1,60 @@
+package robotran.ui.export
+
+import androidx.compose.foundation.BorderStroke
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.layout.size
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.paneTitle
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.DpSize
+import androidx.compose.ui.unit.dp
+import androidx.compose.ui.window.DialogProperties
+import robotran.simulation.state.SessionState
+import robotran.ui.texts.CommonTexts
+import robotran.uikit.*
+import robotran.workshop.event.ExportEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.ExportState
+import robotran.workshop.state.ShowStep
+import robotran.world.World
+
+/** The sheet with which pupils show what they made. While something is made, a touch outside does not close it. */
+@Composable
+fun ExportDialog(state: ExportState, world: World, session: SessionState, onEvent: (WorkshopEvent) -> Unit) =
+    StepsDialog({ onEvent(ExportEvent.Closed) }, state.step !is ShowStep.Making) {
+        ShowCard(state, world, session, onEvent, it)
+    }
+
+/** The sheet without its window. It has one size for all steps, so its buttons stay where they are. */
+@Composable
+internal fun ShowCard(
+    state: ExportState,
+    world: World,
+    session: SessionState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) = StepsCard(CommonTexts.showWork(spoken), "show-sheet", SIZE, modifier) {
+    Box(Modifier.weight(1f).fillMaxWidth()) {
+        when (val step = state.step) {
+            ShowStep.Choosing -> ExportChoices(state, world, session, onEvent)
+            is ShowStep.ChoosingSpeed -> SpeedChoice(step, onEvent)
+            is ShowStep.Making -> MakingView(step)
+            is ShowStep.ChoosingPoster -> PosterForm(step, onEvent)
+            is ShowStep.Saved -> SavedView(step.name)
+            is ShowStep.Failed -> FailedView(step.error)
+        }
+    }
+    ExportButtons(state, onEvent, Modifier.fillMaxWidth())
+}
+
+/** Enough for all choices with text of the usual size. */
+private val SIZE = DpSize(680.dp, 560.dp)

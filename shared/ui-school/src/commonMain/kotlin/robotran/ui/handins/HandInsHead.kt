@@ -1,0 +1,115 @@
+package robotran.ui.handins
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import robotran.ui.school.texts.SchoolTexts
+import robotran.ui.texts.CommonTexts
+import robotran.uikit.*
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.state.HandInsKind
+import robotran.workshop.state.HandInsMessage
+import robotran.workshop.state.HandInsState
+
+/**
+ * What the hand-ins are graded with, and what can be done with all of them.
+ *
+ * @param hasActions false where these stay above the table.
+ */
+@Composable
+internal fun HandInsHead(state: HandInsState, hasActions: Boolean, onEvent: (HandInsEvent) -> Unit) =
+    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
+        when (state.kind) {
+            HandInsKind.WITH_CHECKS -> Unit
+            HandInsKind.WITHOUT_CHECKS -> HelpText(SchoolTexts.handInsNoChecks(spoken))
+            HandInsKind.WORLD -> HelpText(SchoolTexts.handInsWorld(spoken))
+        }
+        if (hasActions) HandInsActions(state, onEvent)
+        Text(
+            SchoolTexts.handInsLocal(spoken),
+            style = TextStyles.smallLines,
+            color = LocalRobotranColours.current.quiet,
+        )
+    }
+
+/** What can be done with all hand-ins. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit, modifier: Modifier = Modifier) =
+    FlowRow(
+        modifier,
+        horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+        verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+    ) {
+        Button(SchoolTexts.handInsChoose(spoken), "hand-ins-choose") {
+            onEvent(HandInsEvent.FilesRequested)
+        }
+        Button(SchoolTexts.handInsPaste(spoken), "hand-ins-paste", ButtonKind.SECOND) {
+            onEvent(HandInsEvent.PastingRequested)
+        }
+        for (kind in state.scanners) ScanButton(kind, onEvent)
+        if (state.rows.isEmpty()) return@FlowRow
+        Button(SchoolTexts.handInsCsv(spoken), "hand-ins-csv", ButtonKind.SECOND) { onEvent(HandInsEvent.CsvRequested) }
+        Button(SchoolTexts.handInsHtml(spoken), "hand-ins-html", ButtonKind.SECOND) {
+            onEvent(HandInsEvent.PageRequested)
+        }
+        Button(SchoolTexts.handInsFeedback(spoken), "hand-ins-feedback", ButtonKind.SECOND) {
+            onEvent(HandInsEvent.FeedbackRequested)
+        }
+        Button(SchoolTexts.handInsRemove(spoken), "hand-ins-remove", ButtonKind.QUIET) {
+            onEvent(HandInsEvent.RemovalRequested)
+        }
+    }
+
+@Composable
+private fun HelpText(label: String) = Text(
+    label,
+    Modifier
+        .fillMaxWidth()
+        .background(LocalRobotranColours.current.invite, Shapes.MEDIUM)
+        .padding(Space.MEDIUM)
+        .testTag("hand-ins-remark"),
+    TextStyles.label,
+    color = LocalRobotranColours.current.onPane,
+)
+
+/** What came of the last action, until it is dismissed. Screen readers announce it. */
+@Composable
+internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    Row(
+        Modifier
+            .fillMaxWidth()
+            .padding(Space.SMALL)
+            .background(if (message.isError) colours.errorPane else colours.goodPane, Shapes.MEDIUM)
+            .padding(start = Space.MEDIUM),
+        verticalAlignment = Alignment.CenterVertically,
+    ) {
+        Text(
+            wordsFor(message),
+            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").announced(),
+            TextStyles.label,
+            color = if (message.isError) colours.error else colours.onPane,
+        )
+        if (message is HandInsMessage.Removed) {
+            Button(SchoolTexts.handInsUndo(spoken), "hand-ins-undo", ButtonKind.QUIET) {
+                onEvent(HandInsEvent.RemovalUndone)
+            }
+        }
+        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "hand-ins-told-close") {
+            onEvent(HandInsEvent.MessageDismissed)
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.grid.GridCells
+import androidx.compose.foundation.lazy.grid.GridItemSpan
+import androidx.compose.foundation.lazy.grid.LazyGridScope
+import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
+import androidx.compose.foundation.lazy.grid.items
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.unit.dp
+import robotran.brick.kind.BrickKind
+import robotran.language.ProgramLanguage
+import robotran.ui.programlanguages.ExampleSet
+import robotran.ui.school.texts.LearningTexts
+import robotran.uikit.*
+import robotran.workshop.event.LearningEvent
+
+/**
+ * All example programs with their drawings; those in the language [current], for the [brick] of the robot, come first.
+ */
+@Composable
+internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
+    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
+    val cards = rememberLazyGridState()
+    Page(LearningTexts.examples(spoken), "examples-page", {
+        onEvent(LearningEvent.PageClosed)
+    }, cards, maxWidth = 1280.dp) {
+        LazyVerticalGrid(
+            columns = GridCells.Adaptive(CARD_WIDTH * scale),
+            modifier = Modifier.fillMaxSize().testTag("example-cards").scrolledByReaders(cards) {
+                cards.layoutInfo.viewportSize.height
+            },
+            state = cards,
+            contentPadding = PaddingValues(20.dp),
+            horizontalArrangement = Arrangement.spacedBy(16.dp),
+            verticalArrangement = Arrangement.spacedBy(16.dp),
+        ) {
+            item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
+                Text(
+                    LearningTexts.examplesAdded(spoken),
+                    style = TextStyles.body,
+                    color = LocalRobotranColours.current.quiet,
+                )
+            }
+            val isFirst = { set: ExampleSet -> set.language == current && (set.brick == null || set.brick == brick) }
+            for (set in ExampleSet.entries.sortedByDescending(isFirst)) examples(set, onEvent)
+        }
+    }
+}
+
+private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> Unit) {
+    item(span = { GridItemSpan(maxLineSpan) }, key = set.name) {
+        val words = Modifier.padding(top = 8.dp).heading()
+        Text(set.title(spoken), words, TextStyles.lead.strong)
+    }
+    items(set.programs.keys.toList(), key = { set.idOf(it) }) { name ->
+        ExampleCard(name, set.idOf(name), aboutExample(set, name, spoken)) {
+            onEvent(LearningEvent.ExampleChosen(set.language, name, set.brick ?: BrickKind.default))
+        }
+    }
+}
+
+@Composable
+private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
+    val colours = LocalRobotranColours.current
+    PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
+        Text(name, style = TextStyles.body.strong)
+        Text(about, style = TextStyles.smallLines, color = colours.quiet)
+    }
+}
+
+private val CARD_WIDTH = 200.dp
+private const val MAX_SCALE = 1.4f
+private const val PICTURE_ASPECT = 4f / 3f

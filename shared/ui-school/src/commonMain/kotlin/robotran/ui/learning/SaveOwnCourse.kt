@@ -1,0 +1,35 @@
+package robotran.ui.learning
+
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import robotran.ui.school.texts.SchoolTexts
+import robotran.uikit.*
+import robotran.workshop.event.CourseEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.SavedOwnCourse
+
+/** Saves the course [name], which comes with Robotran and is called [title] here, as a file. */
+@Composable
+internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
+    // Several such buttons on a page sound alike otherwise.
+    val words = SchoolTexts.courseSaveOwnOf(spoken, title)
+    Button(
+        SchoolTexts.courseSaveOwn(spoken),
+        "course-save-$name",
+        ButtonKind.QUIET,
+        Modifier.named(words),
+    ) { onEvent(CourseEvent.OwnCourseSaved(name)) }
+    if (saved?.name != name) return
+    val error = saved.error
+    val news = Modifier.testTag("course-saved-$name").announced()
+    if (error == null) {
+        Explanation(SchoolTexts.handInSaved(spoken, saved.file.orEmpty()), news)
+    } else {
+        Explanation(SchoolTexts.handInNotSaved(spoken, error).trim(), news, bad = true)
+    }
+}

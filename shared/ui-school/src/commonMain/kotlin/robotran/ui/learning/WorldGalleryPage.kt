@@ -1,0 +1,138 @@
+package robotran.ui.learning
+
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.PaddingValues
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.widthIn
+import androidx.compose.foundation.lazy.grid.GridCells
+import androidx.compose.foundation.lazy.grid.GridItemSpan
+import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
+import androidx.compose.foundation.lazy.grid.items
+import androidx.compose.foundation.lazy.grid.rememberLazyGridState
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.TextStyle
+import androidx.compose.ui.unit.dp
+import robotran.assignments.course.OwnCourses
+import robotran.brick.kind.BrickKind
+import robotran.learning.WorldGallery
+import robotran.ui.empty.EmptyPicture
+import robotran.ui.empty.EmptyState
+import robotran.ui.school.texts.LearningTexts
+import robotran.uikit.*
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.SavedOwnCourse
+
+/** All built-in worlds to choose from. */
+@Composable
+internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
+    val colours = LocalRobotranColours.current
+    val robots = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
+    var brick by rememberSaveable { mutableStateOf<BrickKind?>(null) }
+    val found = remember(state.query, state.language, robots, brick) {
+        WorldGallery.search(state.query, state.language) { robots.getValue(it.name) }
+            .filter { brick == null || it.plainWorld.robots.first().description.brick == brick }
+    }
+    val cards = rememberLazyGridState()
+    Page(LearningTexts.worlds(spoken), "worlds-page", {
+        onEvent(LearningEvent.PageClosed)
+    }, cards, maxWidth = 1280.dp) {
+        LazyVerticalGrid(
+            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
+            modifier = Modifier.fillMaxSize().testTag("world-cards").scrolledByReaders(cards) {
+                cards.layoutInfo.viewportSize.height
+            },
+            state = cards,
+            contentPadding = PaddingValues(20.dp),
+            horizontalArrangement = Arrangement.spacedBy(16.dp),
+            verticalArrangement = Arrangement.spacedBy(16.dp),
+        ) {
+            item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
+                Text(LearningTexts.worldsKept(spoken), style = TextStyles.body, color = colours.quiet)
+            }
+            item(span = { GridItemSpan(maxLineSpan) }, key = "search") {
+                Column(verticalArrangement = Arrangement.spacedBy(8.dp)) {
+                    Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) }
+                    BrickFilter(brick) { brick = it }
+                }
+            }
+            items(found, key = { it.name }) { world ->
+                WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
+            }
+            if (found.isEmpty()) {
+                item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
+            } else {
+                item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
+                    Column {
+                        SaveOwnCourse(OwnCourses.WORLDS, LearningTexts.worlds(spoken), saved, onEvent)
+                    }
+                }
+            }
+        }
+    }
+}
+
+/** Shows all worlds, or only those whose robot has the chosen brick. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
+    val all = LearningTexts.worldsAll(spoken)
+    FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
+        for (choice in listOf<BrickKind?>(null) + BrickKind.entries) {
+            val tag = "worlds-${choice?.name?.lowercase() ?: "all"}"
+            Chip(choice?.name ?: all, choice == brick, tag) { onChoose(choice) }
+        }
+    }
+}
+
+@Composable
+private fun Search(query: String, onAsk: (String) -> Unit) {
+    val field = remember { FocusRequester() }
+    val clear = @Composable {
+        IconButton(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear") {
+            onAsk("")
+            // Whoever clears it wants to type something else.
+            field.requestFocus()
+        }
+    }
+    TextField(
+        query,
+        onAsk,
+        Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
+        LearningTexts.worldsSearch(spoken),
+        extras = FieldExtras(shape = Shapes.MEDIUM, button = if (query.isEmpty()) null else clear),
+    )
+}
+
+@Composable
+private fun NothingFound() = EmptyState(
+    EmptyPicture.GLASS,
+    LearningTexts.worldsNone(spoken),
+    "worlds-none",
+    Modifier.fillMaxWidth().height(NOTHING_HEIGHT).announced(),
+)
+
+private val NOTHING_HEIGHT = 220.dp
+private val CARD_WIDTH = 264.dp
+
+/** Above this scale, text on the cards only wraps more; a phone then shows one card per row. */
+private const val MAX_SCALE = 1.4f

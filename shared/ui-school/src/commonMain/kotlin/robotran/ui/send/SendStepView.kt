@@ -1,0 +1,73 @@
+package robotran.ui.send
+
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.size
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.key
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.unit.DpSize
+import androidx.compose.ui.unit.dp
+import robotran.ui.school.texts.SendTexts
+import robotran.uikit.*
+import robotran.workshop.event.SendEvent
+import robotran.workshop.state.SendStep
+
+/** What [step] shows: its picture above its words, or beside them if the sheet is low. */
+@Composable
+internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
+    val colours = LocalRobotranColours.current
+    val picture = pictureOf(step)
+    BoxWithConstraints(modifier) {
+        val isLow = maxHeight < LOW && maxWidth >= MIN_BESIDE
+        Row(Modifier.fillMaxSize(), Arrangement.spacedBy(20.dp)) {
+            if (isLow) SendPictureView(picture, Modifier.size(LOW_PICTURE))
+            // Each step begins at its top.
+            key(step::class, picture) {
+                val scroll = rememberScrollState()
+                Column(
+                    Modifier
+                        .weight(1f)
+                        .fillMaxHeight()
+                        .testTag("send-words")
+                        .scrollHint(scroll, arrow = colours.quiet)
+                        .verticalScroll(scroll),
+                    Arrangement.spacedBy(12.dp),
+                ) {
+                    if (!isLow) SendPictureView(picture, Modifier.fillMaxWidth().height(PICTURE_HEIGHT))
+                    StepWords(step, onEvent)
+                }
+            }
+        }
+    }
+}
+
+@Composable
+private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
+    Explanation(sentenceOf(step), Modifier.testTag("send-step"), bad = step is SendStep.Failed)
+    adviceOf(step)?.let { Explanation(it) }
+    when (step) {
+        is SendStep.ChoosingTower -> TowerChoice(step, onEvent)
+        is SendStep.ChoosingSlot -> SlotChoice(step, onEvent)
+        is SendStep.Sending -> TransferView(step.progress)
+        is SendStep.ReadingDatalog -> TransferView(step.progress, SendTexts::datalogEntry)
+        is SendStep.Datalog -> DatalogView(step.entries)
+        is SendStep.Watching -> MessageLog(step.messages)
+        else -> Unit
+    }
+}
+
+private val LOW = 230.dp
+private val MIN_BESIDE = 400.dp
+private val LOW_PICTURE = DpSize(160.dp, 80.dp)
+private val PICTURE_HEIGHT = 130.dp

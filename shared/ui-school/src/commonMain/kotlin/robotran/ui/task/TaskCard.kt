@@ -1,0 +1,220 @@
+package robotran.ui.task
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.border
+import androidx.compose.foundation.clickable
+import androidx.compose.foundation.gestures.Orientation
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
+import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.rememberScrollState
+import androidx.compose.foundation.shape.RoundedCornerShape
+import androidx.compose.foundation.verticalScroll
+import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.draw.clip
+import androidx.compose.ui.draw.drawWithContent
+import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.input.pointer.pointerInput
+import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.LiveRegionMode
+import androidx.compose.ui.semantics.heading
+import androidx.compose.ui.semantics.liveRegion
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
+import androidx.compose.ui.unit.dp
+import robotran.simulation.state.GoalProgress
+import robotran.ui.assignment.AssignmentButtons
+import robotran.ui.assignment.AssignmentCard
+import robotran.ui.assignment.FeedbackCard
+import robotran.ui.assignment.Goals
+import robotran.ui.assignment.HandInButton
+import robotran.ui.assignment.HandInLine
+import robotran.ui.assignment.HandedInLine
+import robotran.ui.assignment.Line
+import robotran.ui.assignment.triesText
+import robotran.ui.course.CourseLine
+import robotran.ui.learning.FOLD_ICON
+import robotran.ui.learning.HintCards
+import robotran.ui.learning.UNFOLD_ICON
+import robotran.ui.school.texts.LearningTexts
+import robotran.ui.texts.CommonTexts
+import robotran.uikit.*
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.ScreenEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.LearningState
+import robotran.workshop.state.OpenCourseTask
+import robotran.world.World
+
+/**
+ * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
+ * with its task, and in an assignment all about that.
+ *
+ * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @param course where the assignment is in its course; null if it is in none.
+ * @param isFolded whether only the title is shown and, of an assignment, the goals.
+ * @param areButtonsFixed whether there is room for buttons that do not scroll.
+ */
+@Composable
+fun TaskCard(
+    world: World,
+    learning: LearningState,
+    assignment: AssignmentState?,
+    goals: List<GoalProgress>,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    canHandIn: Boolean = true,
+    course: OpenCourseTask? = null,
+    isFolded: Boolean = false,
+    areButtonsFixed: Boolean = true,
+) {
+    val colours = LocalRobotranColours.current
+    Column(
+        modifier
+            .testTag("task-card")
+            .clip(RoundedCornerShape(CORNER))
+            .background(colours.pane)
+            .border(1.dp, colours.line, RoundedCornerShape(CORNER))
+            // Blocks touches on the content below.
+            .pointerInput(Unit) { }
+            // Above the fade of the text that scrolls.
+            .drawWithContent {
+                drawContent()
+                drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height))
+            },
+    ) {
+        Row(verticalAlignment = Alignment.Top) {
+            // It does not scroll, and must leave room for the rest.
+            val hasLines = areButtonsFixed && (assignment == null || LocalDensity.current.fontScale <= LARGE)
+            val lines = if (hasLines && !isFolded) 2 else 1
+            val fold = {
+                val change = !isFolded
+                onEvent(
+                    if (assignment == null) {
+                        ScreenEvent.TaskFolded(change)
+                    } else {
+                        AssignmentEvent.TaskFolded(change)
+                    },
+                )
+            }
+            val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
+            Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
+            IconButton(
+                if (isFolded) UNFOLD_ICON else FOLD_ICON,
+                if (isFolded) LearningTexts.taskUnfold(spoken) else LearningTexts.taskFold(spoken),
+                "task-fold",
+                onClick = fold,
+            )
+            HideTask(onEvent)
+        }
+        when {
+            assignment == null -> if (!isFolded) TaskOfWorld(world, learning, onEvent)
+            isFolded -> FoldedAssignment(learning, assignment, goals, canHandIn, onEvent)
+            else -> WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
+        }
+    }
+}
+
+@Composable
+private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
+    IconButton(Icon.CLOSE, CommonTexts.taskHide(spoken), "task-hide") {
+        onEvent(ScreenEvent.TaskShown(false))
+    }
+
+@Composable
+private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEvent: (WorkshopEvent) -> Unit) =
+    Scrolling {
+        TaskText(world)
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, learning.solved != null, onEvent) }
+    }
+
+/** A hint that has just come, the goals, the tries and handing in, so that the world can be seen. */
+@Composable
+private fun ColumnScope.FoldedAssignment(
+    learning: LearningState,
+    assignment: AssignmentState,
+    goals: List<GoalProgress>,
+    canHandIn: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+) = Scrolling {
+    HintCards(assignment.hints.asReversed(), learning.isInBlocks)
+    Goals(goals)
+    if (canHandIn) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
+    HandedInLine(assignment)
+    // After a try it is one touch away; before, there is nothing to hand in.
+    if (canHandIn && assignment.isOpenForTries && assignment.tries.tries > 0) {
+        HandInButton(assignment, "assignment-hand-in", onEvent)
+    }
+}
+
+@Composable
+private fun ColumnScope.WholeAssignment(
+    world: World,
+    learning: LearningState,
+    assignment: AssignmentState,
+    goals: List<GoalProgress>,
+    onEvent: (WorkshopEvent) -> Unit,
+    canHandIn: Boolean,
+    hasRoom: Boolean,
+    course: OpenCourseTask?,
+) {
+    // With large text they would leave no room.
+    val areButtonsFixed = hasRoom && LocalDensity.current.fontScale <= LARGE
+    Scrolling {
+        HintCards(assignment.hints.asReversed(), learning.isInBlocks)
+        assignment.handIn?.let { HandInLine(it) }
+        assignment.feedback?.let { FeedbackCard(it, assignment.isProgramHandedIn) }
+        TaskText(world)
+        AssignmentCard(assignment, goals, onEvent)
+        if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+        course?.let { CourseLine(it, onEvent) }
+        learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, learning.solved != null, onEvent) }
+    }
+    if (canHandIn && areButtonsFixed) {
+        AssignmentButtons(assignment, onEvent, Modifier.padding(start = START, bottom = 12.dp))
+    }
+}
+
+@Composable
+private fun TaskText(world: World) = Text(
+    world.task.trim(),
+    Modifier.fillMaxWidth().testTag("task-text").announced(),
+    TextStyles.sentence,
+)
+
+@Composable
+private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
+    val scroll = rememberScrollState()
+    Column(
+        Modifier
+            .weight(1f, fill = false)
+            .scrollHint(scroll)
+            .verticalScroll(scroll)
+            .padding(start = START, bottom = 12.dp, end = 12.dp),
+        Arrangement.spacedBy(4.dp),
+        content = content,
+    )
+}
+
+@Composable
+private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
+    world.title,
+    modifier.testTag("task-title").heading(),
+    TextStyles.cardTitle.strong,
+    maxLines = maxLines,
+    overflow = TextOverflow.Ellipsis,
+)
+
+/** Up to this font scale there is room for fixed buttons. */
+private const val LARGE = 1.3f
+private val BAR = 6.dp
+private val START = 22.dp
+private val CORNER = Corners.MEDIUM

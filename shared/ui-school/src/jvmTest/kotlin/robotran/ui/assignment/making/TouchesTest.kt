@@ -1,0 +1,128 @@
+package robotran.ui.assignment.making
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onAllNodesWithTag
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performScrollToKey
+import androidx.compose.ui.test.performTextInput
+import robotran.language.Language
+import robotran.projects.ProjectFileResult
+import robotran.projects.readProject
+import robotran.ui.screen.onScreenOf
+import robotran.ui.screen.pass
+import robotran.ui.screen.scrollTo
+import robotran.ui.screen.touch
+import robotran.workshop.Workshop
+import robotran.workshop.documents.Machine
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.SolutionCheck
+import robotran.worldediting.Element
+import robotran.worldediting.ElementKind
+import robotran.worldediting.ElementRef
+import robotran.worldediting.WorldEdit
+import kotlin.math.abs
+import kotlin.math.ceil
+import kotlin.test.Test
+import kotlin.test.assertIs
+import kotlin.test.assertNotNull
+import kotlin.test.assertTrue
+
+/** How many touches the assignment of docs/teachers.md takes: each tap, each field, each drag and each swipe. */
+@OptIn(ExperimentalTestApi::class)
+class TouchesTest {
+    private var touches = 0
+
+    private fun ComposeUiTest.topOf(tag: String) = onNodeWithTag(tag).fetchSemanticsNode().positionInRoot.y
+
+    /** Swipes by three quarters of the screen until [tag] is in sight. */
+    private fun ComposeUiTest.swipeTo(tag: String, height: Int) {
+        val before = topOf(tag)
+        scrollTo(tag)
+        touches += ceil(abs(topOf(tag) - before) / (height * SWIPE)).toInt()
+    }
+
+    private fun ComposeUiTest.tap(tag: String, height: Int) {
+        swipeTo(tag, height)
+        touch(tag)
+        pass(500)
+        touches++
+    }
+
+    private fun ComposeUiTest.has(tag: String) = onAllNodesWithTag(tag).fetchSemanticsNodes().isNotEmpty()
+
+    /** Types a program on a screen where the program may be another page. */
+    private fun ComposeUiTest.program(workshop: Workshop, text: String) {
+        if (has("tab-program")) tap("tab-program", 1_000)
+        workshop.handle(ProgramEvent.ProgramEdited(text))
+        pass(300)
+        touches++
+    }
+
+    private fun ComposeUiTest.makeAssignment(height: Int) {
+        if (has("menu") && !has("work-menu")) tap("menu", height)
+        tap("work-menu", height)
+        tap("work-make-assignment", height)
+    }
+
+    private fun count(width: Int, height: Int): Pair<Int, Int> {
+        touches = 0
+        val machine = Machine().apply { files.location = "/home/maze.robotran" }
+        val workshop = machine.window()
+        var first = 0
+        onScreenOf(workshop, width, height) {
+            if (has("worlds")) {
+                tap("worlds", height)
+            } else {
+                tap("menu", height)
+                tap("menu-worlds", height)
+            }
+            onNodeWithTag("world-cards").performScrollToKey("maze")
+            pass(500)
+            touches++
+            tap("world-maze", height)
+            assertNotNull(workshop.state.learning.worldTask)
+            program(workshop, "forward 20\n")
+            makeAssignment(height)
+            swipeTo("make-text", height)
+            onNodeWithTag("make-text").performTextInput("Find the way out.")
+            pass(300)
+            touches++
+            tap("make-variation-add", height)
+            // A finger drags the robot.
+            val robot = checkNotNull(workshop.state.worldEdit).world.robots.first()
+            val turned = robot.copy(start = robot.start.copy(heading = robot.start.heading + 90))
+            workshop.handle(
+                WorldEditEvent.Edited(WorldEdit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(turned))),
+            )
+            touches++
+            tap("edit-to-assignment", height)
+            tap("assignment-make-close", height)
+            program(workshop, "forward 21\n")
+            makeAssignment(height)
+            tap("make-check", height)
+            first = touches
+            assertIs<SolutionCheck.Failed>(workshop.state.making?.check)
+            tap("make-teacher-file", height)
+            tap("make-pupil-file", height)
+        }
+        val saved = machine.files.disk.values.last()
+        assertIs<ProjectFileResult.Success>(readProject(saved, Language.ENGLISH))
+        return first to touches
+    }
+
+    @Test
+    fun `the usual assignment takes few touches on a tablet and on a phone`() {
+        for ((width, height) in listOf(1024 to 768, 360 to 740)) {
+            val (check, all) = count(width, height)
+            println("Touches on $width x $height: $check to the check, $all in all")
+            assertTrue(all < MOST, "$all touches on $width x $height, $check of them to the check")
+        }
+    }
+
+    private companion object {
+        const val SWIPE = 0.75f
+        const val MOST = 35
+    }
+}

@@ -1,0 +1,126 @@
+package robotran.ui.learning
+
+import androidx.compose.ui.test.ComposeUiTest
+import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.performClick
+import robotran.language.Language
+import robotran.learning.Lessons
+import robotran.ui.screen.assertUnmoved
+import robotran.ui.screen.assertWhole
+import robotran.ui.screen.isThere
+import robotran.ui.screen.onScreen
+import robotran.ui.screen.pass
+import robotran.ui.screen.placesByTag
+import robotran.ui.screen.saysThereIsMore
+import robotran.ui.screen.scrollTo
+import robotran.workshop.Workshop
+import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.SettingsEvent
+import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNull
+import kotlin.test.assertTrue
+
+@OptIn(ExperimentalTestApi::class)
+class TutorialFootTest {
+    @Test
+    fun `the text shows that there is more of it`() {
+        for ((width, height) in SIZES) {
+            onStep(width, height, Settings(textScale = 2f)) {
+                assertTrue(saysThereIsMore("tutorial-text"), "$width x $height")
+            }
+        }
+    }
+
+    @Test
+    fun `on a phone and a tablet all buttons are there, and where there is little room a menu has the seldom ones`() {
+        for ((width, height) in listOf(412 to 915, 1280 to 800, 820 to 1180)) {
+            onStep(width, height) { assertFalse(isThere("step-more"), "$width x $height") }
+        }
+        onStep(1024, 768) { workshop ->
+            workshop.handle(ProgramEvent.ProgramEdited("beep"))
+            press("step-more")
+            press("begin-again")
+            assertEquals(Lessons.all[0].program.text, workshop.state.programText)
+            press("step-more")
+            press("leave-tutorial")
+            assertNull(workshop.state.learning.tutorial)
+        }
+    }
+
+    @Test
+    fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
+        onStep(1366, 1200) { workshop ->
+            val before = placesByTag()
+            press("hint-wanted")
+            assertTrue(workshop.state.learning.tutorial?.hints?.isNotEmpty() == true)
+            assertWhole("hint", "the hint")
+            assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
+        }
+
+    @Test
+    fun `with each hint, the button for the next one stays in sight`() {
+        for ((width, height) in listOf(412 to 915, 1180 to 820, 1366 to 768)) {
+            onStep(width, height) {
+                for (number in 1..3) {
+                    scrollTo("hint-wanted")
+                    press("hint-wanted")
+                    pass(1_000)
+                    for (tag in listOf("hint", "hint-wanted")) assertWhole(tag, "$width x $height, hint $number")
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `over another world a folded tutorial is a way back to its step, and can be put away`() {
+        for ((width, height) in SIZES) {
+            onStep(width, height) { workshop ->
+                val described = "$width x $height"
+                workshop.handle(ProgramEvent.ProgramEdited("forward 11\n"))
+                workshop.handle(LearningEvent.TutorialClosed)
+                workshop.handle(LearningEvent.WorldChosen("maze"))
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.TutorialFolded(true))
+                pass(500)
+                assertFalse(isThere("step-dots"), "$described: the steps of another world are told")
+                press("tutorial-return")
+                assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, described)
+                assertEquals("forward 11\n", workshop.state.programText, described)
+                workshop.handle(LearningEvent.TutorialClosed)
+                workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
+                workshop.handle(LearningEvent.TutorialFolded(true))
+                pass(500)
+                press("leave-tutorial")
+                assertNull(workshop.state.learning.tutorial, described)
+                assertFalse(isThere("tutorial-return"), described)
+            }
+        }
+    }
+
+    private fun onStep(
+        width: Int,
+        height: Int,
+        settings: Settings = Settings(),
+        check: ComposeUiTest.(Workshop) -> Unit,
+    ) = onScreen(width, height) { workshop ->
+        workshop.handle(SettingsEvent.SettingsChanged(settings.copy(lessMotion = true)))
+        workshop.handle(LearningEvent.TutorialStarted)
+        pass(500)
+        check(workshop)
+    }
+
+    private fun ComposeUiTest.press(tag: String) {
+        onNodeWithTag(tag).performClick()
+        pass(600)
+    }
+
+    private companion object {
+        val SIZES = listOf(412 to 915, 820 to 1180, 1024 to 768, 1280 to 800, 1366 to 768)
+    }
+}

@@ -1,0 +1,152 @@
+package robotran.ui.world
+
+import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.runtime.Composable
+import androidx.compose.runtime.remember
+import androidx.compose.runtime.rememberUpdatedState
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.testTag
+import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.semantics
+import androidx.compose.ui.text.rememberTextMeasurer
+import androidx.compose.ui.unit.DpRect
+import androidx.compose.ui.unit.dp
+import robotran.simulation.state.SessionState
+import robotran.ui.sheet.SheetCanvas
+import robotran.ui.sheet.drawPreview
+import robotran.ui.sheet.drawShortfalls
+import robotran.ui.sheet.drawStrayed
+import robotran.ui.sheet.previewEnd
+import robotran.uikit.*
+import robotran.workshop.blocks.SheetPreview
+import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.measuring.Measuring
+import robotran.workshop.measuring.placesToMeasure
+import robotran.workshop.state.SheetCamera
+import robotran.workshop.state.SheetElement
+import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.ShortfallMark
+import robotran.workshop.state.strayedRobots
+import robotran.world.World
+import robotran.world.geometry.Point
+
+/**
+ * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
+ *
+ * @param preview what a number that is edited would do; null for nothing.
+ * @param shortfalls what was missing for the goals.
+ * @param isSolved whether the task is solved; the robot dances when it becomes so, which the hand does not feel.
+ * @param canShow whether there is a button to show what was made.
+ */
+@Composable
+fun WorldPane(
+    world: World,
+    session: SessionState,
+    view: SheetViewState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    preview: SheetPreview? = null,
+    shortfalls: List<ShortfallMark> = emptyList(),
+    canShow: Boolean = true,
+    isSolved: Boolean = false,
+) {
+    val drawn = dancing(session, isSolved)
+    val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
+    BoxWithConstraints(modifier.fillMaxSize()) {
+        // The buttons are on the side with more space beside the paper.
+        val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
+        val withZoom = hasZoomButtons(maxWidth, maxHeight)
+        val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
+        val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
+        if (view.isIn3D) {
+            TouchableSpace(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
+        } else {
+            TouchableSheet(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
+        }
+        SheetControls(
+            world,
+            view,
+            session,
+            inputs,
+            upright,
+            withZoom,
+            canShow,
+            onEvent,
+            Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
+        )
+        BumpAnnouncement(world, session)
+    }
+}
+
+@Composable
+private fun TouchableSheet(
+    world: World,
+    session: SessionState,
+    drawn: SessionState,
+    view: SheetViewState,
+    aside: DpRect,
+    inputs: FrameThrottledInput,
+    preview: SheetPreview?,
+    shortfalls: List<ShortfallMark>,
+    onEvent: (WorkshopEvent) -> Unit,
+) {
+    val labels = rememberTextMeasurer()
+    val strayed = remember(world, session) { strayedRobots(world, session) }
+    val now = rememberUpdatedState(session to view.chosen)
+    val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
+    val measuring = view.measuring
+    val things = if (measuring == null) emptyList() else remember(world, session) { placesToMeasure(world, session) }
+    val measured = rememberUpdatedState(measuring?.let { it to things })
+    val measure = { changed: Measuring? -> onEvent(SheetEvent.MeasuringChanged(changed)) }
+    val putMeasure = rememberUpdatedState(measure)
+    val ruler = remember(world) {
+        MeasuringTouch({ measured.value }) { putMeasure.value(it) }
+    }
+    val measuringLabels = measuring?.let { measuringLabels(it) }
+    val hand = remember(world) { HandTouch(world, { now.value }, { choose.value(it) }, inputs) }
+    val ring = LocalRobotranColours.current.focus
+    val announced = rememberAnnounced(session)
+    val description = describeWorld(world, announced)
+    SheetCanvas(
+        world,
+        drawn,
+        cameraNow(view, session),
+        { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
+        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {
+            contentDescription = description
+        },
+        view.shown,
+        aside,
+        if (measuring == null) hand else ruler,
+        overlay = { sheet ->
+            if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
+            drawStrayed(strayed, world, sheet)
+            view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
+            if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
+            preview?.let { drawPreview(it, sheet, labels) }
+        },
+    ) { sheet ->
+        val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
+        ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)
+        if (preview != null) {
+            PreviewHandle(preview, previewEnd(preview, sheet), sheet::toCentimetres) { onEvent(BlockEvent.Put("$it")) }
+        }
+    }
+}
+
+/** Centred on the followed robot. */
+private fun cameraNow(view: SheetViewState, session: SessionState): SheetCamera {
+    val followed = view.followed?.let { session.robots.getOrNull(it) } ?: return view.camera
+    return view.camera.copy(centre = with(followed.robot.pose) { Point(x, y) })
+}
+
+private val MARGIN = 16.dp
