@@ -8,9 +8,12 @@ import kotlin.test.assertTrue
 
 /** Components take colours, sizes, shapes and times from the design's tokens, and do not invent their own. */
 class DesignTokensTest {
-    private val sources = listOf("src/commonMain/kotlin/robotran/ui", "../uikit/src/commonMain/kotlin/robotran/uikit")
-        .flatMap { folder -> File(folder).walk().filter { it.extension == "kt" } }
+    private val sources = checkNotNull(File("..").listFiles()).filter { it.name.startsWith("ui") }
+        .flatMap { module -> File(module, "src/commonMain/kotlin").walk().filter { it.extension == "kt" } }
         .associate { it.path to it.readLines() }
+
+    @Test
+    fun `the files of all rooms are looked at`() = assertTrue(sources.size > 400, "only ${sources.size} files")
 
     @Test
     fun `colours are written in the theme and in files of colours only`() =
