@@ -27,7 +27,7 @@ import robotran.ui.screen.pass
 import robotran.ui.screen.showWholeBrick
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength
