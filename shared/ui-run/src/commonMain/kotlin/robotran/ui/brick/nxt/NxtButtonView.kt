@@ -27,6 +27,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
+import robotran.ui.run.tags.RunTags
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*
 
@@ -46,7 +47,7 @@ internal fun NxtButtonView(
     val edge = lerp(look.colour, RobotranColours.SHADE, SIDE)
     Box(
         modifier
-            .testTag("brick-${button.name.lowercase()}")
+            .testTag(RunTags.button(button))
             .focusRing(unit * NxtPlan.BUTTON_CORNER)
             .holdable(onPress, onRelease)
             .semantics {

@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorPort
 import robotran.nxt.state.NxtState
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.world.FingerTouchPart
@@ -46,7 +47,7 @@ internal fun NxtFront(
     BoxWithConstraints(
         modifier
             .aspectRatio(NxtPlan.WIDTH / NxtPlan.HEIGHT)
-            .testTag("brick")
+            .testTag(RunTags.BRICK)
             .semantics {
                 contentDescription = description
                 isTraversalGroup = true

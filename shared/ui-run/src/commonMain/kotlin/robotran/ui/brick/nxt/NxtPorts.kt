@@ -25,6 +25,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.hardware.SensorPortState
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.sheet.valueText
 import robotran.ui.texts.CommonTexts
@@ -61,7 +62,7 @@ internal fun SensorPlug(
         isPlugged = plugged != null,
         unit,
         modifier
-            .testTag("port-${state.port}")
+            .testTag(RunTags.port(state.port))
             .touchable(isForFingers, onTouch)
             .described(descriptionOf(state, plugged, value)) {
                 if (isForFingers) {
@@ -125,7 +126,7 @@ internal fun MotorPlug(motor: MotorState, degrees: Int, isPlugged: Boolean, unit
         isAbove = true,
         isPlugged,
         unit,
-        modifier.testTag("port-$name").described(description) { },
+        modifier.testTag(RunTags.port(name)).described(description) { },
     ) {
         Row(
             horizontalArrangement = Arrangement.spacedBy(unit * 4),

@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
 import robotran.ui.common.BrickColours
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
@@ -44,7 +45,7 @@ internal fun BrickButtonView(
     val shape = RoundedCornerShape(corner)
     Box(
         modifier
-            .testTag("brick-${button.name.lowercase()}")
+            .testTag(RunTags.button(button))
             .focusRing(corner)
             .holdable(onPress, onRelease)
             .semantics {

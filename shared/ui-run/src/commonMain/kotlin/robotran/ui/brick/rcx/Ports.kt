@@ -28,6 +28,7 @@ import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.rcxrom.sensors.SensorState
 import robotran.ui.common.BrickColours
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -55,7 +56,7 @@ internal fun InputPort(
         if (highlighted) BrickColours.READ else BrickColours.INPUT,
         unit,
         modifier
-            .testTag("port-${sensor.port}")
+            .testTag(RunTags.port(sensor.port))
             .touchable(plugged == PluggedSensor.TOUCH, onTouch)
             .clearAndSetSemantics {
                 contentDescription = description
@@ -99,7 +100,7 @@ internal fun OutputPort(motor: MotorState, unit: Dp, modifier: Modifier = Modifi
     PortBlock(
         if (driven) BrickColours.DRIVEN else BrickColours.OUTPUT,
         unit,
-        modifier.testTag("port-$name").clearAndSetSemantics { contentDescription = description },
+        modifier.testTag(RunTags.port(name)).clearAndSetSemantics { contentDescription = description },
     ) {
         PortLabel(
             if (driven) "$name ${motor.power}" else name,

@@ -15,6 +15,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import robotran.brick.controls.BrickButton
 import robotran.rcxrom.state.RcxState
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.world.PortSensor
@@ -40,7 +41,7 @@ internal fun RcxFront(
     BoxWithConstraints(
         modifier
             .aspectRatio(BrickPlan.ASPECT)
-            .testTag("brick")
+            .testTag(RunTags.BRICK)
             .semantics {
                 contentDescription = description
                 isTraversalGroup = true
