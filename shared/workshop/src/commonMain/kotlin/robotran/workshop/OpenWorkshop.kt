@@ -9,7 +9,7 @@ import robotran.projects.ProjectRobot
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.settings.SettingsStateHolder
 import robotran.workshop.state.Settings
 import robotran.world.file.BuiltInWorlds

@@ -39,6 +39,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
+import robotran.workshop.world.WorldRoom
 
 /**
  * The view model of the app: composes the rooms, hands each [WorkshopEvent] to the room that it is for, and publishes

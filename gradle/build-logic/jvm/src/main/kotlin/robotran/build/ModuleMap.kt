@@ -34,8 +34,15 @@ data class RegisteredType(val type: String, val registries: List<String>) {
     }
 }
 
-/** The module map in `docs/modules.md`, and the table of registries below it. The document is its only source. */
-class ModuleMap(val modules: List<MappedModule>, private val registered: List<RegisteredType> = emptyList()) {
+/** The packages of a room inside of a module: they import those of no other room of that module. */
+data class Room(val name: String, val packages: List<String>)
+
+/** The module map in `docs/modules.md`, and the tables of rooms and registries below it. The document is its only source. */
+class ModuleMap(
+    val modules: List<MappedModule>,
+    private val registered: List<RegisteredType> = emptyList(),
+    private val rooms: List<Room> = emptyList(),
+) {
     private val byFolder = modules.associateBy { it.folder }
 
     /**
@@ -61,8 +68,14 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
                 !name.startsWith(STATE)
         }
             .map { "${file.path}: imports $it, which a presentation module must not know" }
-        return wrongPackage + foreign + impure + drawn + registered.mapNotNull { it.violation(file) }
+        val room = roomOf(file.packageName)
+        val neighbours = file.imports.filter { name ->
+            room != null && !file.isTest && roomOf(name).let { it != null && it != room }
+        }.map { "${file.path}: imports $it, which belongs to another room" }
+        return wrongPackage + foreign + impure + drawn + neighbours + registered.mapNotNull { it.violation(file) }
     }
+
+    private fun roomOf(name: String): Room? = rooms.find { room -> room.packages.any { inPackage(name, it) } }
 
     private fun owner(name: String): MappedModule? =
         modules.maxByOrNull { it.lengthOfPackage(name) }?.takeIf { it.lengthOfPackage(name) > 0 }
@@ -122,8 +135,9 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
         private const val STATE = "androidx.compose.runtime."
 
         /**
-         * Parses the table with the header `| module | package |`, each row of which is a module, and the one with the
-         * header `| constants of | only in |`, each row of which is a [RegisteredType].
+         * Parses the table with the header `| module | package |`, each row of which is a module, the one with the header
+         * `| room | packages |`, each row of which is a [Room], and the one with the header `| constants of | only in |`,
+         * each row of which is a [RegisteredType].
          */
         fun parse(document: String): ModuleMap {
             val rows = rowsBelow("| module | package |", document)
@@ -147,7 +161,11 @@ class ModuleMap(val modules: List<MappedModule>, private val registered: List<Re
                 val cells = row.trim('|').split("|")
                 RegisteredType(code(cells[0]).single(), code(cells[1]))
             }
-            return ModuleMap(modules, registered)
+            val rooms = rowsBelow("| room |", document).map { row ->
+                val cells = row.trim('|').split("|").map { it.trim() }
+                Room(cells[0], code(cells[1]))
+            }
+            return ModuleMap(modules, registered, rooms)
         }
 
         private fun rowsBelow(header: String, document: String): List<String> =

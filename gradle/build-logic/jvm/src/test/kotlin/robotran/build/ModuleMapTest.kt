@@ -17,6 +17,11 @@ class ModuleMapTest {
             | `shared/ink` | `robotran.world.ink`, `robotran.pens` | ink | `shared/world` | core |
             | `app` | `robotran.app` | the app | `shared/rom`, `shared/world` | app |
 
+            | room | packages |
+            |---|---|
+            | maze | `robotran.app.maze`, `robotran.app.walls` |
+            | race | `robotran.app.race` |
+
             | constants of | only in |
             |---|---|
             | `Kind` | `shared/rom/src/commonMain/kotlin/rom`, `app/src/commonMain/kotlin/Kinds.kt` |
@@ -70,6 +75,20 @@ class ModuleMapTest {
         assertEquals(1, found("shared/ink", "robotran.world.walls"))
         assertEquals(1, found("shared/world", "robotran.world.ink"))
         assertEquals(1, found("shared/world", "robotran.world", "robotran.pens.Pen"))
+    }
+
+    @Test
+    fun `a room imports no other room`() {
+        fun found(name: String, import: String, path: String = "src/main/kotlin/Maze.kt") =
+            violations("app", path, "package $name\n\nimport $import\n")
+        assertEquals(
+            listOf("app/src/main/kotlin/Maze.kt: imports robotran.app.race.Lap, which belongs to another room"),
+            found("robotran.app.maze.hard", "robotran.app.race.Lap"),
+        )
+        assertEquals(emptyList(), found("robotran.app.maze", "robotran.app.walls.Wall"))
+        assertEquals(emptyList(), found("robotran.app", "robotran.app.race.Lap"))
+        assertEquals(emptyList(), found("robotran.app.maze", "robotran.app.shared.Clock"))
+        assertEquals(emptyList(), found("robotran.app.maze", "robotran.app.race.Lap", "src/test/kotlin/MazeTest.kt"))
     }
 
     @Test

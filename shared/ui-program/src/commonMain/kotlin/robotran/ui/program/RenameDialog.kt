@@ -22,8 +22,8 @@ import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.texts
 import robotran.uikit.*
 import robotran.workshop.programs.NameError
-import robotran.workshop.programs.endingOf
 import robotran.workshop.programs.nameError
+import robotran.workshop.service.endingOf
 import robotran.workshop.state.ProgramsState
 
 /** Asks for a new name of the current file. One of several classes can also be removed by [onRemove]. */

@@ -22,7 +22,7 @@ import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.world.PortSensor

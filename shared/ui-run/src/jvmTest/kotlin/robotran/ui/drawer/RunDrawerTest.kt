@@ -29,7 +29,7 @@ import robotran.ui.screen.showWholeBrick
 import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.world.Goal
 import robotran.world.GoalCondition.InkLength

@@ -13,7 +13,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Settings
 import robotran.world.Goal

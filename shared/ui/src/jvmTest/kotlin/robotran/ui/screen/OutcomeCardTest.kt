@@ -24,7 +24,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings

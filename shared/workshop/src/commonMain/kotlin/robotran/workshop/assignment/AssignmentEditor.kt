@@ -16,9 +16,9 @@ import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.platform.FileKind
-import robotran.workshop.programs.asPupil
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.asPupil
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.PictureError

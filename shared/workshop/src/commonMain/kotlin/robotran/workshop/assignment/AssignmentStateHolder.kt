@@ -17,10 +17,10 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.event.AssignmentEvent
-import robotran.workshop.programs.asProject
-import robotran.workshop.programs.asPupil
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.asProject
+import robotran.workshop.service.asPupil
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.AssignmentState
 import robotran.workshop.state.EndedAttempt

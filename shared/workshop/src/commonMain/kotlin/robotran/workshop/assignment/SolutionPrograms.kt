@@ -7,7 +7,7 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.learning.solutionsOf
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.SolutionProgram
 

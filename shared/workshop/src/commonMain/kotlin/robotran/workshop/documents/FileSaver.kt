@@ -13,9 +13,9 @@ import robotran.projects.Project
 import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.Platform
 import robotran.workshop.platform.Saving
-import robotran.workshop.programs.fileNameFor
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
+import robotran.workshop.service.fileNameFor
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
 

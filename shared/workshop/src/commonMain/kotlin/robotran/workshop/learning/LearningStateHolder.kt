@@ -18,10 +18,10 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.firstProgram
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.Services
+import robotran.workshop.service.pupilPrograms
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState

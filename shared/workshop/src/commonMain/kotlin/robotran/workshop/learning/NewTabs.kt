@@ -2,11 +2,11 @@ package robotran.workshop.learning
 
 import robotran.brick.program.BrickProgram
 import robotran.programs.Program
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Notices
 import robotran.workshop.service.ProgramTabs
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.pupilPrograms
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 

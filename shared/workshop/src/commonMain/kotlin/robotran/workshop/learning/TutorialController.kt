@@ -9,13 +9,13 @@ import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.hint.Attempt
 import robotran.simulation.state.SessionState
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProjectEditor
 import robotran.workshop.service.ProjectSwitcher
 import robotran.workshop.service.ScreenNavigator
 import robotran.workshop.service.SwitchResult
+import robotran.workshop.service.pupilPrograms
 import robotran.workshop.state.Pane
 import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState

@@ -5,10 +5,10 @@ import robotran.learning.Lesson
 import robotran.learning.WorldGallery
 import robotran.programs.Program
 import robotran.simulation.state.SessionState
-import robotran.workshop.programs.pupilPrograms
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.RunControls
+import robotran.workshop.service.pupilPrograms
 import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.WorldTaskState
 import robotran.world.World

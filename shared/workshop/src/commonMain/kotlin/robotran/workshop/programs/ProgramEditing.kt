@@ -13,6 +13,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ScreenNavigator
+import robotran.workshop.service.fileNameFor
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.hasRoomFor

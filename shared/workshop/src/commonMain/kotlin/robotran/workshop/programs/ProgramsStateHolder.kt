@@ -34,6 +34,8 @@ import robotran.workshop.examples.firstProgram
 import robotran.workshop.service.ProgramsToRun
 import robotran.workshop.service.Services
 import robotran.workshop.service.WrittenPrograms
+import robotran.workshop.service.asProject
+import robotran.workshop.service.asPupil
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.Pane
 import robotran.workshop.state.ProgramsState

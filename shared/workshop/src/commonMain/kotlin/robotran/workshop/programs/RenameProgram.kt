@@ -1,20 +1,14 @@
 package robotran.workshop.programs
 
-import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
 import robotran.programs.support
 import robotran.textediting.EditKind
+import robotran.workshop.service.endingOf
+import robotran.workshop.service.fileNameFor
 
 /** Why a file name is invalid. */
 enum class NameError { EMPTY, TAKEN, NO_CLASS_NAME, STRANGE_CHARACTER }
-
-/** The ending of the file [name] of a program in [language]. */
-fun endingOf(name: String, language: ProgramLanguage): String = language.support.files.endingOf(name)
-
-/** The name that the file [old] of a program in [language] gets by the input [typed], with or without ending. */
-internal fun fileNameFor(typed: String, old: String, language: ProgramLanguage): String =
-    endingOf(old, language).let { typed.trim().removeSuffix(it) + it }
 
 /**
  * The reason why the file with the index [index] of a program cannot be named [typed]; null if it can.

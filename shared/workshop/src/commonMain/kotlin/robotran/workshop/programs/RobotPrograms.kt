@@ -15,6 +15,7 @@ import robotran.projects.lightFacingOf
 import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotProgramSet
+import robotran.workshop.service.asProject
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
 

@@ -19,7 +19,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.examples.firstProgram
 import robotran.workshop.platform.OpenedFile
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.AssignmentEditorState
 import robotran.workshop.state.EditOrigin
 import robotran.workshop.state.MissingPart

@@ -18,7 +18,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Sharing
-import robotran.workshop.programs.asProject
+import robotran.workshop.service.asProject
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.WorkshopStatus
 import robotran.world.file.BuiltInWorlds

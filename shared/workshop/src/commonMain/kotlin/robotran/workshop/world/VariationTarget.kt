@@ -1,4 +1,4 @@
-package robotran.workshop.assignment
+package robotran.workshop.world
 
 import robotran.projects.Project
 import robotran.workshop.service.AssignmentRepository

@@ -1,7 +1,6 @@
-package robotran.workshop
+package robotran.workshop.world
 
 import robotran.robotediting.RobotEdit
-import robotran.workshop.assignment.VariationTarget
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.robot.RobotEditStateHolder

@@ -1,4 +1,4 @@
-package robotran.workshop
+package robotran.workshop.world
 
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.SheetEvent

@@ -1,4 +1,4 @@
-package robotran.workshop.programs
+package robotran.workshop.service
 
 import robotran.programs.Program
 import robotran.programs.support
