@@ -32,6 +32,7 @@ import robotran.ui.brick.front.Signal
 import robotran.ui.brick.front.drawFront
 import robotran.ui.brick.nxt.NxtFace
 import robotran.ui.brick.rcx.RcxFace
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.world.ReadyRobots
@@ -66,7 +67,7 @@ fun BrickFront(
     BoxWithConstraints(
         modifier
             .aspectRatio(BRICK_ASPECT)
-            .testTag("brick")
+            .testTag(RunTags.BRICK)
             .semantics {
                 contentDescription = description
                 isTraversalGroup = true

@@ -26,6 +26,7 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.uikit.*
 
 /** A button of a brick, drawn pressed while [down]. A click by a screen reader presses and releases it. */
@@ -42,7 +43,7 @@ internal fun FrontButton(
     val name = part.name(spoken)
     Box(
         modifier
-            .testTag("brick-${part.button.name.lowercase()}")
+            .testTag(RunTags.button(part.button))
             .focusRing(unit * finish.corner)
             .holdable(onPress, onRelease)
             .semantics {

@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.uikit.*
 
 /**
@@ -71,7 +72,7 @@ internal fun FrontPort(
     val isPressed = view.isPressed
     Box(
         modifier
-            .testTag("port-${view.name}")
+            .testTag(RunTags.port(view.name))
             .touchable(isPressed != null, onTouch)
             .clearAndSetSemantics {
                 contentDescription = view.description
