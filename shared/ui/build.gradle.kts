@@ -6,10 +6,10 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:ui-common"))
-            implementation(project(":shared:ui-program"))
-            implementation(project(":shared:ui-run"))
-            implementation(project(":shared:ui-world"))
-            implementation(project(":shared:ui-school"))
+            api(project(":shared:ui-program"))
+            api(project(":shared:ui-run"))
+            api(project(":shared:ui-world"))
+            api(project(":shared:ui-school"))
             implementation(libs.coroutines.core)
             // Material, inside the kit, requires 0.6.0, whose wasm library is missing on some registries.
             implementation(libs.datetime)

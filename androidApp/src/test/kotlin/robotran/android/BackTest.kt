@@ -9,6 +9,7 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import robotran.ui.program.tags.ProgramTags
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
@@ -66,10 +67,10 @@ class BackTest {
     fun `Back closes the find bar and leaves the program as it is`() {
         app.goBack()
         show(ScreenEvent.PaneChosen(Pane.PROGRAM))
-        app.touch("find-open")
-        assertTrue(app.isThere("find-bar"))
+        app.touch(ProgramTags.FIND_OPEN)
+        assertTrue(app.isThere(ProgramTags.FIND_BAR))
         app.goBack()
-        assertFalse(app.isThere("find-bar"))
+        assertFalse(app.isThere(ProgramTags.FIND_BAR))
         assertEquals(Pane.PROGRAM, app.workshop.state.pane)
     }
 
@@ -77,13 +78,13 @@ class BackTest {
     fun `Back closes a page before the find bar that lies below it`() {
         app.goBack()
         show(ScreenEvent.PaneChosen(Pane.PROGRAM))
-        app.touch("find-open")
+        app.touch(ProgramTags.FIND_OPEN)
         show(SettingsEvent.SettingsShown(true))
         app.goBack()
         assertFalse(app.workshop.state.settingsShown)
-        assertTrue(app.isThere("find-bar"))
+        assertTrue(app.isThere(ProgramTags.FIND_BAR))
         app.goBack()
-        assertFalse(app.isThere("find-bar"))
+        assertFalse(app.isThere(ProgramTags.FIND_BAR))
     }
 
     @Test

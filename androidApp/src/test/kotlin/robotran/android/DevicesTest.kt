@@ -12,6 +12,9 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
@@ -44,7 +47,7 @@ class DevicesTest(
 
     private fun write() {
         show(Pane.PROGRAM)
-        app.screen.onNodeWithTag("program").performTextReplacement(PROGRAM)
+        app.screen.onNodeWithTag(ProgramTags.PROGRAM).performTextReplacement(PROGRAM)
         app.pass(SHORT)
         app.photograph("$picture-2-write")
         assertEquals(PROGRAM, app.workshop.state.programText)
@@ -52,21 +55,21 @@ class DevicesTest(
 
     private fun run() {
         show(Pane.WORLD)
-        app.touch("run")
+        app.touch(RunTags.RUN)
         app.pass(LONG)
         app.photograph("$picture-3-run")
         assertTrue(app.workshop.state.running)
         assertTrue(app.activity.window.decorView.isKeptOn())
-        app.touch("stop")
+        app.touch(RunTags.STOP)
         assertEquals(WorkshopStatus.Ended(stopped = true), app.workshop.state.status)
         assertTrue(!app.activity.window.decorView.isKeptOn())
     }
 
     private fun lookBack() {
         val length = app.workshop.state.run.length
-        app.screen.onNodeWithTag("timeline").performTouchInput { down(center) }
+        app.screen.onNodeWithTag(RunTags.TIMELINE).performTouchInput { down(center) }
         app.pass(SHORT)
-        app.screen.onNodeWithTag("timeline").performTouchInput { up() }
+        app.screen.onNodeWithTag(RunTags.TIMELINE).performTouchInput { up() }
         app.pass(SHORT)
         app.photograph("$picture-4-look-back")
         assertTrue(app.workshop.state.run.time in length / 4..length * 3 / 4)
@@ -76,8 +79,8 @@ class DevicesTest(
         app.workshop.handle(WorldEditEvent.EditorOpened)
         app.pass(SHORT)
         app.photograph("$picture-5-world")
-        app.screen.onNodeWithTag("edit-done").assertIsDisplayed()
-        app.touch("edit-done")
+        app.screen.onNodeWithTag(WorldTags.done(WorldTags.EDIT)).assertIsDisplayed()
+        app.touch(WorldTags.done(WorldTags.EDIT))
         assertNull(app.workshop.state.worldEdit)
     }
 
@@ -87,13 +90,13 @@ class DevicesTest(
         app.change(device.qualifiers(!upright))
         app.photograph("$picture-6-turned")
         assertEquals("nothing is made anew by a turn", before, app.activity)
-        app.screen.onNodeWithTag("program").assertIsDisplayed()
+        app.screen.onNodeWithTag(ProgramTags.PROGRAM).assertIsDisplayed()
         app.change(device.qualifiers(upright))
     }
 
     private fun comeBack() {
         show(Pane.WORLD)
-        app.touch("run")
+        app.touch(RunTags.RUN)
         app.pass(LONG)
         val before = app.workshop.state
         app.simulateProcessDeath()

@@ -14,6 +14,7 @@ import org.junit.Rule
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.state.DocumentDialog
 
 /** A hardware keyboard and a mouse on the tablet. */
@@ -64,7 +65,7 @@ class KeyboardTest {
     @Test
     fun `the wheel of a mouse zooms the sheet where it points`() {
         val before = app.workshop.state.sheet.camera
-        val world = app.screen.onNodeWithTag("world").fetchSemanticsNode().boundsInRoot.center
+        val world = app.screen.onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().boundsInRoot.center
         app.activity.window.decorView.dispatchGenericMotionEvent(scroll(world.x, world.y))
         app.pass(500)
         assertNotEquals(before, app.workshop.state.sheet.camera)

@@ -7,6 +7,8 @@ import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.ParameterizedRobolectricTestRunner
 import org.robolectric.ParameterizedRobolectricTestRunner.Parameters
+import robotran.ui.run.tags.RunTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -33,15 +35,15 @@ class LooksTest(
         app.open(device.qualifiers(upright, dark), fontScale = if (dark) 1f else 2f)
         app.leaveFirstPage()
         show(ScreenEvent.PaneChosen(Pane.PROGRAM))
-        app.screen.onNodeWithTag("run").assertIsDisplayed()
+        app.screen.onNodeWithTag(RunTags.RUN).assertIsDisplayed()
         app.photograph("$picture-1-program")
         show(ScreenEvent.PaneChosen(Pane.WORLD))
-        app.touch("run")
+        app.touch(RunTags.RUN)
         app.pass(RUN)
-        app.screen.onNodeWithTag("stop").assertIsDisplayed()
+        app.screen.onNodeWithTag(RunTags.STOP).assertIsDisplayed()
         app.photograph("$picture-2-run")
         show(WorldEditEvent.EditorOpened)
-        app.screen.onNodeWithTag("edit-done").assertIsDisplayed()
+        app.screen.onNodeWithTag(WorldTags.done(WorldTags.EDIT)).assertIsDisplayed()
         app.photograph("$picture-3-world")
         show(WorldEditEvent.EditorClosed)
         show(SettingsEvent.SettingsShown(true))

@@ -27,7 +27,12 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.annotation.Config
+import robotran.brick.controls.BrickButton
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.sheet.SheetColours
+import robotran.ui.world.tags.WorldTags
+import robotran.uikit.KitTags
 import java.io.File
 
 @RunWith(RobolectricTestRunner::class)
@@ -43,8 +48,8 @@ class MainActivityTest {
     fun stopTheClock() {
         screen.mainClock.autoAdvance = false
         screen.mainClock.advanceTimeBy(SETTLING)
-        screen.onNodeWithTag("first-text").performSemanticsAction(SemanticsActions.OnClick)
-        screen.onNodeWithTag("first-run-close").performClick()
+        screen.onNodeWithTag(LearningTags.FIRST_TEXT).performSemanticsAction(SemanticsActions.OnClick)
+        screen.onNodeWithTag(KitTags.close(LearningTags.FIRST_RUN)).performClick()
         screen.mainClock.advanceTimeBy(SETTLING)
     }
 
@@ -78,7 +83,7 @@ class MainActivityTest {
         screen.mainClock.advanceTimeBy(SETTLING)
         photograph("phone-bars")
         assertTrue(screen.onNodeWithText("Program").fetchSemanticsNode().boundsInRoot.top >= 90)
-        assertTrue(screen.onNodeWithTag("stop").fetchSemanticsNode().boundsInRoot.bottom <= window.height - 120)
+        assertTrue(screen.onNodeWithTag(RunTags.STOP).fetchSemanticsNode().boundsInRoot.bottom <= window.height - 120)
     }
 
     @Test
@@ -103,9 +108,9 @@ class MainActivityTest {
     }
 
     private fun pressRunOnTheBrick() {
-        screen.onNodeWithTag("brick-run").performTouchInput { down(center) }
+        screen.onNodeWithTag(RunTags.button(BrickButton.RUN)).performTouchInput { down(center) }
         screen.mainClock.advanceTimeBy(PRESS)
-        screen.onNodeWithTag("brick-run").performTouchInput { up() }
+        screen.onNodeWithTag(RunTags.button(BrickButton.RUN)).performTouchInput { up() }
         screen.mainClock.advanceTimeBy(SETTLING)
     }
 
@@ -124,9 +129,8 @@ class MainActivityTest {
 
     /** The accessibility text of the paper ends with "80.0 cm of line drawn". */
     private fun inkCentimetres(): Double {
-        val words = screen.onNodeWithTag(
-            "world",
-        ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
+        val words = screen.onNodeWithTag(WorldTags.WORLD)
+            .fetchSemanticsNode().config[SemanticsProperties.ContentDescription].joinToString()
         return words.substringBefore(" cm of line").substringAfterLast(' ').toDouble()
     }
 

@@ -26,6 +26,7 @@ import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.linkOf
 import robotran.qrcode.QrCode
+import robotran.ui.school.tags.HandInTags
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.platform.QrScannerWords
 import robotran.workshop.state.HandInsMessage
@@ -54,16 +55,16 @@ class PhotosTest {
     fun `without a camera app only pictures are offered`() {
         openHandIns()
         assertEquals(listOf(QrScannerKind.PICTURES), page.scanners)
-        assertFalse(app.isThere("hand-ins-scan"))
-        assertTrue(app.isThere("hand-ins-scan-pictures"))
+        assertFalse(app.isThere(HandInTags.HAND_INS_SCAN))
+        assertTrue(app.isThere(HandInTags.HAND_INS_SCAN_PICTURES))
     }
 
     @Test
     fun `a code in a picture that is taken becomes a hand-in, and the picture is gone`() {
         installCamera()
         openHandIns()
-        assertTrue(app.isThere("hand-ins-scan"))
-        assertTrue(app.isThere("hand-ins-scan-pictures"))
+        assertTrue(app.isThere(HandInTags.HAND_INS_SCAN))
+        assertTrue(app.isThere(HandInTags.HAND_INS_SCAN_PICTURES))
         val link = runBlocking { linkOf(Project(BuiltInWorlds.plain), Language.ENGLISH) } as LinkCreation.Made
         answer(Activity.RESULT_OK) {
             write(it, pictureOf(checkNotNull(QrCode.of("https://a.example/${link.fragment}"))))

@@ -21,6 +21,8 @@ import org.robolectric.Robolectric
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import org.robolectric.android.controller.ActivityController
+import robotran.ui.school.tags.LearningTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import java.io.File
 import java.util.concurrent.TimeUnit
@@ -72,8 +74,8 @@ class TestedApp : TestRule {
 
     /** Chooses text on the welcome page of the first run and closes the page. */
     fun leaveFirstPage() {
-        screen.onNodeWithTag("first-text").performSemanticsAction(SemanticsActions.OnClick)
-        screen.onNodeWithTag("first-run-close").performClick()
+        screen.onNodeWithTag(LearningTags.FIRST_TEXT).performSemanticsAction(SemanticsActions.OnClick)
+        screen.onNodeWithTag(KitTags.close(LearningTags.FIRST_RUN)).performClick()
         pass(SETTLING)
     }
 

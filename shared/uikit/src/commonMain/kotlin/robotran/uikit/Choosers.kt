@@ -124,7 +124,7 @@ fun <T> ChipRow(title: String, choices: List<Pair<T, String>>, chosen: T, tag: S
                 val isChosen = value == chosen
                 Box(
                     Modifier
-                        .testTag("$tag-$place")
+                        .testTag(KitTags.at(tag, place))
                         .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
                         .focusRing()
                         .clip(Shapes.MEDIUM)
@@ -171,7 +171,7 @@ fun <T> MenuRow(title: String, choices: List<Pair<T, String>>, shown: String, ta
             }
             AppMenu(open, { open = false }) {
                 choices.forEachIndexed { place, (value, word) ->
-                    MenuItem(word, "$tag-$place") {
+                    MenuItem(word, KitTags.at(tag, place)) {
                         open = false
                         onChoose(value)
                     }

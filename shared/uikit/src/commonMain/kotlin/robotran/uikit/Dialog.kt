@@ -38,7 +38,7 @@ fun Dialog(
     notice: (@Composable () -> Unit)? = null,
     content: @Composable ColumnScope.() -> Unit,
 ) = DialogWindow(onClose) {
-    DialogCard(title, "document-dialog", Modifier.widthIn(max = 520.dp)) {
+    DialogCard(title, KitTags.DOCUMENT_DIALOG, Modifier.widthIn(max = 520.dp)) {
         Column(Modifier.padding(24.dp), Arrangement.spacedBy(16.dp)) {
             DialogTitle(title)
             Column(

@@ -89,7 +89,7 @@ fun Page(
             .focusable(),
     ) {
         Row(Modifier.fillMaxWidth().padding(4.dp), verticalAlignment = Alignment.CenterVertically) {
-            IconButton(Icon.BACK, closeWords(spoken), "$tag-close", onClick = onClose)
+            IconButton(Icon.BACK, closeWords(spoken), KitTags.close(tag), onClick = onClose)
             Text(
                 title,
                 Modifier.weight(1f).padding(start = Dimensions.GRID).heading(),

@@ -42,7 +42,7 @@ fun <T> ChoiceOfOne(title: String, choices: List<Pair<T, String>>, chosen: T, ta
                 val selected = value == chosen
                 Row(
                     Modifier
-                        .testTag("$tag-$place")
+                        .testTag(KitTags.at(tag, place))
                         .defaultMinSize(minHeight = Dimensions.TARGET)
                         .focusRing()
                         .selectable(selected, role = Role.RadioButton) { onChoose(value) }

@@ -21,6 +21,7 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.ui.common.tags.CommonTags
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -45,7 +46,7 @@ fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modif
             .border(1.dp, colours.line, SHAPE)
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .testTag("keeping-trouble"),
+            .testTag(CommonTags.KEEPING_TROUBLE),
     ) {
         FlowRow(
             Modifier
@@ -64,17 +65,17 @@ fun AutosaveBanner(state: DocumentState, onEvent: (DocumentEvent) -> Unit, modif
                 TextStyles.label,
             )
             if (error != AutosaveError.TooLong) {
-                Button(CommonTexts.saveAs(spoken), "trouble-save-as", ButtonKind.DIALOG_OTHER) {
+                Button(CommonTexts.saveAs(spoken), CommonTags.TROUBLE_SAVE_AS, ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.SaveAsRequested)
                 }
             }
             if (error == AutosaveError.Full) {
-                Button(CommonTexts.myWork(spoken), "trouble-my-work", ButtonKind.DIALOG_OTHER) {
+                Button(CommonTexts.myWork(spoken), CommonTags.TROUBLE_MY_WORK, ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.ProjectListRequested)
                 }
             }
         }
-        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "trouble-close") {
+        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), CommonTags.TROUBLE_CLOSE) {
             onEvent(DocumentEvent.WarningShown(false))
         }
     }

@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import robotran.simulation.state.MissingSensors
+import robotran.ui.common.tags.CommonTags
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 
@@ -19,7 +20,7 @@ fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modi
         ?: CommonTexts.plugInPorts(spoken, portNumbers(ports))
     Button(
         if (ports.size == 1) CommonTexts.plugIn(spoken) else CommonTexts.plugInSeveral(spoken),
-        "plug-in",
+        CommonTags.PLUG_IN,
         ButtonKind.LINK,
         modifier.named(description),
     ) { onPlug(missing) }

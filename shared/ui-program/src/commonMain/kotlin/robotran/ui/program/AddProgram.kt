@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.texts
 import robotran.ui.texts.NqcTexts
@@ -36,7 +37,10 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        IconButton(ThinIcons.PLUS, EditorTexts.programAdd(spoken), "add-program", IconButtonKind.SMALL) { open = true }
+        IconButton(ThinIcons.PLUS, EditorTexts.programAdd(spoken), ProgramTags.ADD_PROGRAM, IconButtonKind.SMALL) {
+            open =
+                true
+        }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
@@ -44,16 +48,16 @@ internal fun AddProgram(state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) 
         ) {
             if (state.hasRoom) NewPrograms(state.brick, choose) else Note(EditorTexts.programNoRoom(spoken))
             state.program.language.texts.newFile?.let { words ->
-                MenuItem(words(spoken), "new-class") { choose(ProgramEvent.FileAdded) }
+                MenuItem(words(spoken), ProgramTags.NEW_CLASS) { choose(ProgramEvent.FileAdded) }
             }
             state.closed?.takeIf { state.canReopen }?.let { closed ->
-                MenuItem(EditorTexts.programReopenNamed(spoken, closed), "reopen-closed") {
+                MenuItem(EditorTexts.programReopenNamed(spoken, closed), ProgramTags.REOPEN_CLOSED) {
                     choose(ProgramEvent.ProgramReopened)
                 }
             }
             if (state.hasRoom) {
                 HorizontalDivider()
-                MenuItem(EditorTexts.programExamples(spoken), "examples") {
+                MenuItem(EditorTexts.programExamples(spoken), ProgramTags.EXAMPLES) {
                     choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
                 }
             }
@@ -72,9 +76,9 @@ private fun NewPrograms(brick: BrickKind, onEvent: (WorkshopEvent) -> Unit) {
     val languages = ProgramLanguage.entries.filter { it in allowed && brick in it.support.bricks }
     for (language in languages) {
         if (language.support.isForExperts && languages.size > 1 && !hasMore) {
-            MenuItem(NqcTexts.programNewMore(spoken), "new-more") { hasMore = true }
+            MenuItem(NqcTexts.programNewMore(spoken), ProgramTags.NEW_MORE) { hasMore = true }
         } else {
-            MenuItem(language.texts.newProgram(spoken), "new-${language.name.lowercase()}") {
+            MenuItem(language.texts.newProgram(spoken), ProgramTags.new(language)) {
                 onEvent(ProgramEvent.NewProgramRequested(language))
             }
         }

@@ -56,6 +56,7 @@ import robotran.ui.program.blocks.dialogs.ChoosingBar
 import robotran.ui.program.blocks.dialogs.GroupRail
 import robotran.ui.program.blocks.dialogs.SheetPlace
 import robotran.ui.program.blocks.zoomsBlocks
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
@@ -167,7 +168,7 @@ internal fun BlocksPane(
                     maxOf(ROOM_BELOW, covered),
                     Modifier
                         .fillMaxSize()
-                        .testTag("block-pane")
+                        .testTag(ProgramTags.BLOCK_PANE)
                         .focusRequester(focus ?: own)
                         .onFocusChanged { hasFocus.value = it.isFocused }
                         .onKeyEvent(keys::handle)

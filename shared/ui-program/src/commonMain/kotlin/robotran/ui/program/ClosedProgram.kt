@@ -14,6 +14,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -28,7 +29,9 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
     val colours = LocalRobotranColours.current
     Surface(Modifier.fillMaxWidth().padding(8.dp), color = colours.desk) {
         Row(
-            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("closed-program"),
+            Modifier.defaultMinSize(
+                minHeight = Dimensions.TARGET,
+            ).padding(start = 16.dp).testTag(ProgramTags.CLOSED_PROGRAM),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(
@@ -39,11 +42,11 @@ internal fun ClosedProgram(name: String, room: Boolean, onEvent: (ProgramEvent) 
             if (room) {
                 Button(
                     EditorTexts.programReopen(spoken),
-                    "reopen-program",
+                    ProgramTags.REOPEN_PROGRAM,
                     ButtonKind.LINK,
                 ) { onEvent(ProgramEvent.ProgramReopened) }
             }
-            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "closed-program-close") {
+            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), ProgramTags.CLOSED_PROGRAM_CLOSE) {
                 onEvent(ProgramEvent.ClosedMessageDismissed)
             }
         }

@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.dp
 import robotran.language.source.Diagnostic
 import robotran.programs.Program
 import robotran.ui.program.editor.FixButton
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -44,7 +45,9 @@ internal fun DiagnosticStrip(
     val colours = LocalRobotranColours.current
     val (here, elsewhere) = diagnostics.partition { it.file == file && it.range != null }
     Column(
-        modifier.fillMaxWidth().background(colours.errorPane).testTag("mistakes").padding(start = 16.dp, end = 8.dp),
+        modifier.fillMaxWidth().background(
+            colours.errorPane,
+        ).testTag(ProgramTags.MISTAKES).padding(start = 16.dp, end = 8.dp),
     ) {
         for (diagnostic in elsewhere.take(max)) Elsewhere(diagnostic, program, onFix)
         // At the bottom, so that the button does not move when others appear.
@@ -66,7 +69,7 @@ internal fun DiagnosticStrip(
                 )
                 Button(
                     EditorTexts.nextMistake(spoken),
-                    "next-mistake",
+                    ProgramTags.NEXT_MISTAKE,
                     ButtonKind.SMALL_LINK,
                     style = TextStyles.compact.strong,
                     onClick = onNext,

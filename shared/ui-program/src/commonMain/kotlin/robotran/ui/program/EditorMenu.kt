@@ -14,7 +14,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
+import robotran.ui.common.tags.CommonTags
 import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.translationTexts
 import robotran.uikit.*
@@ -46,7 +48,9 @@ internal fun EditorMenu(
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
     Box {
-        IconButton(ThinIcons.MORE, EditorTexts.more(spoken), "editor-more", IconButtonKind.TOOL) { open = true }
+        IconButton(ThinIcons.MORE, EditorTexts.more(spoken), ProgramTags.EDITOR_MORE, IconButtonKind.TOOL) {
+            open = true
+        }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
             // An open menu would keep the keyboard focus from what the tool opens.
             DisposableEffect(Unit) {
@@ -56,13 +60,13 @@ internal fun EditorMenu(
                 }
             }
             onSend?.let { send ->
-                MenuItem(sendWords(spoken), "send-robot") {
+                MenuItem(sendWords(spoken), CommonTags.SEND_ROBOT) {
                     open = false
                     send()
                 }
             }
             for (kind in translations) {
-                val tag = if (kind == shown) "translation-switch" else "translation-${kind.name.lowercase()}"
+                val tag = if (kind == shown) ProgramTags.TRANSLATION_SWITCH else ProgramTags.translation(kind)
                 MenuItem(kind.translationTexts.switch(spoken), tag) {
                     open = false
                     onTranslation(kind)
@@ -90,7 +94,7 @@ internal fun EditorMenu(
 @Composable
 private fun ToolItem(tool: Tool, onClick: () -> Unit) = MenuItem(
     tool.words(spoken),
-    "tool-${tool.command.name.lowercase()}",
+    ProgramTags.tool(tool.command),
     trailing = if (tool.keys.isEmpty()) null else ({ Keys(tool.keys) }),
     onClick = onClick,
 )

@@ -16,6 +16,7 @@ import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.translationTexts
 import robotran.ui.texts.BrickLabels
@@ -40,14 +41,26 @@ internal fun EditorTools(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            IconButton(ThinIcons.UNDO, EditorTexts.undo(spoken), "undo", IconButtonKind.TOOL, enabled = state.canUndo) {
+            IconButton(
+                ThinIcons.UNDO,
+                EditorTexts.undo(spoken),
+                ProgramTags.UNDO,
+                IconButtonKind.TOOL,
+                enabled = state.canUndo,
+            ) {
                 onCommand(EditorCommand.Plain.UNDO)
             }
-            IconButton(ThinIcons.REDO, EditorTexts.redo(spoken), "redo", IconButtonKind.TOOL, enabled = state.canRedo) {
+            IconButton(
+                ThinIcons.REDO,
+                EditorTexts.redo(spoken),
+                ProgramTags.REDO,
+                IconButtonKind.TOOL,
+                enabled = state.canRedo,
+            ) {
                 onCommand(EditorCommand.Plain.REDO)
             }
             if (places.hasFind) {
-                IconButton(ThinIcons.FIND, EditorTexts.find(spoken), "find-open", IconButtonKind.TOOL) {
+                IconButton(ThinIcons.FIND, EditorTexts.find(spoken), ProgramTags.FIND_OPEN, IconButtonKind.TOOL) {
                     onCommand(EditorCommand.Plain.FIND)
                 }
             }
@@ -57,7 +70,11 @@ internal fun EditorTools(
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (translation != null && places.hasTranslation) {
-                PaneChip(translation.translationTexts.switch(spoken), "translation-switch", state.translationShown) {
+                PaneChip(
+                    translation.translationTexts.switch(spoken),
+                    ProgramTags.TRANSLATION_SWITCH,
+                    state.translationShown,
+                ) {
                     onTranslation(!state.translationShown, translation)
                 }
                 Spacer(Modifier.width(ToolSizes.GAP))

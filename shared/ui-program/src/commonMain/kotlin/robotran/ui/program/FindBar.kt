@@ -38,6 +38,7 @@ import androidx.compose.ui.unit.dp
 import robotran.language.source.SourceSpan
 import robotran.textediting.find.Search
 import robotran.ui.program.editor.editorStyle
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -95,7 +96,7 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("find-bar")
+            .testTag(ProgramTags.FIND_BAR)
             .background(colours.desk.copy(alpha = SHADE))
             .padding(horizontal = 8.dp, vertical = 4.dp),
     ) {
@@ -105,7 +106,7 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             LineField(
                 state.search.text,
                 words,
-                "find",
+                ProgramTags.FIND,
                 change,
                 actions,
                 Modifier.weight(1f).focusRequester(first),
@@ -115,7 +116,7 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             IconButton(
                 ThinIcons.UP,
                 before,
-                "find-previous",
+                ProgramTags.FIND_PREVIOUS,
                 IconButtonKind.SMALL,
                 enabled = count > 0,
                 onClick = actions::previous,
@@ -123,7 +124,7 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             IconButton(
                 ThinIcons.DOWN,
                 EditorTexts.findNext(spoken),
-                "find-next",
+                ProgramTags.FIND_NEXT,
                 IconButtonKind.SMALL,
                 enabled = count > 0,
                 onClick = actions::next,
@@ -131,41 +132,41 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             IconButton(
                 ThinIcons.CROSS,
                 EditorTexts.findClose(spoken),
-                "find-close",
+                ProgramTags.FIND_CLOSE,
                 IconButtonKind.SMALL,
                 onClick = actions::close,
             )
         }
         Row(verticalAlignment = Alignment.CenterVertically) {
             val words = EditorTexts.replace(spoken)
-            LineField(state.replacement, words, "replace", {
+            LineField(state.replacement, words, ProgramTags.REPLACE, {
                 state.replacement = it
             }, actions, Modifier.weight(1f), actions::replaceOne)
             Button(
                 EditorTexts.replaceOne(spoken),
-                "replace-one",
+                ProgramTags.REPLACE_ONE,
                 ButtonKind.SMALL_LINK,
                 enabled = count > 0,
                 onClick = actions::replaceOne,
             )
             Button(
                 EditorTexts.replaceAll(spoken),
-                "replace-all",
+                ProgramTags.REPLACE_ALL,
                 ButtonKind.SMALL_LINK,
                 enabled = count > 0,
                 onClick = actions::replaceAll,
             )
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            PaneChip(EditorTexts.findCase(spoken), "find-case", state.search.matchCase) {
+            PaneChip(EditorTexts.findCase(spoken), ProgramTags.FIND_CASE, state.search.matchCase) {
                 state.search = state.search.copy(matchCase = !state.search.matchCase)
             }
-            PaneChip(EditorTexts.findWords(spoken), "find-words", state.search.wholeWords) {
+            PaneChip(EditorTexts.findWords(spoken), ProgramTags.FIND_WORDS, state.search.wholeWords) {
                 state.search = state.search.copy(wholeWords = !state.search.wholeWords)
             }
             Text(
                 if (state.search.text.isEmpty()) "" else countText(count, index),
-                Modifier.weight(1f).testTag("find-count").announced(),
+                Modifier.weight(1f).testTag(ProgramTags.FIND_COUNT).announced(),
                 TextStyles.small,
             )
         }

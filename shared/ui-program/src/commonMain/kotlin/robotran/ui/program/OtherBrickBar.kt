@@ -15,6 +15,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.texts.BrickLabels
 import robotran.uikit.*
 
@@ -27,7 +28,7 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
         Modifier
             .fillMaxWidth()
             .background(colours.errorPane)
-            .testTag("other-brick")
+            .testTag(ProgramTags.OTHER_BRICK)
             .padding(start = 16.dp, end = 8.dp),
     ) {
         Text(
@@ -36,6 +37,12 @@ internal fun OtherBrickBar(brick: BrickKind, robot: String, onUse: () -> Unit) {
             TextStyles.body,
             color = colours.error,
         )
-        Button(labels.use(spoken), "use-other-brick", ButtonKind.LINK, Modifier.align(Alignment.End), onClick = onUse)
+        Button(
+            labels.use(spoken),
+            ProgramTags.USE_OTHER_BRICK,
+            ButtonKind.LINK,
+            Modifier.align(Alignment.End),
+            onClick = onUse,
+        )
     }
 }

@@ -22,6 +22,7 @@ import androidx.compose.ui.layout.onPlaced
 import androidx.compose.ui.layout.positionInParent
 import androidx.compose.ui.platform.LocalDensity
 import robotran.languagesupport.SourceFile
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 import robotran.workshop.event.ProgramEvent
@@ -62,13 +63,15 @@ internal fun ProgramTabs(
                 val title = if (several) EditorTexts.programTab(spoken, slot, program.name) else program.name
                 Row(Modifier.keptInSight(shown, state.programs.size, scroll)) {
                     val rename = onRename.takeIf { shown && state.shownFile == 0 }
-                    FileTab(title, shown, "program-$slot", { onEvent(ProgramEvent.ProgramChosen(slot)) }, rename)
+                    FileTab(title, shown, ProgramTags.program(slot), {
+                        onEvent(ProgramEvent.ProgramChosen(slot))
+                    }, rename)
                     if (several && shown) {
                         val close = EditorTexts.programClose(spoken, program.name)
                         IconButton(
                             ThinIcons.CROSS,
                             close,
-                            "close-program",
+                            ProgramTags.CLOSE_PROGRAM,
                             IconButtonKind.SMALL,
                         ) { onEvent(ProgramEvent.ProgramClosed(slot)) }
                     }
@@ -124,7 +127,7 @@ internal fun FileTabs(
         files.forEachIndexed { place, file ->
             val isShown = place == shown
             Row(Modifier.keptInSight(isShown, files.size, scroll)) {
-                FileTab(file.name, isShown, "file-$place", { onChoose(place) }, onRename.takeIf { isShown })
+                FileTab(file.name, isShown, ProgramTags.file(place), { onChoose(place) }, onRename.takeIf { isShown })
             }
         }
     }

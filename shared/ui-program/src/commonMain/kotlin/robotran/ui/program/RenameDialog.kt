@@ -17,6 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.texts
 import robotran.uikit.*
@@ -40,14 +41,14 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         buttons = {
             Button(
                 EditorTexts.renameCancel(spoken),
-                "rename-cancel",
+                ProgramTags.RENAME_CANCEL,
                 ButtonKind.LINK,
                 style = TextStyles.body,
                 onClick = onLeave,
             )
             Button(
                 EditorTexts.renameDone(spoken),
-                "rename-done",
+                ProgramTags.RENAME_DONE,
                 ButtonKind.LINK,
                 enabled = problem == null,
                 style = TextStyles.body,
@@ -59,7 +60,7 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         TextField(
             typed,
             { typed = it },
-            Modifier.fillMaxWidth().focusRequester(focus).testTag("rename-name"),
+            Modifier.fillMaxWidth().focusRequester(focus).testTag(ProgramTags.RENAME_NAME),
             EditorTexts.name(spoken),
             keyboard = KeyboardOptions(imeAction = ImeAction.Done, autoCorrectEnabled = false),
             onKeyboard = KeyboardActions(onDone = { take() }),
@@ -67,7 +68,13 @@ internal fun RenameDialog(state: ProgramsState, onName: (String) -> Unit, onRemo
         )
         if (state.program.files.size > 1) {
             val remove = state.program.language.texts.removeFile
-            Button(remove(spoken), "remove-class", ButtonKind.LINK, style = TextStyles.body, onClick = onRemove)
+            Button(
+                remove(spoken),
+                ProgramTags.REMOVE_CLASS,
+                ButtonKind.LINK,
+                style = TextStyles.body,
+                onClick = onRemove,
+            )
         }
     }
 }

@@ -18,6 +18,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.sheet.RobotColours
 import robotran.uikit.*
@@ -37,14 +38,14 @@ internal fun RobotChooser(state: ProgramsState, onChoose: (String) -> Unit) {
             .horizontalScroll(scroll)
             .padding(horizontal = 12.dp)
             .selectableGroup()
-            .testTag("robots"),
+            .testTag(ProgramTags.ROBOTS),
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
         for (robot in state.robots) {
             PaneChip(
                 EditorTexts.robot(spoken, robot.name),
-                "robot-${robot.name}",
+                ProgramTags.robot(robot.name),
                 robot.name == state.shownRobot,
                 {
                     Canvas(Modifier.size(14.dp)) {

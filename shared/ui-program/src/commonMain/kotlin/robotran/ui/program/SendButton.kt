@@ -2,6 +2,7 @@ package robotran.ui.program
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
+import robotran.ui.common.tags.CommonTags
 import robotran.uikit.*
 
 /**
@@ -18,7 +19,7 @@ internal fun SendButton(label: Label, hasRoom: Boolean, onClick: () -> Unit) =
 private fun SendButton(label: String, hasRoom: Boolean, onClick: () -> Unit) {
     if (hasRoom) {
         val colour = LocalRobotranColours.current.onPane
-        PaneChip(label, "send-robot", on = false, {
+        PaneChip(label, CommonTags.SEND_ROBOT, on = false, {
             IconView(
                 ThinIcons.SEND,
                 colour,
@@ -26,7 +27,7 @@ private fun SendButton(label: String, hasRoom: Boolean, onClick: () -> Unit) {
             )
         }, onClick = onClick)
     } else {
-        IconButton(ThinIcons.SEND, label, "send-robot", IconButtonKind.TOOL, onClick = onClick)
+        IconButton(ThinIcons.SEND, label, CommonTags.SEND_ROBOT, IconButtonKind.TOOL, onClick = onClick)
     }
 }
 

@@ -18,6 +18,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
 import robotran.programs.TranslationNote
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -30,7 +31,7 @@ internal fun TranslationNotes(notes: List<TranslationNote>, onNote: (Translation
         Modifier
             .fillMaxWidth()
             .heightIn(max = MAX_HEIGHT * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE))
-            .testTag("translation-remarks")
+            .testTag(ProgramTags.TRANSLATION_REMARKS)
             .scrollHint(scroll)
             .verticalScroll(scroll),
     ) {

@@ -43,6 +43,7 @@ import robotran.ui.program.editor.listenFor
 import robotran.ui.program.editor.listenForZoom
 import robotran.ui.program.editor.rememberLineLayouts
 import robotran.ui.program.editor.scrolls
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.translationTexts
 import robotran.uikit.*
@@ -74,7 +75,7 @@ internal fun TranslationPane(
     modifier: Modifier = Modifier,
 ) {
     val colours = LocalRobotranColours.current
-    Column(modifier.background(colours.pane).testTag("translation")) {
+    Column(modifier.background(colours.pane).testTag(ProgramTags.TRANSLATION)) {
         Row(
             Modifier
                 .fillMaxWidth()
@@ -92,7 +93,7 @@ internal fun TranslationPane(
             if (translation != null && isNow && onKeep != null) {
                 Button(
                     EditorTexts.translationKeep(spoken),
-                    "translation-keep",
+                    ProgramTags.TRANSLATION_KEEP,
                     ButtonKind.LINK,
                     style = TextStyles.small,
                     onClick = onKeep,
@@ -161,7 +162,7 @@ private fun TranslatedText(
         emptyList(),
         modifier
             .fillMaxSize()
-            .testTag("translation-text")
+            .testTag(ProgramTags.TRANSLATION_TEXT)
             .semantics {
                 contentDescription = label
                 // A field that cannot be written: the page's screen readers read what is in a field, line by line.

@@ -8,6 +8,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -19,14 +20,14 @@ internal fun ViewSwitch(view: ProgramView, onView: (ProgramView) -> Unit) {
     Box {
         PaneChip(
             wordFor(view)(spoken),
-            "view-switch",
+            ProgramTags.VIEW_SWITCH,
             on = view != ProgramView.TEXT,
             others = VIEW_WORDS.map { it(spoken) },
             picture = { IconView(ThinIcons.DOWN, LocalRobotranColours.current.onPane, size = SIGN) },
         ) { isOpen = true }
         AppMenu(isOpen, { isOpen = false }) {
             for (choice in listOf(ProgramView.BLOCKS, ProgramView.TEXT, ProgramView.BOTH)) {
-                MenuItem(wordFor(choice)(spoken), "view-${choice.name.lowercase()}") {
+                MenuItem(wordFor(choice)(spoken), ProgramTags.view(choice)) {
                     isOpen = false
                     onView(choice)
                 }

@@ -20,6 +20,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.program.RuntimeWarning
 import robotran.simulation.state.MissingSensors
 import robotran.ui.common.PlugInButton
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -49,7 +50,7 @@ internal fun WarningList(
             Column(
                 Modifier
                     .weight(1f)
-                    .testTag("remarks")
+                    .testTag(ProgramTags.REMARKS)
                     .announced()
                     .padding(start = 16.dp, top = 4.dp, bottom = 4.dp),
             ) {
@@ -60,7 +61,7 @@ internal fun WarningList(
                     }
                 }
             }
-            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "remarks-close") { isClosed = true }
+            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), ProgramTags.REMARKS_CLOSE) { isClosed = true }
         }
     }
 }

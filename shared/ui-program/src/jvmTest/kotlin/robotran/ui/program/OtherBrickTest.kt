@@ -10,9 +10,12 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.examplesFor
@@ -31,21 +34,21 @@ class OtherBrickTest {
         runBlocking { workshop.compilePrograms() }
         pass(300)
         onNodeWithText("This program is for an NXT; the robot yellow has an RCX.").assertIsDisplayed()
-        onNodeWithTag("use-other-brick").performClick()
+        onNodeWithTag(ProgramTags.USE_OTHER_BRICK).performClick()
         runBlocking { workshop.compilePrograms() }
         pass(300)
-        onNodeWithTag("other-brick").assertDoesNotExist()
+        onNodeWithTag(ProgramTags.OTHER_BRICK).assertDoesNotExist()
         assertEquals(BrickKind.NXT, workshop.state.programs.brick)
         assertEquals(emptyList(), workshop.state.diagnostics)
         onNodeWithText("For a real robot…").assertExists()
         onNodeWithText("Send to my robot").assertDoesNotExist()
-        onNodeWithTag("notice-text").assertTextEquals("The robot yellow is now: NXT penbot.")
-        onNodeWithTag("notice-action").assertTextEquals("Undo").performClick()
+        onNodeWithTag(ScreenTags.NOTICE_TEXT).assertTextEquals("The robot yellow is now: NXT penbot.")
+        onNodeWithTag(ScreenTags.NOTICE_ACTION).assertTextEquals("Undo").performClick()
         runBlocking { workshop.compilePrograms() }
         pass(300)
         assertEquals(BrickKind.RCX, workshop.state.programs.brick)
-        onNodeWithTag("notice").assertDoesNotExist()
-        onNodeWithTag("other-brick").assertExists()
+        onNodeWithTag(ScreenTags.NOTICE).assertDoesNotExist()
+        onNodeWithTag(ProgramTags.OTHER_BRICK).assertExists()
     }
 
     @Test
@@ -54,18 +57,18 @@ class OtherBrickTest {
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", hello)))
         runBlocking { workshop.compilePrograms() }
         pass(300)
-        onNodeWithTag("use-other-brick").performClick()
+        onNodeWithTag(ProgramTags.USE_OTHER_BRICK).performClick()
         runBlocking { workshop.compilePrograms() }
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.nqc", "task main()\n{\n    Wait(10);\n}\n")))
         runBlocking { workshop.compilePrograms() }
         pass(300)
         onNodeWithText("This program is for an RCX; the robot yellow has an NXT.").assertIsDisplayed()
-        onNodeWithTag("mistakes").assertDoesNotExist()
-        onNodeWithTag("status").assertTextEquals("The program cannot run like this.")
+        onNodeWithTag(ProgramTags.MISTAKES).assertDoesNotExist()
+        onNodeWithTag(RunTags.STATUS).assertTextEquals("The program cannot run like this.")
         workshop.handle(ProgramEvent.ProgramEdited("task main()\n{\n    Wait(10)\n}\n"))
         runBlocking { workshop.compilePrograms() }
         pass(300)
-        onNodeWithTag("other-brick").assertExists()
+        onNodeWithTag(ProgramTags.OTHER_BRICK).assertExists()
     }
 
     @Test
@@ -76,8 +79,8 @@ class OtherBrickTest {
                 val file = OpenedFile("owl.robot.json", writeRobot(owl).encodeToByteArray())
                 workshop.handle(DocumentEvent.FilesBrought(listOf(file)))
                 pass(300)
-                onNodeWithTag("notice-text").assertTextEquals("The robot yellow is now: Owl.")
-                onNodeWithTag("notice-action").performClick()
+                onNodeWithTag(ScreenTags.NOTICE_TEXT).assertTextEquals("The robot yellow is now: Owl.")
+                onNodeWithTag(ScreenTags.NOTICE_ACTION).performClick()
                 pass(300)
                 assertEquals(ReadyRobots.RCX_PENBOT, workshop.state.programs.robot.description)
             }

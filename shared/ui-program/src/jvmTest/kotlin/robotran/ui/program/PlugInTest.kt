@@ -11,10 +11,14 @@ import androidx.compose.ui.test.performClick
 import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
+import robotran.ui.common.tags.CommonTags
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
@@ -57,25 +61,25 @@ class PlugInTest {
     @Test
     fun `the remark beside the program plugs the sensor in, and the next run has it`() = onTablet { workshop ->
         runWithoutRightBumper(workshop)
-        onNodeWithTag("remarks").assertIsDisplayed()
-        onNodeWithTag("plug-in").performClick()
+        onNodeWithTag(ProgramTags.REMARKS).assertIsDisplayed()
+        onNodeWithTag(CommonTags.PLUG_IN).performClick()
         pass(100)
         assertEquals(listOf(PortSensor.RIGHT_BUMPER), workshop.ports.last())
-        onNodeWithTag("notice-text").assertTextContains("Port 3", substring = true)
+        onNodeWithTag(ScreenTags.NOTICE_TEXT).assertTextContains("Port 3", substring = true)
         workshop.handle(RunEvent.RunPressed)
         pass(300)
-        assertEquals(0, count("remarks"))
+        assertEquals(0, count(ProgramTags.REMARKS))
     }
 
     @Test
     fun `Undo takes the sensor out again`() = onTablet { workshop ->
         runWithoutRightBumper(workshop)
-        onNodeWithTag("plug-in").performClick()
+        onNodeWithTag(CommonTags.PLUG_IN).performClick()
         pass(100)
-        onNodeWithTag("notice-action").performClick()
+        onNodeWithTag(ScreenTags.NOTICE_ACTION).performClick()
         pass(100)
         assertEquals(emptyList(), workshop.ports.last())
-        assertEquals(0, count("notice"))
+        assertEquals(0, count(ScreenTags.NOTICE))
     }
 
     @Test
@@ -83,13 +87,13 @@ class PlugInTest {
         val bare = listOf(emptyList(), listOf(PortSensor.LIGHT), emptyList<PortSensor>())
         runWith(workshop, bare)
         onNodeWithText("Touch sensors are missing on ports 1 and 3", substring = true).assertIsDisplayed()
-        onNodeWithTag("plug-in").performClick()
+        onNodeWithTag(CommonTags.PLUG_IN).performClick()
         pass(100)
         val plugged =
             listOf(listOf(PortSensor.LEFT_BUMPER), listOf(PortSensor.LIGHT), listOf(PortSensor.RIGHT_BUMPER))
         assertEquals(plugged, workshop.ports)
-        onNodeWithTag("notice-text").assertTextContains("Ports 1 and 3", substring = true)
-        onNodeWithTag("notice-action").performClick()
+        onNodeWithTag(ScreenTags.NOTICE_TEXT).assertTextContains("Ports 1 and 3", substring = true)
+        onNodeWithTag(ScreenTags.NOTICE_ACTION).performClick()
         pass(100)
         assertEquals(bare, workshop.ports)
     }
@@ -100,8 +104,8 @@ class PlugInTest {
             runWith(workshop, listOf(emptyList(), emptyList(), emptyList()))
             workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
             pass(100)
-            val warning = onNodeWithTag("remarks").fetchSemanticsNode().size.height
-            val program = onNodeWithTag("program").fetchSemanticsNode().size.height
+            val warning = onNodeWithTag(ProgramTags.REMARKS).fetchSemanticsNode().size.height
+            val program = onNodeWithTag(ProgramTags.PROGRAM).fetchSemanticsNode().size.height
             assertTrue(warning * 2 <= program, "The remark is $warning high, the program $program.")
         }
 
@@ -110,8 +114,8 @@ class PlugInTest {
         runWithoutRightBumper(workshop)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.WHY))
         pass(400)
-        onNodeWithTag("why-remark").assertTextContains("touch sensor is missing on port 3", substring = true)
-        onNodeWithTag("plug-in").performClick()
+        onNodeWithTag(RunTags.WHY_REMARK).assertTextContains("touch sensor is missing on port 3", substring = true)
+        onNodeWithTag(CommonTags.PLUG_IN).performClick()
         pass(100)
         assertEquals(listOf(PortSensor.RIGHT_BUMPER), workshop.ports.last())
     }

@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import robotran.language.ProgramLanguage
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
@@ -22,11 +23,11 @@ class ProgramFilesTest {
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(ProgramEvent.FileAdded)
         pass(200)
-        rest("file-1")
-        onNodeWithTag("remove-class").performClick()
+        rest(ProgramTags.file(1))
+        onNodeWithTag(ProgramTags.REMOVE_CLASS).performClick()
         pass(300)
         assertEquals(1, workshop.state.program.files.size)
-        onNodeWithTag("reopen-program").performClick()
+        onNodeWithTag(ProgramTags.REOPEN_PROGRAM).performClick()
         pass(300)
         assertEquals(2, workshop.state.program.files.size)
     }
@@ -36,13 +37,13 @@ class ProgramFilesTest {
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         // Until the tabs stand still.
         pass(700)
-        rest("program-1")
-        onNodeWithTag("rename-name").performTextReplacement("2x")
+        rest(ProgramTags.program(1))
+        onNodeWithTag(ProgramTags.RENAME_NAME).performTextReplacement("2x")
         pass(100)
-        onNodeWithTag("rename-done").assertIsNotEnabled()
-        onNodeWithTag("rename-name").performTextReplacement("Dancer")
+        onNodeWithTag(ProgramTags.RENAME_DONE).assertIsNotEnabled()
+        onNodeWithTag(ProgramTags.RENAME_NAME).performTextReplacement("Dancer")
         pass(100)
-        onNodeWithTag("rename-done").performClick()
+        onNodeWithTag(ProgramTags.RENAME_DONE).performClick()
         pass(300)
         assertEquals("Dancer.java", workshop.state.programName)
         assertTrue("public class Dancer {" in workshop.text)

@@ -15,12 +15,15 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import kotlinx.coroutines.runBlocking
 import robotran.programs.Program
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
+import robotran.workshop.state.NoteKind
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
@@ -30,7 +33,7 @@ import kotlin.test.assertEquals
 @OptIn(ExperimentalTestApi::class)
 class ProgramHelpTest {
     private fun ComposeUiTest.chooseComplete(byTouch: Boolean) {
-        for (tag in listOf("editor-more", "tool-complete")) {
+        for (tag in listOf(ProgramTags.EDITOR_MORE, ProgramTags.tool(EditorCommand.Plain.COMPLETE))) {
             if (byTouch) {
                 onNodeWithTag(tag).performTouchInput {
                     click()
@@ -48,7 +51,7 @@ class ProgramHelpTest {
             workshop.write("turn ")
             pass(300)
             chooseComplete(byTouch)
-            onNodeWithTag("completions").assertIsDisplayed()
+            onNodeWithTag(ProgramTags.COMPLETIONS).assertIsDisplayed()
             onNodeWithText("left").performTouchInput { click() }
             pass(300)
             assertEquals("turn left 90", workshop.text)
@@ -61,9 +64,9 @@ class ProgramHelpTest {
         workshop.write("// a comment")
         pass(300)
         chooseComplete(byTouch = false)
-        onNodeWithTag("no-completions").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.NO_COMPLETIONS).assertIsDisplayed()
         keys(listOf(Key.Escape))
-        assertEquals(0, onAllNodesWithTag("no-completions").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.NO_COMPLETIONS).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -93,10 +96,10 @@ class ProgramHelpTest {
         workshop.advance(60_000)
         workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(600)
-        onNodeWithTag("failure").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.note(NoteKind.FAILURE)).assertIsDisplayed()
         workshop.write("beep")
         pass(300)
-        assertEquals(0, onAllNodesWithTag("failure").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.note(NoteKind.FAILURE)).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -108,6 +111,6 @@ class ProgramHelpTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(2_000)
         pass(600)
-        onNodeWithTag("failure").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.note(NoteKind.FAILURE)).assertIsDisplayed()
     }
 }

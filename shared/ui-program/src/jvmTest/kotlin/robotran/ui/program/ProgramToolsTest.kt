@@ -11,11 +11,14 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
+import robotran.workshop.state.NoteKind
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
@@ -30,17 +33,17 @@ class ProgramToolsTest {
         workshop.write("beep\nforwrd 20")
         pass(100)
         onNodeWithText("Line 2:", substring = true).assertIsDisplayed()
-        onNodeWithTag("mistakes").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.MISTAKES).assertIsDisplayed()
         focusProgram()
-        onNodeWithTag("program").performTextInput("0")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("0")
         pass(200)
-        assertEquals(0, onAllNodesWithTag("error").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.note(NoteKind.ERROR)).fetchSemanticsNodes().size)
         pass(1_000)
-        assertEquals(1, onAllNodesWithTag("error").fetchSemanticsNodes().size)
-        onNodeWithTag("fix").performClick()
+        assertEquals(1, onAllNodesWithTag(ProgramTags.note(NoteKind.ERROR)).fetchSemanticsNodes().size)
+        onNodeWithTag(ProgramTags.FIX).performClick()
         pass(300)
         assertEquals("beep\nforward 200", workshop.text)
-        onNodeWithTag("undo").performClick()
+        onNodeWithTag(ProgramTags.UNDO).performClick()
         assertEquals("beep\nforwrd 200", workshop.text)
     }
 
@@ -48,7 +51,7 @@ class ProgramToolsTest {
     fun `the next mistake is a touch away`() = onTablet { workshop ->
         workshop.write("bep\nbeep\nbep", caret = 0)
         pass(100)
-        onNodeWithTag("next-mistake").performClick()
+        onNodeWithTag(ProgramTags.NEXT_MISTAKE).performClick()
         pass(100)
         assertEquals(9, workshop.caret)
     }
@@ -59,49 +62,49 @@ class ProgramToolsTest {
         pass(100)
         workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
-        onNodeWithTag("find").assertIsDisplayed()
-        onNodeWithTag("find-close").performClick()
+        onNodeWithTag(ProgramTags.FIND).assertIsDisplayed()
+        onNodeWithTag(ProgramTags.FIND_CLOSE).performClick()
         pass(200)
         workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
-        onNodeWithTag("find").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.FIND).assertIsDisplayed()
     }
 
     @Test
     fun `what is found is counted, gone through and replaced`() = onTablet { workshop ->
         workshop.write("forward 20\nForward 30\nbeep", caret = 0)
         pass(100)
-        onNodeWithTag("find-open").performClick()
+        onNodeWithTag(ProgramTags.FIND_OPEN).performClick()
         pass(200)
-        onNodeWithTag("find").performTextInput("forward")
+        onNodeWithTag(ProgramTags.FIND).performTextInput("forward")
         pass(100)
-        onNodeWithTag("find-count").assertTextEquals("0 of 2")
-        onNodeWithTag("find-next").performClick()
+        onNodeWithTag(ProgramTags.FIND_COUNT).assertTextEquals("0 of 2")
+        onNodeWithTag(ProgramTags.FIND_NEXT).performClick()
         pass(100)
-        onNodeWithTag("find-count").assertTextEquals("1 of 2")
-        onNodeWithTag("find-next").performClick()
+        onNodeWithTag(ProgramTags.FIND_COUNT).assertTextEquals("1 of 2")
+        onNodeWithTag(ProgramTags.FIND_NEXT).performClick()
         pass(100)
         assertEquals("Forward", workshop.selected)
-        onNodeWithTag("replace").performTextInput("backward")
+        onNodeWithTag(ProgramTags.REPLACE).performTextInput("backward")
         pass(100)
-        onNodeWithTag("replace-one").performClick()
+        onNodeWithTag(ProgramTags.REPLACE_ONE).performClick()
         pass(100)
         assertEquals("forward 20\nbackward 30\nbeep", workshop.text)
-        onNodeWithTag("replace-all").performClick()
+        onNodeWithTag(ProgramTags.REPLACE_ALL).performClick()
         pass(100)
         assertEquals("backward 20\nbackward 30\nbeep", workshop.text)
-        onNodeWithTag("find-close").performClick()
+        onNodeWithTag(ProgramTags.FIND_CLOSE).performClick()
         pass(100)
-        assertEquals(0, onAllNodesWithTag("find-bar").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.FIND_BAR).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `tidying up lays out either language`() = onTablet { workshop ->
         workshop.write("REPEAT forever\nbeep\nend")
         pass(100)
-        onNodeWithTag("editor-more").performClick()
+        onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
         pass(500)
-        onNodeWithTag("tool-format").performClick()
+        onNodeWithTag(ProgramTags.tool(EditorCommand.Plain.FORMAT)).performClick()
         pass(500)
         assertEquals("repeat forever\n  beep\nend\n", workshop.text)
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("A.java", "class A {\nint a;\n}")))
@@ -111,10 +114,10 @@ class ProgramToolsTest {
 
     @Test
     fun `a Robolang program is shown in Java, and a line there leads to its own`() = onTablet { workshop ->
-        pressTool("translation-switch")
+        pressTool(ProgramTags.TRANSLATION_SWITCH)
         pass(300)
         val java = workshop.state.programs.translation?.text.orEmpty()
-        onNodeWithTag("translation-text").assertTextContains("public class Square", substring = true)
+        onNodeWithTag(ProgramTags.TRANSLATION_TEXT).assertTextContains("public class Square", substring = true)
         val line = java.lines().indexOfFirst { "FORWARD" in it || "forward(" in it }
         assertTrue(line >= 0, java)
         workshop.write("beep\nbep")
@@ -122,7 +125,7 @@ class ProgramToolsTest {
         onNodeWithText("As it was before the mistakes").assertIsDisplayed()
         workshop.write("beep\nbuzz")
         pass(300)
-        onNodeWithTag("translation-keep").performClick()
+        onNodeWithTag(ProgramTags.TRANSLATION_KEEP).performClick()
         pass(300)
         assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
     }

@@ -13,9 +13,13 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.swipeUp
+import robotran.ui.program.editor.EditorCommand
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
+import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -27,7 +31,7 @@ class ProgramTouchTest {
     fun `a touch on a line's number sets a breakpoint, which moves with its line`() = onTablet { workshop ->
         workshop.write("beep\nbuzz\nbeep", caret = 0)
         pass(100)
-        onNodeWithTag("program").performTouchInput { click(Offset(20f, 30f)) }
+        onNodeWithTag(ProgramTags.PROGRAM).performTouchInput { click(Offset(20f, 30f)) }
         pass(300)
         assertEquals(setOf(2), workshop.state.programs.breakpoints)
         workshop.write("\nbeep\nbuzz\nbeep", caret = 1)
@@ -39,25 +43,25 @@ class ProgramTouchTest {
 
     @Test
     fun `a finger puts the caret, selects a word by resting on it, and then cuts it`() = onPhone { workshop ->
-        onNodeWithTag("tab-program").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).performClick()
         workshop.write("forward 20\nbeep\n", caret = 0)
         pass(300)
-        onNodeWithTag("program").performTouchInput { click(Offset(300f, 10f)) }
+        onNodeWithTag(ProgramTags.PROGRAM).performTouchInput { click(Offset(300f, 10f)) }
         pass(400)
         assertEquals(10, workshop.caret)
-        rest("program", Offset(80f, 10f))
+        rest(ProgramTags.PROGRAM, Offset(80f, 10f))
         assertEquals("forward", workshop.selected)
-        onNodeWithTag("selection-cut").performClick()
+        onNodeWithTag(ProgramTags.selection(EditorCommand.Plain.CUT)).performClick()
         pass(200)
         assertEquals(" 20\nbeep\n", workshop.text)
-        assertEquals(0, onAllNodesWithTag("selection-bar").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.SELECTION_BAR).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `a mouse selects by dragging and by a double click`() = onTablet { workshop ->
         workshop.write("forward 20\nbeep\n", caret = 0)
         pass(100)
-        onNodeWithTag("program").performMouseInput {
+        onNodeWithTag(ProgramTags.PROGRAM).performMouseInput {
             moveTo(Offset(50f, 10f))
             press()
             moveTo(Offset(60f, 10f))
@@ -66,7 +70,7 @@ class ProgramTouchTest {
         }
         pass(800)
         assertEquals("forward 20", workshop.selected)
-        onNodeWithTag("program").performMouseInput { doubleClick(Offset(60f, 31f)) }
+        onNodeWithTag(ProgramTags.PROGRAM).performMouseInput { doubleClick(Offset(60f, 31f)) }
         pass(200)
         assertEquals("beep", workshop.selected)
     }
@@ -76,12 +80,12 @@ class ProgramTouchTest {
         val text = (1..2_000).joinToString("\n") { "forward $it" }
         workshop.write(text, caret = text.length)
         pass(300)
-        onNodeWithTag("program").performTextInput("5")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("5")
         pass(300)
         assertEquals(text + "5", workshop.text)
-        onNodeWithTag("program").performTouchInput { swipeUp() }
+        onNodeWithTag(ProgramTags.PROGRAM).performTouchInput { swipeUp() }
         pass(500)
         assertEquals(text + "5", workshop.text)
-        onNodeWithTag("program").assertTextContains("forward 20005", substring = true)
+        onNodeWithTag(ProgramTags.PROGRAM).assertTextContains("forward 20005", substring = true)
     }
 }

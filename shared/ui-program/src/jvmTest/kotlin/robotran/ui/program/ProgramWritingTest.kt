@@ -15,6 +15,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.programs.Program
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
@@ -31,9 +32,9 @@ class ProgramWritingTest {
         workshop.write("repeat forever")
         pass(100)
         focusProgram()
-        onNodeWithTag("program").performTextInput("\n")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("\n")
         pass(100)
-        onNodeWithTag("program").performTextInput("beep")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("beep")
         pass(100)
         assertEquals("repeat forever\n  beep", workshop.text)
     }
@@ -42,13 +43,13 @@ class ProgramWritingTest {
     fun `what was typed is taken back and done again, by button and by key`() = onTablet { workshop ->
         workshop.write("beep")
         pass(100)
-        onNodeWithTag("redo").assertIsNotEnabled()
-        onNodeWithTag("program").performTextInput(" ")
+        onNodeWithTag(ProgramTags.REDO).assertIsNotEnabled()
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput(" ")
         pass(100)
-        onNodeWithTag("undo").assertIsEnabled().performClick()
+        onNodeWithTag(ProgramTags.UNDO).assertIsEnabled().performClick()
         pass(100)
         assertEquals("beep", workshop.text)
-        onNodeWithTag("redo").performClick()
+        onNodeWithTag(ProgramTags.REDO).performClick()
         pass(100)
         assertEquals("beep ", workshop.text)
         focusProgram()
@@ -97,7 +98,7 @@ class ProgramWritingTest {
         assertEquals("beep", workshop.text)
         assertNotEquals(
             true,
-            onNodeWithTag("program").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused),
+            onNodeWithTag(ProgramTags.PROGRAM).fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused),
         )
     }
 
@@ -117,17 +118,17 @@ class ProgramWritingTest {
         workshop.write("")
         pass(100)
         focusProgram()
-        onNodeWithTag("program").performTextInput("f")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("f")
         pass(50)
-        onNodeWithTag("program").performTextInput("o")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("o")
         pass(200)
-        onNodeWithTag("completions").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.COMPLETIONS).assertIsDisplayed()
         keys(listOf(Key.Enter))
         assertEquals("forward 20", workshop.text)
         assertEquals("20", workshop.selected)
         workshop.write("tu")
         pass(100)
-        onNodeWithTag("program").performTextInput("r")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput("r")
         pass(200)
         onAllNodesWithText("turn").onFirst().performClick()
         pass(100)
@@ -135,7 +136,7 @@ class ProgramWritingTest {
         onAllNodesWithText("right").onFirst().performClick()
         pass(100)
         assertEquals("turn right 90", workshop.text)
-        assertEquals(0, onAllNodesWithTag("completions").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.COMPLETIONS).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -144,12 +145,12 @@ class ProgramWritingTest {
         workshop.write("Motor.A")
         pass(100)
         focusProgram()
-        onNodeWithTag("program").performTextInput(".")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextInput(".")
         pass(200)
         onNodeWithText("forward()").assertIsDisplayed()
         onNodeWithText("Turns the motor forward until it is told otherwise.").assertIsDisplayed()
         keys(listOf(Key.Escape))
-        assertEquals(0, onAllNodesWithTag("completions").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.COMPLETIONS).fetchSemanticsNodes().size)
     }
 
     @Test

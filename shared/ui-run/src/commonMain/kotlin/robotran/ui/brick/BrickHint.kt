@@ -17,6 +17,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.brick.state.BrickState
 import robotran.brick.state.RunState
+import robotran.ui.run.tags.RunTags
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -56,14 +57,14 @@ fun BrickHint(
             ) {
                 Text(
                     words,
-                    Modifier.testTag("brick-hint").announced(),
+                    Modifier.testTag(RunTags.BRICK_HINT).announced(),
                     TextStyles.label,
                 )
-                BelowBrickHint(state, Modifier.padding(top = 8.dp))
+                state.kind.face.BelowHint(state, Modifier.padding(top = 8.dp))
             }
             action()
             if (onClose != null) {
-                IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "brick-hint-close", onClick = onClose)
+                IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), RunTags.BRICK_HINT_CLOSE, onClick = onClose)
             }
         }
     }

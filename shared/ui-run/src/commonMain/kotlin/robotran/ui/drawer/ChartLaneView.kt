@@ -35,6 +35,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.PowerUnit
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.ChartLine
+import robotran.ui.run.tags.RunTags
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*
 
@@ -73,7 +74,7 @@ internal fun Lane(
         }
         Canvas(
             Modifier
-                .testTag("chart-${line.lane.name.lowercase()}")
+                .testTag(RunTags.chart(line.lane))
                 .weight(1f)
                 .height(LANE_HEIGHT)
                 .pointerInput(Unit) {
@@ -94,7 +95,7 @@ internal fun Lane(
         ) { drawLane(line, rangeOf(line, brick), window, at, now, colours) }
         Text(
             value ?: NO_VALUE,
-            Modifier.widthIn(min = valueWidth(brick)).testTag("value-${line.lane.name.lowercase()}"),
+            Modifier.widthIn(min = valueWidth(brick)).testTag(RunTags.value(line.lane)),
             TextStyles.compact.strong,
             textAlign = TextAlign.End,
             maxLines = 1,

@@ -25,6 +25,7 @@ import robotran.nxt.hardware.SonarDevice
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.ChartLine
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*
@@ -48,7 +49,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         Row(verticalAlignment = Alignment.CenterVertically) {
             Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
                 for (line in chart.lines) {
-                    Chip(laneName(line.lane), line.lane !in chart.hidden, "lane-${line.lane.name.lowercase()}") {
+                    Chip(laneName(line.lane), line.lane !in chart.hidden, RunTags.lane(line.lane)) {
                         onEvent(RunEvent.LaneSwitched(line.lane))
                     }
                 }
@@ -56,7 +57,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
             IconButton(
                 RunIcons.LESS,
                 RunTexts.chartCoarser(spoken),
-                "chart-coarser",
+                RunTags.CHART_COARSER,
                 IconButtonKind.RUN,
                 enabled = zoom > 0,
             ) {
@@ -65,7 +66,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
             IconButton(
                 RunIcons.MORE,
                 RunTexts.chartFiner(spoken),
-                "chart-finer",
+                RunTags.CHART_FINER,
                 IconButtonKind.RUN,
                 enabled = zoom < MAX_ZOOM,
             ) { zoom++ }
@@ -88,7 +89,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                 for (time in listOf(window.from, touched, window.until)) {
                     Text(
                         time?.let { "${secondsText(it)} s" }.orEmpty(),
-                        Modifier.testTag("chart-time"),
+                        Modifier.testTag(RunTags.CHART_TIME),
                         TextStyles.small,
                         color = LocalRobotranColours.current.quiet,
                     )

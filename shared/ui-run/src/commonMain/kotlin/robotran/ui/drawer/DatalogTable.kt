@@ -21,6 +21,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.legofirmware.device.DatalogEntry
+import robotran.ui.run.tags.RunTags
 import robotran.ui.texts.NqcTexts
 import robotran.uikit.*
 import robotran.workshop.run.origin
@@ -36,7 +37,7 @@ internal fun DatalogTable(
     if (datalog.isEmpty()) return
     val colours = LocalRobotranColours.current
     val left = maxOf(0, datalog.size - SHOWN)
-    Column(modifier.padding(12.dp).testTag("datalog")) {
+    Column(modifier.padding(12.dp).testTag(RunTags.DATALOG)) {
         Row(
             Modifier.fillMaxWidth(),
             horizontalArrangement = Arrangement.SpaceBetween,
@@ -48,7 +49,7 @@ internal fun DatalogTable(
                 TextStyles.small.medium,
                 color = colours.quiet,
             )
-            Button(NqcTexts.runDatalogSave(spoken), "datalog-save", ButtonKind.SMALL_LINK, onClick = onSave)
+            Button(NqcTexts.runDatalogSave(spoken), RunTags.DATALOG_SAVE, ButtonKind.SMALL_LINK, onClick = onSave)
         }
         Column(Modifier.widthIn(max = MAX_WIDTH)) {
             val head = codeStyle(colours.quiet).copy(fontFamily = FontFamily.Default, fontSize = TextSizes.SMALL)
@@ -76,7 +77,7 @@ internal fun DatalogTable(
 private fun Entry(number: Int, entry: DatalogEntry, variables: Map<Int, String>) {
     val origin = entry.origin(variables)
     val words = NqcTexts.runDatalogEntry(spoken, number, origin, entry.value)
-    val read = Modifier.testTag("datalog-$number").clearAndSetSemantics { contentDescription = words }
+    val read = Modifier.testTag(RunTags.datalog(number)).clearAndSetSemantics { contentDescription = words }
     Cells("$number", origin, "${entry.value}", codeStyle(), read)
 }
 

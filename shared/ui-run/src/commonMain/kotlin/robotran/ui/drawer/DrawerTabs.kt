@@ -26,6 +26,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.runbar.word
 import robotran.uikit.*
@@ -34,15 +35,17 @@ import robotran.workshop.state.DrawerTab
 /** The tabs over the drawer's content on a whole pane. The [open] one is underlined, and a touch on it closes it. */
 @Composable
 internal fun DrawerTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
-    TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier) {
-        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN) { onTab(null) }
+    TabRow(open, RunTags.DRAWER, { onTab(if (it == open) null else it) }, modifier) {
+        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), RunTags.DRAWER_CLOSE, IconButtonKind.RUN) {
+            onTab(null)
+        }
     }
 }
 
 /** The same tabs below the drawer, which stay where they are while it opens and closes; null if it is closed. */
 @Composable
 fun FootTabs(open: DrawerTab?, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) =
-    TabRow(open, "drawer", { onTab(if (it == open) null else it) }, modifier, isSteady = true) { }
+    TabRow(open, RunTags.DRAWER, { onTab(if (it == open) null else it) }, modifier, isSteady = true) { }
 
 /** The name of the open [tab] over its content. With [onTwo] a second one can open next to it. */
 @Composable
@@ -58,20 +61,26 @@ internal fun DrawerHead(tab: DrawerTab, onClose: () -> Unit, onTwo: (() -> Unit)
             IconButton(
                 RunIcons.TWO,
                 RunTexts.drawerTwo(spoken),
-                "drawer-two",
+                RunTags.DRAWER_TWO,
                 IconButtonKind.RUN,
                 onClick = onTwo,
             )
         }
-        IconButton(RunIcons.DOWN, RunTexts.drawerClose(spoken), "drawer-close", IconButtonKind.RUN, onClick = onClose)
+        IconButton(
+            RunIcons.DOWN,
+            RunTexts.drawerClose(spoken),
+            RunTags.DRAWER_CLOSE,
+            IconButtonKind.RUN,
+            onClick = onClose,
+        )
     }
 }
 
 /** The tabs above the second view; null closes only that view. */
 @Composable
 internal fun BesideTabs(open: DrawerTab, onTab: (DrawerTab?) -> Unit, modifier: Modifier = Modifier) {
-    TabRow(open, "beside", { onTab(if (it == open) null else it) }, modifier) {
-        IconButton(RunIcons.CLOSE, RunTexts.drawerOne(spoken), "beside-close", IconButtonKind.RUN) { onTab(null) }
+    TabRow(open, RunTags.BESIDE, { onTab(if (it == open) null else it) }, modifier) {
+        IconButton(RunIcons.CLOSE, RunTexts.drawerOne(spoken), RunTags.BESIDE_CLOSE, IconButtonKind.RUN) { onTab(null) }
     }
 }
 
@@ -91,7 +100,7 @@ private fun TabRow(
             Row(
                 Modifier
                     .weight(1f)
-                    .testTag("$tag-names")
+                    .testTag(RunTags.names(tag))
                     .scrollHint(scroll, Orientation.Horizontal)
                     .horizontalScroll(scroll),
                 Arrangement.spacedBy(if (isSlim) 0.dp else 4.dp),
@@ -119,7 +128,7 @@ private fun TabName(
     val colours = LocalRobotranColours.current
     Box(
         Modifier
-            .testTag("$tag-${tab.name.lowercase()}")
+            .testTag(RunTags.tab(tag, tab))
             .broughtIntoSight(selected)
             .focusRing(8.dp)
             .clip(Shapes.SMALL)

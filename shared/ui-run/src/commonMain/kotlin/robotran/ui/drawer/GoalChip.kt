@@ -24,6 +24,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -64,7 +65,7 @@ internal fun GoalChip(
     }
     Row(
         modifier
-            .testTag("goal-chip")
+            .testTag(RunTags.GOAL_CHIP)
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)

@@ -23,6 +23,7 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.common.iconFor
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -44,7 +45,7 @@ internal fun GoalsView(
     if (goals.isEmpty() && task.isBlank()) return EmptyDrawer(RunTexts::goalsEmpty, EmptyPicture.FLAG, modifier)
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(16.dp)) {
         if (task.isNotBlank()) {
-            Text(task.trim(), Modifier.testTag("goals-task"), TextStyles.sentence)
+            Text(task.trim(), Modifier.testTag(RunTags.GOALS_TASK), TextStyles.sentence)
         }
         if (goals.isNotEmpty() && goals.all { it.status == GoalStatus.MET }) {
             Text(
@@ -67,7 +68,7 @@ private fun GoalRow(
     val colours = LocalRobotranColours.current
     val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
     Row(
-        Modifier.testTag("goal").semantics(mergeDescendants = true) { stateDescription = word },
+        Modifier.testTag(RunTags.GOAL).semantics(mergeDescendants = true) { stateDescription = word },
         Arrangement.spacedBy(12.dp),
     ) {
         val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane

@@ -35,6 +35,7 @@ import robotran.brick.log.CallLogFilter
 import robotran.brick.log.CallOutcome
 import robotran.brick.log.LoggedCall
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.NxtTexts
@@ -75,21 +76,21 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
         TextField(
             filter.text,
             { onEvent(RunEvent.LogFiltered(filter.copy(text = it))) },
-            Modifier.testTag("log-search").widthIn(min = 160.dp, max = 220.dp).semantics {
+            Modifier.testTag(RunTags.LOG_SEARCH).widthIn(min = 160.dp, max = 220.dp).semantics {
                 contentDescription = search
             },
             extras = FieldExtras(placeholder = search),
         )
         Text(
             RunTexts.logCount(spoken, state.entries.size, state.total.toInt()),
-            Modifier.testTag("log-count"),
+            Modifier.testTag(RunTags.LOG_COUNT),
             TextStyles.small,
             color = LocalRobotranColours.current.quiet,
             maxLines = 1,
         )
-        Button(RunTexts.logCopy(spoken), "log-copy", ButtonKind.TOOL) { onEvent(RunEvent.LogCopied) }
-        Button(RunTexts.logSave(spoken), "log-save", ButtonKind.TOOL) { onEvent(RunEvent.LogSaved) }
-        Chip(RunTexts.logProgram(spoken), filter.sourceLines != null, "log-program") {
+        Button(RunTexts.logCopy(spoken), RunTags.LOG_COPY, ButtonKind.TOOL) { onEvent(RunEvent.LogCopied) }
+        Button(RunTexts.logSave(spoken), RunTags.LOG_SAVE, ButtonKind.TOOL) { onEvent(RunEvent.LogSaved) }
+        Chip(RunTexts.logProgram(spoken), filter.sourceLines != null, RunTags.LOG_PROGRAM) {
             onEvent(
                 RunEvent.LogFiltered(
                     filter.copy(
@@ -102,12 +103,12 @@ private fun LogTools(state: LogState, onEvent: (RunEvent) -> Unit) {
                 ),
             )
         }
-        Chip(RunTexts.logTroubled(spoken), filter.onlyReported, "log-troubled") {
+        Chip(RunTexts.logTroubled(spoken), filter.onlyReported, RunTags.LOG_TROUBLED) {
             onEvent(RunEvent.LogFiltered(filter.copy(onlyReported = !filter.onlyReported)))
         }
         for (group in state.kind.callGroups) {
             val only = filter.groups.size < CallGroup.entries.size && group in filter.groups
-            Chip(group.word(spoken), only, "log-${group.name.lowercase()}") {
+            Chip(group.word(spoken), only, RunTags.log(group)) {
                 onEvent(RunEvent.LogFiltered(filter.switched(group)))
             }
         }
@@ -130,7 +131,7 @@ private fun LogEntries(entries: List<LoggedCall>, modifier: Modifier) {
         val showsCode = maxWidth / LocalDensity.current.fontScale >= 560.dp
         val style = codeStyle().copy(fontSize = TextSizes.SMALL, lineHeight = LineHeights.SMALL)
         val hint = Modifier.scrollHint(list)
-        LazyColumn(hint.fillMaxSize().testTag("log"), list) {
+        LazyColumn(hint.fillMaxSize().testTag(RunTags.LOG), list) {
             items(entries.size) { LogRow(entries[it], showsCode, style) }
         }
     }

@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.conflate
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
@@ -41,7 +42,7 @@ fun RunAnnouncer(state: RunPaneState, modifier: Modifier = Modifier) {
         }
     }
     Box(
-        modifier.size(1.dp).testTag("announcer").semantics {
+        modifier.size(1.dp).testTag(RunTags.ANNOUNCER).semantics {
             liveRegion = LiveRegionMode.Polite
             contentDescription = said
         },

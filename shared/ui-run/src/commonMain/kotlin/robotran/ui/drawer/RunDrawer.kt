@@ -40,6 +40,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -59,7 +60,7 @@ fun RunDrawer(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: M
     var height by rememberSaveable { mutableFloatStateOf(DEFAULT_HEIGHT) }
     Column(
         modifier
-            .testTag("drawer")
+            .testTag(RunTags.DRAWER)
             .fillMaxWidth()
             .background(colours.pane)
             .animateContentSize(if (LocalLessMotion.current) snap() else tween(Motion.MOVE)),
@@ -119,7 +120,7 @@ private fun OneOrTwo(tab: DrawerTab, state: RunPaneState, onEvent: (WorkshopEven
 fun DrawerPage(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val tab = state.drawer.tab ?: return
     val colours = LocalRobotranColours.current
-    Column(modifier.testTag("drawer").fillMaxSize().background(colours.pane)) {
+    Column(modifier.testTag(RunTags.DRAWER).fillMaxSize().background(colours.pane)) {
         DrawerTabs(tab, { onEvent(RunEvent.DrawerChosen(it)) })
         HorizontalDivider()
         DrawerContent(tab, state, onEvent, Modifier.weight(1f).fillMaxWidth())
@@ -157,7 +158,7 @@ private fun DrawerGrip(height: Float, max: Float, onHeight: (Float) -> Unit) {
     val drag = rememberDraggableState { move(-it / density) }
     Box(
         Modifier
-            .testTag("drawer-grip")
+            .testTag(RunTags.DRAWER_GRIP)
             .fillMaxWidth()
             .height(24.dp)
             .focusRing(12.dp)

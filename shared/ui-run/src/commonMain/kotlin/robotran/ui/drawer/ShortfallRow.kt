@@ -26,6 +26,7 @@ import androidx.compose.ui.text.style.TextDecoration
 import androidx.compose.ui.unit.dp
 import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.messages.sentenceFor
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.sheet.SheetColours
 import robotran.uikit.*
@@ -42,7 +43,7 @@ fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier
     val canShow = mark.shortfall.moment != null || mark.shortfall.place != null
     Row(
         modifier
-            .testTag("shortfall")
+            .testTag(RunTags.SHORTFALL)
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .then(
@@ -62,7 +63,7 @@ fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier
         Column(Modifier.padding(vertical = 4.dp)) {
             Text(
                 sentence,
-                Modifier.testTag("shortfall-text"),
+                Modifier.testTag(RunTags.SHORTFALL_TEXT),
                 TextStyles.label.medium.copy(textDecoration = if (canShow) TextDecoration.Underline else null),
             )
             lineText(mark)?.let {

@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.GoalProgress
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -58,7 +59,7 @@ private fun TaskChip(shown: Boolean, howFar: String, onShow: (Boolean) -> Unit) 
     val help = if (shown) CommonTexts.taskHide(spoken) else RunTexts.taskShow(spoken)
     Box(
         Modifier
-            .testTag("task-chip")
+            .testTag(RunTags.TASK_CHIP)
             .focusRing(CORNER)
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)

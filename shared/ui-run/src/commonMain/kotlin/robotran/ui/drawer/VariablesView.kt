@@ -30,6 +30,7 @@ import robotran.brick.program.ThreadView
 import robotran.runcontrol.ShownScope
 import robotran.runcontrol.ShownVariable
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.NqcTexts
 import robotran.uikit.*
@@ -83,7 +84,7 @@ private fun Calls(state: VariablesState, onEvent: (RunEvent) -> Unit, modifier: 
         if (state.threads.size > 1) {
             SectionName(if (state.hasTasks) NqcTexts.runTasks(spoken) else RunTexts.threads(spoken))
             for (thread in state.threads) {
-                Chip(threadText(thread), thread.number == state.thread, "thread-${thread.number}") {
+                Chip(threadText(thread), thread.number == state.thread, RunTags.thread(thread.number)) {
                     onEvent(RunEvent.FrameChosen(thread.number, 0))
                 }
             }
@@ -100,7 +101,7 @@ private fun Frame(frame: CallFrame, selected: Boolean, index: Int, onClick: () -
     val colours = LocalRobotranColours.current
     Row(
         Modifier
-            .testTag("frame-$index")
+            .testTag(RunTags.frame(index))
             .focusRing(8.dp)
             .clip(Shapes.SMALL)
             .background(if (selected) colours.runningLine else colours.pane)
@@ -148,7 +149,7 @@ private fun Variable(variable: ShownVariable) {
     val changed = RunTexts.variableChanged(spoken)
     Row(
         Modifier
-            .testTag("variable-${variable.name}")
+            .testTag(RunTags.variable(variable.name))
             .semantics(mergeDescendants = true) { if (variable.changed) stateDescription = changed }
             .fillMaxWidth()
             .clip(Shapes.PIECE)

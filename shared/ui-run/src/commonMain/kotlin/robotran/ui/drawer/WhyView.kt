@@ -11,6 +11,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.ui.common.PlugInButton
 import robotran.ui.empty.EmptyPicture
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -30,7 +31,10 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
     Column(modifier.verticalScroll(rememberScrollState()).padding(16.dp), Arrangement.spacedBy(12.dp)) {
         if (why.deviationCauses.isNotEmpty()) SectionName(RunTexts.whyInfluences(spoken))
         for (influence in why.deviationCauses) {
-            Sentence(if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence, "influence")
+            Sentence(
+                if (several) "${influence.robot}: ${influence.sentence}" else influence.sentence,
+                RunTags.INFLUENCE,
+            )
         }
         if (why.warnings.isNotEmpty()) SectionName(RunTexts.whyRemarks(spoken))
         for (warning in why.warnings) {
@@ -39,7 +43,7 @@ internal fun WhyView(state: RunPaneState, onEvent: (WorkshopEvent) -> Unit, modi
             } else {
                 RunTexts.whyLine(spoken, warning.sourceLine, warning.message)
             }
-            Sentence(text, "why-remark")
+            Sentence(text, RunTags.WHY_REMARK)
             state.session.robots[state.watched].missingSensors?.takeIf { it.warning == warning }?.let { missing ->
                 val robot = state.world.robots[state.watched].name
                 PlugInButton(missing, { onEvent(WorldEditEvent.SensorsPluggedIn(robot, it)) })

@@ -17,6 +17,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.simulation.Breakpoint
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -70,7 +71,7 @@ fun RunBar(
                 IconButton(
                     RunIcons.SETTINGS,
                     RunTexts.more(spoken),
-                    "run-more",
+                    RunTags.RUN_MORE,
                     IconButtonKind.RUN,
                 ) { panelOpen = true }
                 more?.invoke()

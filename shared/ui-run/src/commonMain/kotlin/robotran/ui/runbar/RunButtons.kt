@@ -27,6 +27,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
@@ -45,7 +46,7 @@ fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifi
     BarButton(
         RunIcons.PLAY,
         BarWords(RunTexts.run(spoken), RunTexts.runHelp(spoken)),
-        "run",
+        RunTags.RUN,
         modifier.drawBehind { drawPulse(ring.value) }.defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else 0.dp),
         ButtonKind.RUN,
         room = room,
@@ -69,7 +70,7 @@ internal fun runButtonWidth(): Dp {
 fun StopButton(enabled: Boolean, onClick: () -> Unit, modifier: Modifier = Modifier, room: Boolean = true) = BarButton(
     RunIcons.STOP,
     BarWords(RunTexts.stop(spoken), RunTexts.stopHelp(spoken)),
-    "stop",
+    RunTags.STOP,
     modifier,
     enabled = enabled,
     room = room,
@@ -91,7 +92,7 @@ internal fun PauseButton(
     BarButton(
         if (paused) RunIcons.PLAY else RunIcons.PAUSE,
         BarWords(word, help, words),
-        "pause",
+        RunTags.PAUSE,
         modifier,
         enabled = enabled,
         room = room,

@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.runcontrol.RunSpeed
 import robotran.simulation.Breakpoint
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -46,7 +47,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
     DialogWindow(onClose) {
         Column(
             Modifier
-                .testTag("run-panel")
+                .testTag(RunTags.RUN_PANEL)
                 .widthIn(max = 560.dp)
                 .fillMaxWidth()
                 .clip(Shapes.SHEET)
@@ -60,14 +61,14 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                 IconButton(
                     RunIcons.CLOSE,
                     RunTexts.close(spoken),
-                    "run-panel-close",
+                    RunTags.RUN_PANEL_CLOSE,
                     IconButtonKind.RUN,
                     onClick = onClose,
                 )
             }
             Section(RunTexts::speed) {
                 for (speed in RunSpeed.entries) {
-                    Chip(speed.word(spoken), speed == state.speed, "panel-speed-${speed.name.lowercase()}") {
+                    Chip(speed.word(spoken), speed == state.speed, RunTags.panelSpeed(speed)) {
                         onEvent(RunEvent.SpeedChosen(speed))
                     }
                 }
@@ -75,7 +76,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             if (state.world.robots.size > 1) {
                 Section(RunTexts::robot) {
                     state.world.robots.forEachIndexed { number, robot ->
-                        Chip(robot.name, number == state.watched, "robot-$number") {
+                        Chip(robot.name, number == state.watched, RunTags.robot(number)) {
                             onEvent(RunEvent.DebuggedRobotChosen(number))
                         }
                     }
@@ -83,26 +84,26 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
             }
             Section(RunTexts::look) {
                 for (tab in DrawerTab.entries) {
-                    Chip(tab.word(spoken), tab == state.drawer.tab, "panel-${tab.name.lowercase()}") {
+                    Chip(tab.word(spoken), tab == state.drawer.tab, RunTags.panel(tab)) {
                         andClose(RunEvent.DrawerChosen(tab))
                     }
                 }
             }
             Section(RunTexts::steps) {
-                PanelAction(RunTexts::stepOver, RunTexts::stepOverHelp, "panel-step-over") {
+                PanelAction(RunTexts::stepOver, RunTexts::stepOverHelp, RunTags.PANEL_STEP_OVER) {
                     andClose(RunEvent.StepPressed(StepKind.OVER))
                 }
-                PanelAction(RunTexts::stepOut, RunTexts::stepOutHelp, "panel-step-out") {
+                PanelAction(RunTexts::stepOut, RunTexts::stepOutHelp, RunTags.PANEL_STEP_OUT) {
                     andClose(RunEvent.StepPressed(StepKind.OUT))
                 }
-                PanelAction(RunTexts::toLine, RunTexts::toLineHelp, "panel-to-line") {
+                PanelAction(RunTexts::toLine, RunTexts::toLineHelp, RunTags.PANEL_TO_LINE) {
                     andClose(RunEvent.RunToLine(cursor))
                 }
-                PanelAction(RunTexts::startOver, RunTexts::startOverHelp, "start-over") {
+                PanelAction(RunTexts::startOver, RunTexts::startOverHelp, RunTags.START_OVER) {
                     andClose(RunEvent.StartedOver)
                 }
                 if (state.hasRecording) {
-                    PanelAction(RunTexts::playRecording, RunTexts::playRecordingHelp, "play-recording") {
+                    PanelAction(RunTexts::playRecording, RunTexts::playRecordingHelp, RunTags.PLAY_RECORDING) {
                         andClose(RunEvent.RecordingPlayed)
                     }
                 }

@@ -27,6 +27,7 @@ import androidx.compose.ui.unit.dp
 import robotran.projects.ProjectSettings
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.BrickLabels
 import robotran.uikit.*
@@ -49,7 +50,7 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
             Setting(
                 RunTexts::javaForgiving,
                 BrickLabels.of(brick).forgivingJava,
-                "java-forgiving",
+                RunTags.JAVA_FORGIVING,
                 settings.java.mode == TinyVmMode.FORGIVING,
             ) {
                 change(
@@ -61,7 +62,7 @@ internal fun RunSettings(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
             Setting(
                 RunTexts::javaFast,
                 RunTexts::javaFastHelp,
-                "java-fast",
+                RunTags.JAVA_FAST,
                 settings.java.speed == TinyVmSpeed.UNLIMITED,
             ) {
                 change(
@@ -83,7 +84,7 @@ private fun Realism(realism: Double, onRealism: (Double) -> Unit) {
         SectionName("$name: $value")
         Slider(
             wanted,
-            SliderWords(name, value, "realism"),
+            SliderWords(name, value, RunTags.REALISM),
             steps = REALISM_STEPS - 1,
             onSettle = { onRealism((wanted * REALISM_STEPS).roundToInt() / REALISM_STEPS.toDouble()) },
         ) { wanted = it }
@@ -104,10 +105,10 @@ private fun Seed(seed: Int, onSeed: (Int) -> Unit) {
                     written = text.filter { it in '0'..'9' }.take(MAX_DIGITS)
                     written.toIntOrNull()?.takeIf { it != seed }?.let(onSeed)
                 },
-                Modifier.width(160.dp).testTag("seed").named(name),
+                Modifier.width(160.dp).testTag(RunTags.SEED).named(name),
                 keyboard = KeyboardOptions(keyboardType = KeyboardType.Number),
             )
-            IconButton(RunIcons.NEXT, RunTexts.seedNext(spoken), "seed-next", IconButtonKind.RUN) {
+            IconButton(RunIcons.NEXT, RunTexts.seedNext(spoken), RunTags.SEED_NEXT, IconButtonKind.RUN) {
                 onSeed(
                     if (seed == Int.MAX_VALUE) {
                         1

@@ -14,6 +14,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
@@ -46,7 +47,7 @@ private fun Sentence(run: RunPaneState, status: WorkshopStatus, lines: Int, modi
     Text(
         elsewhere ?: withRobot(run, status, statusText(status)),
         // While seeking, the timeline itself announces the position.
-        modifier.testTag("status").semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
+        modifier.testTag(RunTags.STATUS).semantics { if (!run.isSeeking) liveRegion = LiveRegionMode.Polite },
         TextStyles.body.medium.copy(lineHeight = LINE),
         color = if (wrong) colours.error else colours.onPane,
         maxLines = lines,
@@ -70,7 +71,7 @@ private fun Clock(run: RunPaneState) {
     val now = RunTexts.clock(spoken, secondsText(run.time))
     Text(
         if (run.inPast) RunTexts.clockOf(spoken, now, secondsText(run.length)) else now,
-        Modifier.testTag("clock"),
+        Modifier.testTag(RunTags.CLOCK),
         TextStyles.small.copy(lineHeight = LINE),
         color = LocalRobotranColours.current.quiet,
         maxLines = 1,

@@ -21,6 +21,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
@@ -32,7 +33,7 @@ fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Modifier = M
     val colours = LocalRobotranColours.current
     Box(
         modifier
-            .testTag("sound")
+            .testTag(RunTags.SOUND)
             .focusRing()
             .toggleable(on, role = Role.Switch, onValueChange = onSwitch)
             .semantics {

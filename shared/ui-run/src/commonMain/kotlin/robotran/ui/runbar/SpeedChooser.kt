@@ -16,6 +16,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import robotran.runcontrol.RunSpeed
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
@@ -27,7 +28,7 @@ internal fun SpeedChooser(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit, modifier
     val word = speed.word(spoken)
     Box(modifier) {
         ButtonFrame(
-            "speed",
+            RunTags.SPEED,
             ButtonKind.TOOL,
             Modifier.semantics {
                 contentDescription = name
@@ -55,7 +56,7 @@ internal fun SpeedChoices(speed: RunSpeed, onSpeed: (RunSpeed) -> Unit) {
     for (choice in RunSpeed.entries) {
         MenuItem(
             choice.word(spoken),
-            "speed-${choice.name.lowercase()}",
+            RunTags.speed(choice),
             Modifier.semantics { selected = choice == speed },
             { RadioMark(choice == speed) },
         ) { onSpeed(choice) }

@@ -16,6 +16,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.StepKind
 import robotran.simulation.Breakpoint
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -33,7 +34,7 @@ internal fun StepButton(
         BarButton(
             RunIcons.STEP,
             BarWords(RunTexts.step(spoken), RunTexts.stepHelp(spoken)),
-            "step",
+            RunTags.STEP,
             room = room,
         ) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
         if (menu) StepMenu(cursor, onEvent)
@@ -44,7 +45,7 @@ internal fun StepButton(
 private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        IconButton(RunIcons.DOWN, RunTexts.steps(spoken), "steps", IconButtonKind.RUN) { open = true }
+        IconButton(RunIcons.DOWN, RunTexts.steps(spoken), RunTags.STEPS, IconButtonKind.RUN) { open = true }
         AppMenu(open, { open = false }) {
             StepChoices(cursor) {
                 open = false
@@ -59,24 +60,24 @@ private fun StepMenu(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
 internal fun StepChoices(cursor: Breakpoint, onEvent: (RunEvent) -> Unit) {
     val choices = listOf(
         StepChoice(
-            "step-into",
+            RunTags.STEP_INTO,
             RunTexts::stepInto,
             RunTexts::stepIntoHelp,
             RunEvent.StepPressed(StepKind.INTO),
         ),
         StepChoice(
-            "step-over",
+            RunTags.STEP_OVER,
             RunTexts::stepOver,
             RunTexts::stepOverHelp,
             RunEvent.StepPressed(StepKind.OVER),
         ),
         StepChoice(
-            "step-out",
+            RunTags.STEP_OUT,
             RunTexts::stepOut,
             RunTexts::stepOutHelp,
             RunEvent.StepPressed(StepKind.OUT),
         ),
-        StepChoice("step-to-line", RunTexts::toLine, RunTexts::toLineHelp, RunEvent.RunToLine(cursor)),
+        StepChoice(RunTags.STEP_TO_LINE, RunTexts::toLine, RunTexts::toLineHelp, RunEvent.RunToLine(cursor)),
     )
     for (choice in choices) {
         MenuItem(choice.tag, { onEvent(choice.event) }) { Choice(choice.name(spoken), choice.help(spoken)) }

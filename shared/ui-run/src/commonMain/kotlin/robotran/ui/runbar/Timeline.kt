@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.semantics.stateDescription
 import robotran.runcontrol.TimelineMark
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.RunPaneState
@@ -42,7 +43,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
         IconButton(
             RunIcons.PREVIOUS,
             RunTexts.markPrevious(spoken),
-            "mark-previous",
+            RunTags.MARK_PREVIOUS,
             IconButtonKind.RUN,
             enabled = previous != null,
         ) { previous?.let(onScrub) }
@@ -53,7 +54,7 @@ internal fun Timeline(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Mo
         IconButton(
             RunIcons.NEXT,
             RunTexts.markNext(spoken),
-            "mark-next",
+            RunTags.MARK_NEXT,
             IconButtonKind.RUN,
             enabled = next != null,
         ) { next?.let(onScrub) }
@@ -72,7 +73,7 @@ private fun Track(state: RunPaneState, onScrub: (Long) -> Unit, modifier: Modifi
     Canvas(
         modifier
             .height(Dimensions.TARGET)
-            .testTag("timeline")
+            .testTag(RunTags.TIMELINE)
             .focusRing()
             .onKeyEvent { event ->
                 if (now.untouched) return@onKeyEvent false

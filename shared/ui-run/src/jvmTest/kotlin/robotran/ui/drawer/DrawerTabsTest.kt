@@ -3,6 +3,7 @@ package robotran.ui.drawer
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.language.Language
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
@@ -25,7 +26,7 @@ class DrawerTabsTest {
         workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         pass(300)
-        for (tab in DrawerTab.entries) assertWhole("drawer-${tab.name.lowercase()}", "in English")
-        assertFalse(saysThereIsMore("drawer-names", isRight = true))
+        for (tab in DrawerTab.entries) assertWhole(RunTags.tab(RunTags.DRAWER, tab), "in English")
+        assertFalse(saysThereIsMore(RunTags.names(RunTags.DRAWER), isRight = true))
     }
 }

@@ -21,10 +21,12 @@ import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.runcontrol.ChartLane
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.showWholeBrick
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.RunEvent
 import robotran.workshop.service.asProject
@@ -52,15 +54,15 @@ class RunDrawerTest {
 
     @Test
     fun `the drawer is closed, and a touch on a name opens it and another closes it`() = onTablet { workshop ->
-        assertEquals(0, onAllNodesWithTag("drawer-grip").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(RunTags.DRAWER_GRIP).fetchSemanticsNodes().size)
         for (tab in DrawerTab.entries) {
-            onNodeWithTag("drawer-${tab.name.lowercase()}").performClick()
+            onNodeWithTag(RunTags.tab(RunTags.DRAWER, tab)).performClick()
             pass(400)
             assertEquals(tab, workshop.state.run.drawer.tab)
             // The firmware makes calls before any program runs.
-            onNodeWithTag(if (tab == DrawerTab.LOG) "log" else "drawer-empty").assertIsDisplayed()
+            onNodeWithTag(if (tab == DrawerTab.LOG) RunTags.LOG else RunTags.DRAWER_EMPTY).assertIsDisplayed()
         }
-        onNodeWithTag("drawer-close").performClick()
+        onNodeWithTag(RunTags.DRAWER_CLOSE).performClick()
         pass(400)
         assertEquals(null, workshop.state.run.drawer.tab)
     }
@@ -70,31 +72,31 @@ class RunDrawerTest {
         workshop.with("forward 5\nbeep")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
         pass(400)
-        onNodeWithTag("drawer-two").performClick()
+        onNodeWithTag(RunTags.DRAWER_TWO).performClick()
         workshop.handle(RunEvent.RunPressed)
         pass(400)
-        onNodeWithTag("log").assertIsDisplayed()
-        onNodeWithTag("chart-sensor_1", useUnmergedTree = true).assertIsDisplayed()
-        onNodeWithTag("beside-log").performClick()
+        onNodeWithTag(RunTags.LOG).assertIsDisplayed()
+        onNodeWithTag(RunTags.chart(ChartLane.SENSOR_1), useUnmergedTree = true).assertIsDisplayed()
+        onNodeWithTag(RunTags.tab(RunTags.BESIDE, DrawerTab.LOG)).performClick()
         pass(100)
         assertEquals(DrawerTab.CHART to DrawerTab.LOG, workshop.state.run.drawer.run { tab to beside })
-        onNodeWithTag("drawer-log").performClick()
+        onNodeWithTag(RunTags.tab(RunTags.DRAWER, DrawerTab.LOG)).performClick()
         pass(100)
         assertEquals(DrawerTab.LOG to DrawerTab.CHART, workshop.state.run.drawer.run { tab to beside })
-        onNodeWithTag("beside-close").performClick()
+        onNodeWithTag(RunTags.BESIDE_CLOSE).performClick()
         pass(100)
         assertEquals(DrawerTab.LOG to null, workshop.state.run.drawer.run { tab to beside })
-        onNodeWithTag("log").assertIsDisplayed()
+        onNodeWithTag(RunTags.LOG).assertIsDisplayed()
     }
 
     @Test
     fun `it can be made higher`() = onTablet { workshop ->
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
         pass(400)
-        val before = onNodeWithTag("drawer").fetchSemanticsNode().size.height
-        onNodeWithTag("drawer-grip").performSemanticsAction(SemanticsActions.SetProgress) { it(330f) }
+        val before = onNodeWithTag(RunTags.DRAWER).fetchSemanticsNode().size.height
+        onNodeWithTag(RunTags.DRAWER_GRIP).performSemanticsAction(SemanticsActions.SetProgress) { it(330f) }
         pass(400)
-        assertTrue(onNodeWithTag("drawer").fetchSemanticsNode().size.height > before)
+        assertTrue(onNodeWithTag(RunTags.DRAWER).fetchSemanticsNode().size.height > before)
     }
 
     @Test
@@ -102,15 +104,15 @@ class RunDrawerTest {
         workshop.with("procedure go(n)\n  var half = n / 2\n  beep\n  beep\nend\nvar way = 7\ngo(way)")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         repeat(5) {
-            onNodeWithTag("step").performClick()
+            onNodeWithTag(RunTags.STEP).performClick()
             pass(200)
         }
-        onNodeWithTag("frame-1").assertIsDisplayed()
-        onNodeWithTag("variable-n").assertIsDisplayed()
-        onNodeWithTag("frame-1").performClick()
+        onNodeWithTag(RunTags.frame(1)).assertIsDisplayed()
+        onNodeWithTag(RunTags.variable("n")).assertIsDisplayed()
+        onNodeWithTag(RunTags.frame(1)).performClick()
         pass(200)
-        assertEquals(0, onAllNodesWithTag("variable-n").fetchSemanticsNodes().size)
-        onNodeWithTag("variable-way").assertTextContains("7", substring = true)
+        assertEquals(0, onAllNodesWithTag(RunTags.variable("n")).fetchSemanticsNodes().size)
+        onNodeWithTag(RunTags.variable("way")).assertTextContains("7", substring = true)
     }
 
     @Test
@@ -119,18 +121,18 @@ class RunDrawerTest {
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
         workshop.handle(RunEvent.RunPressed)
         pass(3_000)
-        onNodeWithTag("log").assertIsDisplayed()
+        onNodeWithTag(RunTags.LOG).assertIsDisplayed()
         val all = workshop.state.run.drawer.log.entries.size
-        onNodeWithTag("log-search").performTextInput("motor A")
+        onNodeWithTag(RunTags.LOG_SEARCH).performTextInput("motor A")
         pass(300)
         val found = workshop.state.run.drawer.log.entries
         assertTrue(found.isNotEmpty() && found.size < all)
-        onNodeWithTag("log-count").assertTextContains("${found.size} of", substring = true)
+        onNodeWithTag(RunTags.LOG_COUNT).assertTextContains("${found.size} of", substring = true)
         workshop.handle(
             RunEvent.LogFiltered(workshop.state.run.drawer.log.filter.copy(groups = setOf(CallGroup.INFRARED))),
         )
         pass(300)
-        onNodeWithTag("drawer-empty").assertIsDisplayed()
+        onNodeWithTag(RunTags.DRAWER_EMPTY).assertIsDisplayed()
     }
 
     @Test
@@ -139,19 +141,22 @@ class RunDrawerTest {
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
         workshop.handle(RunEvent.RunPressed)
         pass(1_000)
-        onNodeWithTag("lane-sensor_1").performClick()
-        onNodeWithTag("lane-sensor_2").performClick()
-        onNodeWithTag("lane-sensor_3").performClick()
+        onNodeWithTag(RunTags.lane(ChartLane.SENSOR_1)).performClick()
+        onNodeWithTag(RunTags.lane(ChartLane.SENSOR_2)).performClick()
+        onNodeWithTag(RunTags.lane(ChartLane.SENSOR_3)).performClick()
         pass(300)
         assertEquals(
             setOf(ChartLane.SENSOR_1, ChartLane.SENSOR_2, ChartLane.SENSOR_3),
             workshop.state.run.drawer.chart.hidden,
         )
-        assertEquals(0, onAllNodesWithTag("chart-sensor_1", useUnmergedTree = true).fetchSemanticsNodes().size)
-        onNodeWithTag("value-motor_a", useUnmergedTree = true).assertTextContains("+3")
-        onNodeWithTag("chart-finer").performClick()
+        assertEquals(
+            0,
+            onAllNodesWithTag(RunTags.chart(ChartLane.SENSOR_1), useUnmergedTree = true).fetchSemanticsNodes().size,
+        )
+        onNodeWithTag(RunTags.value(ChartLane.MOTOR_A), useUnmergedTree = true).assertTextContains("+3")
+        onNodeWithTag(RunTags.CHART_FINER).performClick()
         pass(200)
-        onNodeWithTag("chart-motor_a", useUnmergedTree = true).assertIsDisplayed()
+        onNodeWithTag(RunTags.chart(ChartLane.MOTOR_A), useUnmergedTree = true).assertIsDisplayed()
     }
 
     @Test
@@ -165,30 +170,34 @@ class RunDrawerTest {
             workshop.handle(RunEvent.LaneSwitched(lane))
         }
         pass(300)
-        for ((lane, value) in listOf("sensor_4" to "Sensor 4: \\d+ cm", "degrees_a" to "Turned A: \\d+ °")) {
+        val expected = listOf(
+            ChartLane.SENSOR_4 to "Sensor 4: \\d+ cm",
+            ChartLane.DEGREES_A to "Turned A: \\d+ °",
+        )
+        for ((lane, value) in expected) {
             val words = spokenOf(lane)
             assertTrue(Regex(value).matches(words), words)
         }
-        assertEquals("Battery: 8004 mV", spokenOf("battery"))
+        assertEquals("Battery: 8004 mV", spokenOf(ChartLane.BATTERY))
         pass(4_000)
         // The brick switches it off at the end of the program.
-        assertEquals("Sensor 4: no value", spokenOf("sensor_4"))
+        assertEquals("Sensor 4: no value", spokenOf(ChartLane.SENSOR_4))
     }
 
-    private fun ComposeUiTest.spokenOf(lane: String): String =
-        onNodeWithTag("value-$lane", useUnmergedTree = true).onParent().fetchSemanticsNode()
+    private fun ComposeUiTest.spokenOf(lane: ChartLane): String =
+        onNodeWithTag(RunTags.value(lane), useUnmergedTree = true).onParent().fetchSemanticsNode()
             .config[SemanticsProperties.ContentDescription].single()
 
     @Test
     fun `goals are counted beside the world and told in the drawer`() = onTablet { workshop ->
         workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null)), Goal(InkLength(500.0, null))))
         pass(300)
-        onNodeWithTag("goal-chip").assertContentDescriptionEquals("0 of 2 goals met")
-        onNodeWithTag("goal-chip").performClick()
+        onNodeWithTag(RunTags.GOAL_CHIP).assertContentDescriptionEquals("0 of 2 goals met")
+        onNodeWithTag(RunTags.GOAL_CHIP).performClick()
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag("goal-chip").assertContentDescriptionEquals("1 of 2 goals met")
-        onAllNodesWithTag("goal").onFirst().assertIsDisplayed()
+        onNodeWithTag(RunTags.GOAL_CHIP).assertContentDescriptionEquals("1 of 2 goals met")
+        onAllNodesWithTag(RunTags.GOAL).onFirst().assertIsDisplayed()
     }
 
     @Test
@@ -196,18 +205,18 @@ class RunDrawerTest {
         workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null))))
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag("goal-chip").assertTextContains("All goals met. Well done.")
+        onNodeWithTag(RunTags.GOAL_CHIP).assertTextContains("All goals met. Well done.")
     }
 
     @Test
     fun `on a phone the drawer has the whole pane`() = onPhone { workshop ->
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.CHART))
         pass(400)
-        onNodeWithTag("drawer").assertIsDisplayed()
-        assertEquals(0, onAllNodesWithTag("world").fetchSemanticsNodes().size)
-        onNodeWithTag("drawer-close").performClick()
+        onNodeWithTag(RunTags.DRAWER).assertIsDisplayed()
+        assertEquals(0, onAllNodesWithTag(WorldTags.WORLD).fetchSemanticsNodes().size)
+        onNodeWithTag(RunTags.DRAWER_CLOSE).performClick()
         pass(400)
-        onNodeWithTag("world").assertIsDisplayed()
+        onNodeWithTag(WorldTags.WORLD).assertIsDisplayed()
     }
 
     @Test
@@ -215,7 +224,7 @@ class RunDrawerTest {
         workshop.with("forward 5")
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag("announcer").assertContentDescriptionContains("Robot at", substring = true)
+        onNodeWithTag(RunTags.ANNOUNCER).assertContentDescriptionContains("Robot at", substring = true)
     }
 
     @Test
@@ -225,10 +234,10 @@ class RunDrawerTest {
         }
         workshop.services.editor.openProject(Project(world))
         showWholeBrick()
-        onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
+        onNodeWithTag(RunTags.port(1)).performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
         assertTrue(workshop.state.session.brick.inputs[0].isPressed)
-        onNodeWithTag("port-1").performSemanticsAction(SemanticsActions.OnClick)
+        onNodeWithTag(RunTags.port(1)).performSemanticsAction(SemanticsActions.OnClick)
         pass(300)
         assertTrue(!workshop.state.session.brick.inputs[0].isPressed)
     }

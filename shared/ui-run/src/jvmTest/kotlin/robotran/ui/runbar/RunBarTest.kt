@@ -22,6 +22,7 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import robotran.brick.kind.BrickKind
 import robotran.runcontrol.RunSpeed
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
@@ -44,26 +45,26 @@ import kotlin.test.assertTrue
 class RunBarTest {
     @Test
     fun `Pause lets the robot stand still and becomes Go on`() = onTablet { workshop ->
-        onNodeWithTag("pause").assertIsNotEnabled()
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.PAUSE).assertIsNotEnabled()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(500)
-        onNodeWithTag("pause").assertIsEnabled().performClick()
+        onNodeWithTag(RunTags.PAUSE).assertIsEnabled().performClick()
         pass(100)
         val time = workshop.state.run.time
         pass(500)
         assertEquals(time, workshop.state.run.time)
-        onNodeWithTag("status").assertTextContains("Paused at line", substring = true)
-        onNodeWithTag("pause").performClick()
+        onNodeWithTag(RunTags.STATUS).assertTextContains("Paused at line", substring = true)
+        onNodeWithTag(RunTags.PAUSE).performClick()
         pass(500)
         assertTrue(workshop.state.run.time > time)
     }
 
     @Test
     fun `Step goes through the program line by line`() = onTablet { workshop ->
-        onNodeWithTag("step").performClick()
+        onNodeWithTag(RunTags.STEP).performClick()
         pass(100)
         val first = workshop.state.shownProgramRun.runningLine
-        onNodeWithTag("step").performClick()
+        onNodeWithTag(RunTags.STEP).performClick()
         pass(2_000)
         assertTrue(workshop.state.shownProgramRun.runningLine > first)
         assertTrue(workshop.state.run.isPaused)
@@ -71,22 +72,29 @@ class RunBarTest {
 
     @Test
     fun `other steps are in a menu beside it`() = onTablet { workshop ->
-        onNodeWithTag("step").performClick()
+        onNodeWithTag(RunTags.STEP).performClick()
         pass(100)
-        onNodeWithTag("steps").performClick()
+        onNodeWithTag(RunTags.STEPS).performClick()
         pass(500)
-        for (tag in listOf("step-into", "step-over", "step-out", "step-to-line")) onNodeWithTag(tag).assertIsDisplayed()
-        onNodeWithTag("step-over").performClick()
+        for (tag in listOf(
+            RunTags.STEP_INTO,
+            RunTags.STEP_OVER,
+            RunTags.STEP_OUT,
+            RunTags.STEP_TO_LINE,
+        )) {
+            onNodeWithTag(tag).assertIsDisplayed()
+        }
+        onNodeWithTag(RunTags.STEP_OVER).performClick()
         pass(2_000)
         assertTrue(workshop.state.run.isPaused)
-        assertEquals(0, onAllNodesWithTag("step-over").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(RunTags.STEP_OVER).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `the speed is chosen by its name`() = onTablet { workshop ->
-        onNodeWithTag("speed").performClick()
+        onNodeWithTag(RunTags.SPEED).performClick()
         pass(500)
-        onNodeWithTag("speed-fivefold").performClick()
+        onNodeWithTag(RunTags.speed(RunSpeed.FIVEFOLD)).performClick()
         pass(300)
         assertEquals(RunSpeed.FIVEFOLD, workshop.state.run.speed)
     }
@@ -100,7 +108,16 @@ class RunBarTest {
                 for (speed in RunSpeed.entries) {
                     workshop.handle(RunEvent.SpeedChosen(speed))
                     pass(300)
-                    val tags = listOf("run", "pause", "step", "stop", "speed", "run-more", "sound")
+                    val tags =
+                        listOf(
+                            RunTags.RUN,
+                            RunTags.PAUSE,
+                            RunTags.STEP,
+                            RunTags.STOP,
+                            RunTags.SPEED,
+                            RunTags.RUN_MORE,
+                            RunTags.SOUND,
+                        )
                     // Held upright, a tablet has the speed in its panel.
                     assertUnmoved(before, tags.filter { it != "speed" || width > height }, "$width x $height at $speed")
                 }
@@ -110,30 +127,30 @@ class RunBarTest {
 
     @Test
     fun `a touch on the timeline goes there, and the arrow keys go on from there`() = onTablet { workshop ->
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(9_000)
         val length = workshop.state.run.length
-        onNodeWithTag("timeline").performTouchInput { click(Offset(width * 0.5f, height * 0.6f)) }
+        onNodeWithTag(RunTags.TIMELINE).performTouchInput { click(Offset(width * 0.5f, height * 0.6f)) }
         pass(1_000)
         val time = workshop.state.run.time
         assertTrue(time in length / 3..length * 2 / 3, "at $time of $length")
         assertEquals(time, workshop.state.session.milliseconds)
-        onNodeWithTag("timeline").requestFocus()
-        onNodeWithTag("timeline").performKeyInput { pressKey(Key.DirectionLeft) }
+        onNodeWithTag(RunTags.TIMELINE).requestFocus()
+        onNodeWithTag(RunTags.TIMELINE).performKeyInput { pressKey(Key.DirectionLeft) }
         pass(500)
         assertEquals(time - 100, workshop.state.session.milliseconds)
-        onNodeWithTag("timeline").performKeyInput { pressKey(Key.MoveHome) }
+        onNodeWithTag(RunTags.TIMELINE).performKeyInput { pressKey(Key.MoveHome) }
         pass(500)
         assertEquals(0, workshop.state.session.milliseconds)
-        onNodeWithTag("clock").assertTextEquals("0.0 s of ${oneDecimal(length / 1_000.0)} s")
+        onNodeWithTag(RunTags.CLOCK).assertTextEquals("0.0 s of ${oneDecimal(length / 1_000.0)} s")
     }
 
     @Test
     fun `a drag along the timeline takes the robot with it`() = onTablet { workshop ->
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(9_000)
         val length = workshop.state.run.length
-        onNodeWithTag("timeline").performTouchInput {
+        onNodeWithTag(RunTags.TIMELINE).performTouchInput {
             down(Offset(width * 0.9f, height * 0.6f))
             for (step in 1..8) moveTo(Offset(width * (0.9f - step * 0.1f), height * 0.6f))
             up()
@@ -145,40 +162,40 @@ class RunBarTest {
 
     @Test
     fun `what has happened can be gone to, one after the other`() = onTablet { workshop ->
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(9_000)
-        onNodeWithTag("mark-previous").performClick()
+        onNodeWithTag(RunTags.MARK_PREVIOUS).performClick()
         pass(500)
         val mark = workshop.state.run.marks.last { it.milliseconds < workshop.state.run.length }
         assertEquals(mark.milliseconds, workshop.state.run.time)
-        onNodeWithTag("mark-next").performClick()
+        onNodeWithTag(RunTags.MARK_NEXT).performClick()
         pass(500)
         assertTrue(workshop.state.run.time > mark.milliseconds)
     }
 
     @Test
     fun `a screen reader hears where the timeline is and can set it`() = onTablet { workshop ->
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(3_000)
-        val config = onNodeWithTag("timeline").fetchSemanticsNode().config
+        val config = onNodeWithTag(RunTags.TIMELINE).fetchSemanticsNode().config
         assertTrue("seconds" in config[SemanticsProperties.StateDescription])
-        onNodeWithTag("timeline").performSemanticsAction(SemanticsActions.SetProgress) { it(1_000f) }
+        onNodeWithTag(RunTags.TIMELINE).performSemanticsAction(SemanticsActions.SetProgress) { it(1_000f) }
         pass(500)
         assertEquals(1_000, workshop.state.session.milliseconds)
     }
 
     @Test
     fun `a phone keeps Run, Pause, Step and Stop, and has the rest behind one button`() = onPhone { workshop ->
-        checkTargets("run", "pause", "step", "stop", "run-more")
-        onNodeWithTag("run-more").performClick()
+        checkTargets(RunTags.RUN, RunTags.PAUSE, RunTags.STEP, RunTags.STOP, RunTags.RUN_MORE)
+        onNodeWithTag(RunTags.RUN_MORE).performClick()
         pass(500)
-        onNodeWithTag("run-panel").assertIsDisplayed()
-        onNodeWithTag("panel-speed-double").performClick()
+        onNodeWithTag(RunTags.RUN_PANEL).assertIsDisplayed()
+        onNodeWithTag(RunTags.panelSpeed(RunSpeed.DOUBLE)).performClick()
         pass(200)
         assertEquals(RunSpeed.DOUBLE, workshop.state.run.speed)
-        onNodeWithTag("run-panel-close").performClick()
+        onNodeWithTag(RunTags.RUN_PANEL_CLOSE).performClick()
         pass(500)
-        assertEquals(0, onAllNodesWithTag("run-panel").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(RunTags.RUN_PANEL).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -191,7 +208,16 @@ class RunBarTest {
         handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
         handle(RunEvent.RunPressed)
         pass(500)
-        checkTargets("run", "pause", "step", "stop", "run-more", "timeline", "mark-previous", "mark-next")
+        checkTargets(
+            RunTags.RUN,
+            RunTags.PAUSE,
+            RunTags.STEP,
+            RunTags.STOP,
+            RunTags.RUN_MORE,
+            RunTags.TIMELINE,
+            RunTags.MARK_PREVIOUS,
+            RunTags.MARK_NEXT,
+        )
     }
 
     @Test
@@ -200,10 +226,10 @@ class RunBarTest {
         for ((brick, words) in described) {
             workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, brick))
             pass(300)
-            onNodeWithTag("run-more").performClick()
+            onNodeWithTag(RunTags.RUN_MORE).performClick()
             pass(500)
-            onNodeWithTag("java-forgiving").assertTextContains(words, substring = true)
-            onNodeWithTag("run-panel-close").performClick()
+            onNodeWithTag(RunTags.JAVA_FORGIVING).assertTextContains(words, substring = true)
+            onNodeWithTag(RunTags.RUN_PANEL_CLOSE).performClick()
             pass(500)
         }
     }
@@ -211,9 +237,9 @@ class RunBarTest {
     @Test
     fun `realism and chance are in the panel`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("beep"))
-        onNodeWithTag("run-more").performClick()
+        onNodeWithTag(RunTags.RUN_MORE).performClick()
         pass(500)
-        onNodeWithTag("realism").performSemanticsAction(SemanticsActions.SetProgress) { it(0.5f) }
+        onNodeWithTag(RunTags.REALISM).performSemanticsAction(SemanticsActions.SetProgress) { it(0.5f) }
         pass(200)
         assertEquals(0.5, workshop.state.world.realism)
         val seed = workshop.state.world.seed

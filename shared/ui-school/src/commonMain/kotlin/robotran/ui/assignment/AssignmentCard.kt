@@ -22,6 +22,7 @@ import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.GoalStatus
 import robotran.ui.common.iconFor
 import robotran.ui.learning.MarkedText
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -32,20 +33,24 @@ import robotran.workshop.state.AssignmentState
 /** What the card of the task says about an assignment: its text, its goals, and what is not allowed. */
 @Composable
 fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, onEvent: (WorkshopEvent) -> Unit) {
-    Column(Modifier.fillMaxWidth().testTag("assignment-card"), Arrangement.spacedBy(8.dp)) {
+    Column(Modifier.fillMaxWidth().testTag(AssignmentTags.ASSIGNMENT_CARD), Arrangement.spacedBy(8.dp)) {
         AssignmentText(state.assignment)
         if (state.assignment.due.isNotBlank()) {
-            Line(SchoolTexts.assignmentDue(spoken, state.assignment.due), "assignment-due", isStrong = true)
+            Line(
+                SchoolTexts.assignmentDue(spoken, state.assignment.due),
+                AssignmentTags.ASSIGNMENT_DUE,
+                isStrong = true,
+            )
         }
         if (goals.isNotEmpty()) {
-            Line(SchoolTexts.assignmentGoals(spoken), "assignment-goals", isStrong = true)
+            Line(SchoolTexts.assignmentGoals(spoken), AssignmentTags.ASSIGNMENT_GOALS, isStrong = true)
             Goals(goals)
         }
         if (state.isOpenForTries) {
             NotAllowedLines(state.notAllowed) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
             HandedInLine(state)
         }
-        if (state.isAuthor) Line(SchoolTexts.assignmentAuthor(spoken), "assignment-author")
+        if (state.isAuthor) Line(SchoolTexts.assignmentAuthor(spoken), AssignmentTags.ASSIGNMENT_AUTHOR)
     }
 }
 
@@ -53,7 +58,7 @@ fun AssignmentCard(state: AssignmentState, goals: List<GoalProgress>, onEvent: (
 @Composable
 fun HandedInLine(state: AssignmentState) {
     val name = state.handedInAs?.takeIf { state.isOpenForTries } ?: return
-    Line(SchoolTexts.assignmentHandedIn(spoken, name), "assignment-handed-in", isNews = true)
+    Line(SchoolTexts.assignmentHandedIn(spoken, name), AssignmentTags.ASSIGNMENT_HANDED_IN, isNews = true)
 }
 
 /** How far the pupil is with an assignment, and what can be done; takes no room if there is nothing. */
@@ -62,19 +67,23 @@ fun HandedInLine(state: AssignmentState) {
 fun AssignmentButtons(state: AssignmentState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     if (!state.isAuthor && !state.isOpenForTries) return
     Column(modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
-        if (state.isOpenForTries) Line(triesText(state.tries), "assignment-tries", isNews = true)
+        if (state.isOpenForTries) Line(triesText(state.tries), AssignmentTags.ASSIGNMENT_TRIES, isNews = true)
         FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
             if (state.isAuthor) {
-                Button(SchoolTexts.assignmentEdit(spoken), "assignment-edit") {
+                Button(SchoolTexts.assignmentEdit(spoken), AssignmentTags.ASSIGNMENT_EDIT) {
                     onEvent(AssignmentEvent.MakingRequested)
                 }
-                Button(SchoolTexts.handInsMenu(spoken), "assignment-hand-ins", ButtonKind.SECOND) {
+                Button(SchoolTexts.handInsMenu(spoken), AssignmentTags.ASSIGNMENT_HAND_INS, ButtonKind.SECOND) {
                     onEvent(HandInsEvent.Requested)
                 }
             }
-            if (state.isOpenForTries) HandInButton(state, "assignment-hand-in", onEvent)
+            if (state.isOpenForTries) HandInButton(state, AssignmentTags.ASSIGNMENT_HAND_IN, onEvent)
             if (state.canBeginAgain) {
-                Button(SchoolTexts.assignmentBeginAgain(spoken), "assignment-begin-again", ButtonKind.SECOND) {
+                Button(
+                    SchoolTexts.assignmentBeginAgain(spoken),
+                    AssignmentTags.ASSIGNMENT_BEGIN_AGAIN,
+                    ButtonKind.SECOND,
+                ) {
                     onEvent(AssignmentEvent.BegunAgain)
                 }
             }
@@ -101,7 +110,10 @@ fun Goals(goals: List<GoalProgress>) {
     for (goal in goals) {
         val word = SimulationMessages.of(LocalLanguage.current).wordFor(goal.status)
         Row(
-            Modifier.testTag("assignment-goal").semantics(mergeDescendants = true) { stateDescription = word },
+            Modifier.testTag(AssignmentTags.ASSIGNMENT_GOAL).semantics(mergeDescendants = true) {
+                stateDescription =
+                    word
+            },
             Arrangement.spacedBy(8.dp),
         ) {
             val colour = if (goal.status == GoalStatus.FAILED) colours.error else colours.onPane

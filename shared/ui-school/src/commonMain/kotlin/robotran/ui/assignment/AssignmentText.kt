@@ -20,6 +20,7 @@ import robotran.assignments.doing.bytesToShow
 import robotran.projects.Assignment
 import robotran.projects.AssignmentPicture
 import robotran.ui.learning.MarkedText
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 
@@ -28,7 +29,7 @@ import robotran.uikit.*
 internal fun AssignmentText(assignment: Assignment, modifier: Modifier = Modifier) {
     val parts = remember(assignment.text) { partsOf(assignment.text) }
     if (parts.isEmpty()) return
-    Column(modifier.fillMaxWidth().testTag("assignment-text"), Arrangement.spacedBy(8.dp)) {
+    Column(modifier.fillMaxWidth().testTag(AssignmentTags.ASSIGNMENT_TEXT), Arrangement.spacedBy(8.dp)) {
         for (part in parts) {
             when (part) {
                 is TextPart.Paragraph -> MarkedText(part.text)
@@ -70,7 +71,7 @@ private fun Picture(part: TextPart.Picture, picture: AssignmentPicture?) {
     if (bitmap == null) {
         Text(
             SchoolTexts.assignmentPictureBroken(spoken, part.description),
-            Modifier.testTag("assignment-picture-broken"),
+            Modifier.testTag(AssignmentTags.ASSIGNMENT_PICTURE_BROKEN),
             TextStyles.sentence,
             color = LocalRobotranColours.current.quiet,
         )
@@ -80,7 +81,7 @@ private fun Picture(part: TextPart.Picture, picture: AssignmentPicture?) {
             bitmap,
             part.description,
             Modifier
-                .testTag("assignment-picture")
+                .testTag(AssignmentTags.ASSIGNMENT_PICTURE)
                 .widthIn(max = minOf(bitmap.width.dp, MAX_SIDE))
                 .heightIn(max = MAX_SIDE)
                 .border(1.dp, LocalRobotranColours.current.line),

@@ -12,6 +12,7 @@ import androidx.compose.ui.unit.dp
 import robotran.projects.Feedback
 import robotran.projects.HandIn
 import robotran.ui.learning.MarkedText
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 
@@ -25,23 +26,23 @@ fun FeedbackCard(feedback: Feedback, isProgramHandedIn: Boolean) {
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("assignment-feedback")
+            .testTag(AssignmentTags.ASSIGNMENT_FEEDBACK)
             .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
             .padding(12.dp),
         Arrangement.spacedBy(4.dp),
     ) {
-        Line(SchoolTexts.assignmentFeedback(spoken), "assignment-feedback-title", isStrong = true)
+        Line(SchoolTexts.assignmentFeedback(spoken), AssignmentTags.ASSIGNMENT_FEEDBACK_TITLE, isStrong = true)
         val comment = feedback.comment.trim().ifEmpty { SchoolTexts.assignmentFeedbackNone(spoken) }
-        MarkedText(comment, Modifier.testTag("assignment-comment"))
+        MarkedText(comment, Modifier.testTag(AssignmentTags.ASSIGNMENT_COMMENT))
         for (result in feedback.results) {
             val world = worldName(result.world)
             Line(
                 SchoolTexts.assignmentFeedbackResult(spoken, world, result.seedsMet, result.seeds),
-                "assignment-result",
+                AssignmentTags.ASSIGNMENT_RESULT,
             )
         }
         if (isProgramHandedIn) {
-            Line(SchoolTexts.assignmentFeedbackProgram(spoken), "assignment-feedback-program")
+            Line(SchoolTexts.assignmentFeedbackProgram(spoken), AssignmentTags.ASSIGNMENT_FEEDBACK_PROGRAM)
         }
     }
 }
@@ -54,5 +55,5 @@ fun HandInLine(handIn: HandIn) {
         1 -> SchoolTexts.assignmentIsHandInOnce(spoken, handIn.name)
         else -> SchoolTexts.assignmentIsHandIn(spoken, handIn.name, handIn.tries)
     }
-    Line(words, "assignment-is-hand-in")
+    Line(words, AssignmentTags.ASSIGNMENT_IS_HAND_IN)
 }

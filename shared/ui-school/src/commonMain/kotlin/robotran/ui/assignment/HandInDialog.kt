@@ -24,6 +24,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -45,7 +46,7 @@ private fun HandInCard(
     modifier: Modifier,
 ) {
     val title = SchoolTexts.handInTitle(spoken)
-    DialogCard(title, "hand-in-sheet", modifier.sized(SIZE)) {
+    DialogCard(title, AssignmentTags.HAND_IN_SHEET, modifier.sized(SIZE)) {
         BoxWithConstraints(Modifier.padding(if (LocalDensity.current.fontScale > LARGE) 12.dp else 20.dp)) {
             val scroll = rememberScrollState()
             val scrolling = Modifier
@@ -92,29 +93,44 @@ private fun Buttons(step: HandInStep, onEvent: (WorkshopEvent) -> Unit) = Button
     val back = { onEvent(AssignmentEvent.HandInBackRequested) }
     when (step) {
         is HandInStep.Asking -> {
-            Button(SchoolTexts.handInCancel(spoken), "hand-in-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
-            Button(SchoolTexts.handInGoOn(spoken), "hand-in-go-on", ButtonKind.DIALOG_MAIN, enabled = step.canGoOn) {
+            Button(
+                SchoolTexts.handInCancel(spoken),
+                AssignmentTags.HAND_IN_CANCEL,
+                ButtonKind.DIALOG_OTHER,
+                onClick = close,
+            )
+            Button(
+                SchoolTexts.handInGoOn(spoken),
+                AssignmentTags.HAND_IN_GO_ON,
+                ButtonKind.DIALOG_MAIN,
+                enabled = step.canGoOn,
+            ) {
                 onEvent(AssignmentEvent.HandInMade())
             }
         }
 
         is HandInStep.Running -> Button(
             SchoolTexts.handInCancel(spoken),
-            "hand-in-stop",
+            AssignmentTags.HAND_IN_STOP,
             ButtonKind.DIALOG_OTHER,
             onClick = back,
         )
 
         is HandInStep.HasErrors -> {
-            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
-            Button(SchoolTexts.handInMistakesAnyway(spoken), "hand-in-anyway", ButtonKind.DIALOG_MAIN) {
+            Button(SchoolTexts.handInBack(spoken), AssignmentTags.HAND_IN_BACK, ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(SchoolTexts.handInMistakesAnyway(spoken), AssignmentTags.HAND_IN_ANYWAY, ButtonKind.DIALOG_MAIN) {
                 onEvent(AssignmentEvent.HandInMade(withErrors = true))
             }
         }
 
         is HandInStep.Ready -> {
-            Button(SchoolTexts.handInBack(spoken), "hand-in-back", ButtonKind.DIALOG_OTHER, onClick = back)
-            Button(SchoolTexts.handInClose(spoken), "hand-in-close", ButtonKind.DIALOG_MAIN, onClick = close)
+            Button(SchoolTexts.handInBack(spoken), AssignmentTags.HAND_IN_BACK, ButtonKind.DIALOG_OTHER, onClick = back)
+            Button(
+                SchoolTexts.handInClose(spoken),
+                AssignmentTags.HAND_IN_CLOSE,
+                ButtonKind.DIALOG_MAIN,
+                onClick = close,
+            )
         }
     }
 }

@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.LinkAsQrCode
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -40,17 +41,17 @@ internal fun ReadyView(
             Column(Modifier.weight(1f), Arrangement.spacedBy(12.dp)) {
                 Ways(step, hasShareSheet, onEvent)
                 Explanation(help(spoken))
-                Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
+                Quiet(SchoolTexts.handInDecides(spoken), AssignmentTags.HAND_IN_DECIDES)
             }
-            Box(Modifier.weight(1f).testTag("hand-in-qr")) {
+            Box(Modifier.weight(1f).testTag(AssignmentTags.HAND_IN_QR)) {
                 LinkAsQrCode(step.link.orEmpty(), "", maxSide = maxHeight)
             }
         }
     } else {
         Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(12.dp)) {
             Ways(step, hasShareSheet, onEvent)
-            LinkOrError(step.link, step.linkError, "hand-in-qr", help, maxHeight = maxHeight)
-            Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
+            LinkOrError(step.link, step.linkError, AssignmentTags.HAND_IN_QR, help, maxHeight = maxHeight)
+            Quiet(SchoolTexts.handInDecides(spoken), AssignmentTags.HAND_IN_DECIDES)
         }
     }
 }
@@ -66,23 +67,25 @@ private fun Ways(step: HandInStep.Ready, hasShareSheet: Boolean, onEvent: (Works
         val time = secondsText(result.milliseconds)
         SchoolTexts.handInReady(spoken, step.name, result.goalsMet, result.goals, time)
     }
-    Explanation(words, Modifier.testTag("hand-in-ready").announced())
+    Explanation(words, Modifier.testTag(AssignmentTags.HAND_IN_READY).announced())
     Explanation(SchoolTexts.handInHow(spoken))
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        Button(SchoolTexts.handInFile(spoken), "hand-in-file") {
+        Button(SchoolTexts.handInFile(spoken), AssignmentTags.HAND_IN_FILE) {
             onEvent(AssignmentEvent.HandInFileSaved)
         }
         if (step.link != null) {
             val copy = if (step.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
-            Button(copy(spoken), "hand-in-link", ButtonKind.SECOND) { onEvent(AssignmentEvent.HandInLinkCopied) }
+            Button(copy(spoken), AssignmentTags.HAND_IN_LINK, ButtonKind.SECOND) {
+                onEvent(AssignmentEvent.HandInLinkCopied)
+            }
             if (hasShareSheet) {
-                Button(SchoolTexts.handInShare(spoken), "hand-in-share", ButtonKind.SECOND) {
+                Button(SchoolTexts.handInShare(spoken), AssignmentTags.HAND_IN_SHARE, ButtonKind.SECOND) {
                     onEvent(AssignmentEvent.HandInLinkShared)
                 }
             }
         }
     }
-    SaveResult(step.savedAs, step.saveError, "hand-in-saved")
+    SaveResult(step.savedAs, step.saveError, AssignmentTags.HAND_IN_SAVED)
 }
 
 /** What came of saving a file, if anything. */

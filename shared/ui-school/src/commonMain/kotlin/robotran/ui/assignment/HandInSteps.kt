@@ -23,6 +23,7 @@ import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.KeyboardCapitalization
 import androidx.compose.ui.unit.dp
 import robotran.projects.AssignmentLimits
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -34,7 +35,7 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     TextField(
         step.name,
         { onEvent(AssignmentEvent.NameEntered(it.take(AssignmentLimits.MAXIMUM_NAME_CHARACTERS))) },
-        Modifier.fillMaxWidth().testTag("hand-in-name"),
+        Modifier.fillMaxWidth().testTag(AssignmentTags.HAND_IN_NAME),
         step.wanted.ifBlank { SchoolTexts.handInName(spoken) },
         keyboard = KeyboardOptions(
             capitalization = KeyboardCapitalization.Words,
@@ -45,35 +46,35 @@ internal fun AskingView(step: HandInStep.Asking, onEvent: (WorkshopEvent) -> Uni
     )
     val best = step.best
     when {
-        best == null -> Explanation(SchoolTexts.handInEditorIs(spoken), Modifier.testTag("hand-in-what"))
+        best == null -> Explanation(SchoolTexts.handInEditorIs(spoken), Modifier.testTag(AssignmentTags.HAND_IN_WHAT))
 
         !step.canChoose -> {
             Explanation(
                 SchoolTexts.handInBestIs(spoken, best.goalsMet, best.goals, secondsText(best.milliseconds)),
-                Modifier.testTag("hand-in-what"),
+                Modifier.testTag(AssignmentTags.HAND_IN_WHAT),
             )
         }
 
         else -> {
             Column(Modifier.selectableGroup()) {
-                Explanation(SchoolTexts.handInWhat(spoken), Modifier.testTag("hand-in-what"))
+                Explanation(SchoolTexts.handInWhat(spoken), Modifier.testTag(AssignmentTags.HAND_IN_WHAT))
                 val time = secondsText(best.milliseconds)
                 Choice(
                     SchoolTexts.handInBest(spoken, best.goalsMet, best.goals, time),
                     !step.isEditor,
-                    "hand-in-best",
+                    AssignmentTags.HAND_IN_BEST,
                 ) { onEvent(AssignmentEvent.WorkChosen(isEditor = false)) }
-                Choice(SchoolTexts.handInEditor(spoken), step.isEditor, "hand-in-editor") {
+                Choice(SchoolTexts.handInEditor(spoken), step.isEditor, AssignmentTags.HAND_IN_EDITOR) {
                     onEvent(AssignmentEvent.WorkChosen(isEditor = true))
                 }
             }
         }
     }
     if (step.isUnchanged && (best == null || (step.canChoose && step.isEditor))) {
-        Explanation(SchoolTexts.handInUnchanged(spoken), Modifier.testTag("hand-in-unchanged"))
+        Explanation(SchoolTexts.handInUnchanged(spoken), Modifier.testTag(AssignmentTags.HAND_IN_UNCHANGED))
     }
     NotAllowedLines(step.notAllowed)
-    Quiet(SchoolTexts.handInDecides(spoken), "hand-in-decides")
+    Quiet(SchoolTexts.handInDecides(spoken), AssignmentTags.HAND_IN_DECIDES)
 }
 
 @Composable
@@ -98,9 +99,9 @@ private fun Choice(label: String, isChosen: Boolean, tag: String, onClick: () ->
 internal fun RunningView(step: HandInStep.Running) {
     Explanation(
         SchoolTexts.handInRunning(spoken),
-        Modifier.testTag("hand-in-running").announced(),
+        Modifier.testTag(AssignmentTags.HAND_IN_RUNNING).announced(),
     )
-    ProgressBar(step.part, "hand-in-progress")
+    ProgressBar(step.part, AssignmentTags.HAND_IN_PROGRESS)
 }
 
 /** @param part of the work that is done, 0..1. */
@@ -110,7 +111,7 @@ internal fun ProgressBar(part: Float, tag: String) =
 
 @Composable
 internal fun ErrorsView(step: HandInStep.HasErrors) {
-    Explanation(SchoolTexts.handInMistakes(spoken), Modifier.testTag("hand-in-mistakes"), bad = true)
+    Explanation(SchoolTexts.handInMistakes(spoken), Modifier.testTag(AssignmentTags.HAND_IN_MISTAKES), bad = true)
     for (reason in step.reasons.take(MAX_REASONS)) Explanation(reason)
 }
 

@@ -22,6 +22,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.assignments.doing.NotAllowed
 import robotran.ui.learning.MarkedText
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 
@@ -44,7 +45,7 @@ internal fun NotAllowedLines(all: List<NotAllowed>, onShow: ((NotAllowed) -> Uni
                 .padding(vertical = 10.dp)
         }
         Row(
-            Modifier.testTag("assignment-not-allowed").then(touch).semantics(mergeDescendants = true) {
+            Modifier.testTag(AssignmentTags.ASSIGNMENT_NOT_ALLOWED).then(touch).semantics(mergeDescendants = true) {
                 liveRegion = LiveRegionMode.Polite
             },
             Arrangement.spacedBy(8.dp),
@@ -77,7 +78,7 @@ fun NotAllowedStrip(all: List<NotAllowed>, program: String, maxHeight: Dp, onSho
             .fillMaxWidth()
             .heightIn(max = maxHeight)
             .background(colours.errorPane)
-            .testTag("program-not-allowed")
+            .testTag(AssignmentTags.PROGRAM_NOT_ALLOWED)
             .scrollHint(scroll, ground = colours.errorPane)
             .verticalScroll(scroll)
             .padding(horizontal = 16.dp),

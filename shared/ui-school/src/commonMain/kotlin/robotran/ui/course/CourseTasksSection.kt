@@ -19,6 +19,7 @@ import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.making.Chips
 import robotran.ui.assignment.making.ComesIntoView
 import robotran.ui.assignment.making.Section
+import robotran.ui.school.tags.CourseTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
@@ -30,11 +31,11 @@ import robotran.workshop.state.WorkToAdd
 @Composable
 internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
     val tasks = page.course.assignments
-    Section(SchoolTexts.courseTasks(spoken), "course-tasks") {
+    Section(SchoolTexts.courseTasks(spoken), CourseTags.COURSE_TASKS) {
         if (tasks.isEmpty()) {
             Explanation(
                 SchoolTexts.courseTasksNone(spoken),
-                Modifier.testTag("course-tasks-none"),
+                Modifier.testTag(CourseTags.COURSE_TASKS_NONE),
             )
         }
         tasks.forEachIndexed { index, task ->
@@ -43,27 +44,27 @@ internal fun CourseTasksSection(page: CoursePage.Making, onEvent: (WorkshopEvent
         }
         ComesIntoView(page.problem) { page.problem?.let { CourseErrorText(it) } }
         Chips {
-            Button(SchoolTexts.courseAddFiles(spoken), "course-add-files", ButtonKind.SECOND) {
+            Button(SchoolTexts.courseAddFiles(spoken), CourseTags.COURSE_ADD_FILES, ButtonKind.SECOND) {
                 onEvent(CourseEvent.FilesRequested)
             }
             if (page.works == null) {
-                Button(SchoolTexts.courseAddWorks(spoken), "course-add-works", ButtonKind.SECOND) {
+                Button(SchoolTexts.courseAddWorks(spoken), CourseTags.COURSE_ADD_WORKS, ButtonKind.SECOND) {
                     onEvent(CourseEvent.WorksShown(true))
                 }
             }
-            Button(SchoolTexts.makeUndo(spoken), "course-undo", ButtonKind.QUIET, enabled = page.canUndo) {
+            Button(SchoolTexts.makeUndo(spoken), CourseTags.COURSE_UNDO, ButtonKind.QUIET, enabled = page.canUndo) {
                 onEvent(CourseEvent.UndoRequested)
             }
         }
         page.works?.let { Works(it, onEvent) }
-        Quiet(SchoolTexts.courseTasksHelp(spoken), "course-tasks-help")
+        Quiet(SchoolTexts.courseTasksHelp(spoken), CourseTags.COURSE_TASKS_HELP)
     }
 }
 
 @Composable
 private fun TaskRow(task: Project, index: Int, count: Int, onEvent: (WorkshopEvent) -> Unit) {
     val title = task.world.title
-    Surface(Modifier.fillMaxWidth().testTag("course-row-$index")) {
+    Surface(Modifier.fillMaxWidth().testTag(CourseTags.row(index))) {
         BoxWithConstraints(Modifier.padding(start = 16.dp, end = 4.dp)) {
             // A title beside the buttons needs room for some words.
             val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
@@ -90,24 +91,24 @@ private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (Worksho
     IconButton(
         ThinIcons.UP,
         SchoolTexts.courseUp(spoken, title),
-        "course-up-$index",
+        CourseTags.up(index),
         IconButtonKind.SMALL,
         enabled = index > 0,
     ) { onEvent(CourseEvent.TaskMoved(index, -1)) }
     IconButton(
         ThinIcons.DOWN,
         SchoolTexts.courseDown(spoken, title),
-        "course-down-$index",
+        CourseTags.down(index),
         IconButtonKind.SMALL,
         enabled = index < count - 1,
     ) { onEvent(CourseEvent.TaskMoved(index, 1)) }
-    IconButton(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), "course-edit-$index") {
+    IconButton(Icon.SHEET_EDIT, SchoolTexts.courseEdit(spoken, title), CourseTags.edit(index)) {
         onEvent(CourseEvent.TaskOpened(index))
     }
     IconButton(
         ThinIcons.CROSS,
         SchoolTexts.courseTakeOut(spoken, title),
-        "course-take-out-$index",
+        CourseTags.takeOut(index),
         IconButtonKind.SMALL,
     ) {
         onEvent(CourseEvent.TaskRemoved(index))
@@ -116,22 +117,22 @@ private fun TaskButtons(title: String, index: Int, count: Int, onEvent: (Worksho
 
 @Composable
 private fun Works(works: List<WorkToAdd>, onEvent: (WorkshopEvent) -> Unit) {
-    Column(Modifier.testTag("course-works")) {
+    Column(Modifier.testTag(CourseTags.COURSE_WORKS)) {
         if (works.isEmpty()) {
             Explanation(
                 SchoolTexts.courseWorksNone(spoken),
-                Modifier.testTag("course-works-none"),
+                Modifier.testTag(CourseTags.COURSE_WORKS_NONE),
             )
         }
         Chips {
             for (work in works) {
                 val name = if (work.name == work.title) work.name else "${work.title} (${work.name})"
-                Button(SchoolTexts.courseAdd(spoken, name), "course-work-${work.id}", ButtonKind.SECOND) {
+                Button(SchoolTexts.courseAdd(spoken, name), CourseTags.work(work.id), ButtonKind.SECOND) {
                     onEvent(CourseEvent.WorkAdded(work.id))
                 }
             }
         }
-        Button(SchoolTexts.courseWorksClose(spoken), "course-works-close", ButtonKind.QUIET) {
+        Button(SchoolTexts.courseWorksClose(spoken), CourseTags.COURSE_WORKS_CLOSE, ButtonKind.QUIET) {
             onEvent(CourseEvent.WorksShown(false))
         }
     }

@@ -21,6 +21,7 @@ import robotran.ui.assignment.making.Field
 import robotran.ui.assignment.making.PupilLinkView
 import robotran.ui.assignment.making.Section
 import robotran.ui.documents.wordsFor
+import robotran.ui.school.tags.CourseTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
@@ -34,23 +35,23 @@ import robotran.world.WorldLimits
 @Composable
 internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
     val scroll = rememberScrollState()
-    Page(SchoolTexts.courseMake(spoken), "course-make", { onEvent(CourseEvent.PageClosed) }, scroll) {
+    Page(SchoolTexts.courseMake(spoken), CourseTags.COURSE_MAKE, { onEvent(CourseEvent.PageClosed) }, scroll) {
         Column(
-            Modifier.testTag("course-form").verticalScroll(scroll).padding(24.dp),
+            Modifier.testTag(CourseTags.COURSE_FORM).verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Explanation(SchoolTexts.courseMakeIntro(spoken))
-            Section(SchoolTexts.courseAbout(spoken), "course-about") {
+            Section(SchoolTexts.courseAbout(spoken), CourseTags.COURSE_ABOUT) {
                 Field(
                     page.course.title,
                     SchoolTexts.courseTitleLabel(spoken),
-                    "course-title",
+                    CourseTags.COURSE_TITLE,
                     WorldLimits.MAXIMUM_TITLE_CHARACTERS,
                 ) { onEvent(CourseEvent.TitleChanged(it)) }
                 Field(
                     page.course.text,
                     SchoolTexts.courseTextLabel(spoken),
-                    "course-text",
+                    CourseTags.COURSE_TEXT,
                     AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
                     lines = 3,
                 ) { onEvent(CourseEvent.TextChanged(it)) }
@@ -63,24 +64,24 @@ internal fun MakeCoursePage(page: CoursePage.Making, onEvent: (WorkshopEvent) ->
 
 @Composable
 private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) {
-    Section(SchoolTexts.makeGive(spoken), "course-give") {
+    Section(SchoolTexts.makeGive(spoken), CourseTags.COURSE_GIVE) {
         if (!page.isComplete) {
-            Explanation(SchoolTexts.courseIncomplete(spoken), Modifier.testTag("course-incomplete"))
+            Explanation(SchoolTexts.courseIncomplete(spoken), Modifier.testTag(CourseTags.COURSE_INCOMPLETE))
             return@Section
         }
-        Quiet(SchoolTexts.makeGiveHelp(spoken), "course-give-help")
+        Quiet(SchoolTexts.makeGiveHelp(spoken), CourseTags.COURSE_GIVE_HELP)
         Chips {
-            Button(SchoolTexts.makeTeacherFile(spoken), "course-teacher-file") {
+            Button(SchoolTexts.makeTeacherFile(spoken), CourseTags.COURSE_TEACHER_FILE) {
                 onEvent(CourseEvent.TeacherFileSaved)
             }
-            Button(SchoolTexts.makePupilFile(spoken), "course-pupil-file") {
+            Button(SchoolTexts.makePupilFile(spoken), CourseTags.COURSE_PUPIL_FILE) {
                 onEvent(CourseEvent.PupilFileSaved)
             }
-            Button(SchoolTexts.makePupilLink(spoken), "course-link", ButtonKind.SECOND) {
+            Button(SchoolTexts.makePupilLink(spoken), CourseTags.COURSE_LINK, ButtonKind.SECOND) {
                 onEvent(CourseEvent.LinkRequested)
             }
         }
-        ComesIntoView(page.savedAs) { SaveResult(page.savedAs, null, "course-saved") }
+        ComesIntoView(page.savedAs) { SaveResult(page.savedAs, null, CourseTags.COURSE_SAVED) }
         ComesIntoView(page.link?.run { link ?: problem }) { page.link?.let { CourseLink(it, page, onEvent) } }
     }
 }
@@ -88,7 +89,7 @@ private fun GiveSection(page: CoursePage.Making, onEvent: (WorkshopEvent) -> Uni
 @Composable
 private fun CourseLink(link: PupilLink, page: CoursePage.Making, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
     link,
-    "course",
+    CourseTags.COURSE,
     SchoolTexts::courseQrHelp,
     onCopy = { onEvent(CourseEvent.LinkCopied) },
     onShare = { onEvent(CourseEvent.LinkShared) }.takeIf { page.hasShareSheet },
@@ -105,5 +106,5 @@ internal fun CourseErrorText(problem: CourseError) {
         CourseError.NotKept -> SchoolTexts.courseProblemKept(spoken)
         is CourseError.NotSaved -> SchoolTexts.handInNotSaved(spoken, problem.reason).trim()
     }
-    Explanation(words, Modifier.testTag("course-problem").announced(), bad = true)
+    Explanation(words, Modifier.testTag(CourseTags.COURSE_PROBLEM).announced(), bad = true)
 }

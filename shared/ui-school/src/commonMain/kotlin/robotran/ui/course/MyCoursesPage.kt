@@ -23,6 +23,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.CourseTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -37,16 +38,18 @@ import robotran.workshop.state.CoursePage
 @Composable
 internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) -> Unit) {
     val list = rememberLazyListState()
-    Page(SchoolTexts.courseList(spoken), "courses-page", { onEvent(CourseEvent.PageClosed) }, list) {
+    Page(SchoolTexts.courseList(spoken), CourseTags.COURSES_PAGE, { onEvent(CourseEvent.PageClosed) }, list) {
         LazyColumn(
-            Modifier.fillMaxSize().testTag("courses").scrolledByReaders(list) { list.layoutInfo.viewportSize.height },
+            Modifier.fillMaxSize().testTag(CourseTags.COURSES).scrolledByReaders(list) {
+                list.layoutInfo.viewportSize.height
+            },
             list,
             PaddingValues(20.dp),
             verticalArrangement = Arrangement.spacedBy(12.dp),
         ) {
             if (page.courses.isEmpty()) {
                 item(key = "none") {
-                    Explanation(SchoolTexts.courseListNone(spoken), Modifier.testTag("courses-none"))
+                    Explanation(SchoolTexts.courseListNone(spoken), Modifier.testTag(CourseTags.COURSES_NONE))
                 }
             }
             items(page.courses, key = { it.key }) { CourseRow(it, onEvent) }
@@ -56,13 +59,13 @@ internal fun MyCoursesPage(page: CoursePage.MyCourses, onEvent: (WorkshopEvent) 
                     Arrangement.spacedBy(8.dp),
                     Arrangement.spacedBy(8.dp),
                 ) {
-                    Button(SchoolTexts.courseOpen(spoken), "courses-open", ButtonKind.SECOND) {
+                    Button(SchoolTexts.courseOpen(spoken), CourseTags.COURSES_OPEN, ButtonKind.SECOND) {
                         onEvent(DocumentEvent.OpenRequested)
                     }
-                    Button(SchoolTexts.courseOpenLink(spoken), "courses-open-link", ButtonKind.SECOND) {
+                    Button(SchoolTexts.courseOpenLink(spoken), CourseTags.COURSES_OPEN_LINK, ButtonKind.SECOND) {
                         onEvent(DocumentEvent.LinkPastingRequested)
                     }
-                    Button(SchoolTexts.courseMake(spoken), "courses-make", ButtonKind.SECOND) {
+                    Button(SchoolTexts.courseMake(spoken), CourseTags.COURSES_MAKE, ButtonKind.SECOND) {
                         onEvent(CourseEvent.MakingRequested(null))
                     }
                 }
@@ -80,7 +83,7 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
             Column(
                 Modifier
                     .weight(1f)
-                    .testTag("course-${course.key}")
+                    .testTag(CourseTags.course(course.key))
                     .heightIn(min = Dimensions.TARGET)
                     .focusRing()
                     .clip(Shapes.MEDIUM)
@@ -98,7 +101,7 @@ private fun CourseRow(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit) {
                     Text(SchoolTexts.courseForTeachers(spoken), style = TextStyles.sentence, color = colours.quiet)
                 }
             }
-            IconButton(Icon.CLOSE, SchoolTexts.courseRemove(spoken, course.title), "course-remove-${course.key}") {
+            IconButton(Icon.CLOSE, SchoolTexts.courseRemove(spoken, course.title), CourseTags.remove(course.key)) {
                 onEvent(CourseEvent.RemovalRequested(course.key))
             }
         }
@@ -112,8 +115,8 @@ private fun RemovalDialog(course: CourseEntry, onEvent: (WorkshopEvent) -> Unit)
         SchoolTexts.courseRemoveTitle(spoken),
         keep,
         buttons = {
-            Button(DocumentTexts.cancel(spoken), "course-remove-no", ButtonKind.DIALOG_OTHER, onClick = keep)
-            Button(SchoolTexts.courseRemoveYes(spoken), "course-remove-yes", ButtonKind.DIALOG_MAIN) {
+            Button(DocumentTexts.cancel(spoken), CourseTags.COURSE_REMOVE_NO, ButtonKind.DIALOG_OTHER, onClick = keep)
+            Button(SchoolTexts.courseRemoveYes(spoken), CourseTags.COURSE_REMOVE_YES, ButtonKind.DIALOG_MAIN) {
                 onEvent(CourseEvent.Removed)
             }
         },

@@ -7,6 +7,7 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.CourseTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
@@ -23,12 +24,12 @@ import robotran.workshop.state.OpenCourseTask
 fun NextInCourse(open: OpenCourseTask, onEvent: (WorkshopEvent) -> Unit, handIn: @Composable () -> Unit) {
     FlowRow(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         open.next?.let { next ->
-            Button(SchoolTexts.courseNext(spoken, next), "solved-course-next") {
+            Button(SchoolTexts.courseNext(spoken, next), CourseTags.SOLVED_COURSE_NEXT) {
                 onEvent(CourseEvent.NextTaskChosen)
             }
         }
         handIn()
-        Button(SchoolTexts.courseBack(spoken), "solved-course", ButtonKind.SECOND) {
+        Button(SchoolTexts.courseBack(spoken), CourseTags.SOLVED_COURSE, ButtonKind.SECOND) {
             onEvent(CourseEvent.OpenCourseRequested)
         }
     }

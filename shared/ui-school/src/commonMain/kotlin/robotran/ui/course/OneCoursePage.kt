@@ -16,6 +16,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.learning.MarkedText
 import robotran.ui.learning.StationPath
 import robotran.ui.learning.Stop
+import robotran.ui.school.tags.CourseTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
@@ -28,9 +29,9 @@ import robotran.workshop.state.CourseTask
 internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) {
     val next = page.next
     val scroll = rememberScrollState()
-    Page(page.title, "course-page", { onEvent(CourseEvent.PageClosed) }, scroll, maxWidth = 960.dp) {
+    Page(page.title, CourseTags.COURSE_PAGE, { onEvent(CourseEvent.PageClosed) }, scroll, maxWidth = 960.dp) {
         Column(
-            Modifier.fillMaxWidth().testTag("course").verticalScroll(scroll).padding(20.dp),
+            Modifier.fillMaxWidth().testTag(CourseTags.COURSE).verticalScroll(scroll).padding(20.dp),
             Arrangement.spacedBy(12.dp),
         ) {
             for (paragraph in page.text.split(PARAGRAPH).filter { it.isNotBlank() }) {
@@ -38,21 +39,21 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
             }
             Text(
                 SchoolTexts.courseDone(spoken, page.done, page.tasks.size),
-                Modifier.testTag("course-done"),
+                Modifier.testTag(CourseTags.COURSE_DONE),
                 TextStyles.compact,
                 color = LocalRobotranColours.current.quiet,
             )
             if (next == null) {
-                Explanation(SchoolTexts.courseAllDone(spoken), Modifier.testTag("course-all-done"))
+                Explanation(SchoolTexts.courseAllDone(spoken), Modifier.testTag(CourseTags.COURSE_ALL_DONE))
             } else {
                 val words = if (page.tasks.none { it.isBegun }) SchoolTexts::courseBegin else SchoolTexts::courseGoOn
-                Button(words(spoken, page.tasks[next].title), "course-go-on") {
+                Button(words(spoken, page.tasks[next].title), CourseTags.COURSE_GO_ON) {
                     onEvent(CourseEvent.TaskChosen(next))
                 }
             }
             StationPath(
                 page.tasks.mapIndexed { index, task ->
-                    Stop("course-task-$index", task.title, task.isDone, index == next, noteOf(task)) {
+                    Stop(CourseTags.task(index), task.title, task.isDone, index == next, noteOf(task)) {
                         onEvent(CourseEvent.TaskChosen(index))
                     }
                 },
@@ -66,10 +67,10 @@ internal fun OneCoursePage(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) 
 @Composable
 private fun TeachersButtons(page: CoursePage.OneCourse, onEvent: (WorkshopEvent) -> Unit) =
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        Button(SchoolTexts.handInsMenu(spoken), "course-hand-ins", ButtonKind.SECOND) {
+        Button(SchoolTexts.handInsMenu(spoken), CourseTags.COURSE_HAND_INS, ButtonKind.SECOND) {
             onEvent(CourseEvent.HandInsRequested(page.key))
         }
-        Button(SchoolTexts.courseChange(spoken), "course-change", ButtonKind.SECOND) {
+        Button(SchoolTexts.courseChange(spoken), CourseTags.COURSE_CHANGE, ButtonKind.SECOND) {
             onEvent(CourseEvent.MakingRequested(page.key))
         }
     }

@@ -3,6 +3,7 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -18,14 +19,14 @@ internal fun AboutDialog(dialog: DocumentDialog.About, onEvent: (DocumentEvent) 
         buttons = {
             Button(
                 DocumentTexts.understood(spoken),
-                "document-done",
+                DocumentTags.DOCUMENT_DONE,
                 ButtonKind.DIALOG_MAIN,
                 onClick = close,
             )
         },
     ) {
         if (dialog.version.isNotEmpty()) {
-            Explanation(DocumentTexts.aboutVersion(spoken, dialog.version), Modifier.testTag("version"))
+            Explanation(DocumentTexts.aboutVersion(spoken, dialog.version), Modifier.testTag(DocumentTags.VERSION))
         }
         Explanation(DocumentTexts.aboutHelp(spoken))
     }

@@ -4,6 +4,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import robotran.documents.OpenFilesError
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -43,15 +44,15 @@ private fun ChangedMeanwhileDialog(dialog: DocumentDialog.ChangedElsewhere, onEv
         DocumentTexts.changedTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            Button(DocumentTexts.changedTheirs(spoken), "changed-theirs", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.changedTheirs(spoken), DocumentTags.CHANGED_THEIRS, ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.TAKE_THEIRS)
             }
-            Button(DocumentTexts.changedOver(spoken), "changed-over", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.changedOver(spoken), DocumentTags.CHANGED_OVER, ButtonKind.DIALOG_OTHER) {
                 answer(DocumentAnswer.GO_ON)
             }
             Button(
                 DocumentTexts.changedAs(spoken),
-                "changed-as",
+                DocumentTags.CHANGED_AS,
                 ButtonKind.DIALOG_MAIN,
             ) { answer(DocumentAnswer.SAVE_AS) }
         },
@@ -64,13 +65,13 @@ private fun WouldBeLostDialog(onEvent: (DocumentEvent) -> Unit) {
         DocumentTexts.lossTitle(spoken),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            Button(DocumentTexts.cancel(spoken), "document-cancel", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.DialogClosed)
             }
-            Button(DocumentTexts.lossGoOn(spoken), "loss-go-on", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.lossGoOn(spoken), DocumentTags.LOSS_GO_ON, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.GO_ON))
             }
-            Button(CommonTexts.saveAs(spoken), "loss-save-as", ButtonKind.DIALOG_MAIN) {
+            Button(CommonTexts.saveAs(spoken), DocumentTags.LOSS_SAVE_AS, ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.Answered(DocumentAnswer.SAVE_AS))
             }
         },
@@ -86,13 +87,13 @@ private fun RejectedDialog(dialog: DocumentDialog.Rejected, onEvent: (DocumentEv
         buttons = {
             Button(
                 DocumentTexts.understood(spoken),
-                "document-done",
+                DocumentTags.DOCUMENT_DONE,
                 ButtonKind.DIALOG_MAIN,
                 onClick = close,
             )
         },
     ) {
-        Explanation(wordsFor(dialog.error), Modifier.testTag("document-trouble"))
+        Explanation(wordsFor(dialog.error), Modifier.testTag(DocumentTags.DOCUMENT_TROUBLE))
         Explanation(DocumentTexts.refusedHelp(spoken))
     }
 }

@@ -3,6 +3,7 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -15,17 +16,17 @@ internal fun NewerInMyWorkDialog(dialog: DocumentDialog.NewerInMyWork, onEvent: 
         DocumentTexts.newerTitle(spoken, dialog.fileName),
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            Button(DocumentTexts.newerFile(spoken), "newer-file", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.newerFile(spoken), DocumentTags.NEWER_FILE, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = false))
             }
-            Button(DocumentTexts.newerWork(spoken), "newer-work", ButtonKind.DIALOG_MAIN) {
+            Button(DocumentTexts.newerWork(spoken), DocumentTags.NEWER_WORK, ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.WorkOrFileChosen(isWork = true))
             }
         },
     ) {
         Explanation(
             DocumentTexts.newerWorkTime(spoken, dialog.workTime),
-            Modifier.testTag("newer-times"),
+            Modifier.testTag(DocumentTags.NEWER_TIMES),
         )
         dialog.fileTime?.let { Explanation(DocumentTexts.newerFileTime(spoken, it)) }
         Explanation(DocumentTexts.newerBoth(spoken))

@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -37,16 +38,18 @@ internal fun ProjectActions(work: ProjectListEntry, onEvent: (DocumentEvent) -> 
         onEvent(event)
     }
     Box {
-        IconButton(Icon.MORE, DocumentTexts.workActions(spoken, nameOf(work)), "actions-$id") { isOpen = true }
+        IconButton(Icon.MORE, DocumentTexts.workActions(spoken, nameOf(work)), DocumentTags.actions(id)) {
+            isOpen = true
+        }
         AppMenu(isOpen, { isOpen = false }) {
-            MenuItem(DocumentTexts.rename(spoken), "rename-$id") {
+            MenuItem(DocumentTexts.rename(spoken), DocumentTags.rename(id)) {
                 choose(DocumentEvent.ProjectRenamingRequested(id))
             }
-            MenuItem(DocumentTexts.duplicate(spoken), "duplicate-$id") {
+            MenuItem(DocumentTexts.duplicate(spoken), DocumentTags.duplicate(id)) {
                 choose(DocumentEvent.ProjectDuplicated(id))
             }
             if (!work.isOpen) {
-                MenuItem(DocumentTexts.delete(spoken), "delete-$id") {
+                MenuItem(DocumentTexts.delete(spoken), DocumentTags.delete(id)) {
                     choose(DocumentEvent.ProjectDeleted(id))
                 }
             }
@@ -66,12 +69,12 @@ internal fun RenamingRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Uni
             if (mayBeDone) done()
         }
         FlowRow(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp, Alignment.End)) {
-            Button(DocumentTexts.cancel(spoken), "rename-cancel", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.cancel(spoken), DocumentTags.RENAME_CANCEL, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.ProjectRenamed(null))
             }
             Button(
                 DocumentTexts.nameDone(spoken),
-                "rename-done",
+                DocumentTags.RENAME_DONE,
                 ButtonKind.DIALOG_MAIN,
                 enabled = mayBeDone,
                 onClick = done,
@@ -92,7 +95,7 @@ internal fun DeletedRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
             DocumentTexts.deleted(spoken, nameOf(work)),
             Modifier.weight(1f).announced(),
         )
-        Button(DocumentTexts.bringBack(spoken), "delete-undo", ButtonKind.DIALOG_OTHER) {
+        Button(DocumentTexts.bringBack(spoken), DocumentTags.DELETE_UNDO, ButtonKind.DIALOG_OTHER) {
             onEvent(DocumentEvent.ProjectDeletionUndone)
         }
     }

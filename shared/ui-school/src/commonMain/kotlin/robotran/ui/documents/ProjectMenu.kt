@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -44,7 +45,7 @@ fun ProjectMenu(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, modifier
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
-            modifier = Modifier.widthIn(min = 240.dp).testTag("work-menu-items"),
+            modifier = Modifier.widthIn(min = 240.dp).testTag(DocumentTags.WORK_MENU_ITEMS),
         ) {
             ProjectMenuItems(state, onEvent, { open = false })
         }
@@ -59,7 +60,7 @@ fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
         DocumentTexts.menu(spoken, state.name.ifEmpty { DocumentTexts.untitled(spoken) })
     val condition = conditionOf(state)
     MenuItem(
-        "work-menu",
+        DocumentTags.WORK_MENU,
         onClick,
         Modifier.semantics {
             contentDescription = words
@@ -95,7 +96,7 @@ private fun ProjectName(state: DocumentState, onClick: () -> Unit) {
     val condition = conditionOf(state)
     Row(
         Modifier
-            .testTag("work-menu")
+            .testTag(DocumentTags.WORK_MENU)
             .heightIn(min = Dimensions.TARGET)
             .clip(Shapes.MEDIUM)
             .focusRing()

@@ -4,6 +4,9 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import robotran.ui.common.tags.CommonTags
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.BrickLabels
@@ -27,40 +30,42 @@ fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, clo
         onEvent(event)
     }
     if (state.error != null) {
-        ProjectMenuItem(DocumentTexts::notKept, "trouble", "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
+        ProjectMenuItem(DocumentTexts::notKept, DocumentTags.TROUBLE, "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
         HorizontalDivider()
     }
-    ProjectMenuItem(CommonTexts::newProject, "new") { choose(DocumentEvent.NewRequested) }
+    ProjectMenuItem(CommonTexts::newProject, DocumentTags.NEW) { choose(DocumentEvent.NewRequested) }
     for (brick in OTHER_BRICKS) {
-        ProjectMenuItem(BrickLabels.of(brick).newProject, "new-${brick.name.lowercase()}") {
+        ProjectMenuItem(BrickLabels.of(brick).newProject, DocumentTags.new(brick)) {
             choose(DocumentEvent.NewWithBrick(brick))
         }
     }
-    ProjectMenuItem(CommonTexts::myWork, "my-work") { choose(DocumentEvent.ProjectListRequested) }
-    ProjectMenuItem(DocumentTexts::open, "open") { choose(DocumentEvent.OpenRequested) }
-    ProjectMenuItem(DocumentTexts::openLink, "open-link") { choose(DocumentEvent.LinkPastingRequested) }
+    ProjectMenuItem(CommonTexts::myWork, DocumentTags.MY_WORK) { choose(DocumentEvent.ProjectListRequested) }
+    ProjectMenuItem(DocumentTexts::open, DocumentTags.OPEN) { choose(DocumentEvent.OpenRequested) }
+    ProjectMenuItem(DocumentTexts::openLink, DocumentTags.OPEN_LINK) { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider()
-    ProjectMenuItem(DocumentTexts::rename, "rename") { choose(DocumentEvent.RenameRequested) }
+    ProjectMenuItem(DocumentTexts::rename, DocumentTags.RENAME) { choose(DocumentEvent.RenameRequested) }
     if (state.fileName != null) {
-        ProjectMenuItem(DocumentTexts::save, "save") { choose(DocumentEvent.SaveRequested) }
+        ProjectMenuItem(DocumentTexts::save, DocumentTags.SAVE) { choose(DocumentEvent.SaveRequested) }
     }
-    ProjectMenuItem(CommonTexts::saveAs, "save-as") { choose(DocumentEvent.SaveAsRequested) }
-    ProjectMenuItem(DocumentTexts::share, "share-link") { choose(DocumentEvent.LinkRequested) }
+    ProjectMenuItem(CommonTexts::saveAs, DocumentTags.SAVE_AS) { choose(DocumentEvent.SaveAsRequested) }
+    ProjectMenuItem(DocumentTexts::share, DocumentTags.SHARE_LINK) { choose(DocumentEvent.LinkRequested) }
     HorizontalDivider()
-    if (state.canSend) ProjectMenuItem(CommonTexts::sendToRobot, "send-robot") { choose(SendEvent.Requested) }
-    ProjectMenuItem(CommonTexts::showWork, "show") { choose(ExportEvent.Requested) }
-    ProjectMenuItem(SchoolTexts::makeTitle, "make-assignment") { choose(AssignmentEvent.MakingRequested) }
-    ProjectMenuItem(DocumentTexts::replay, "replay") { choose(DocumentEvent.ReplayRequested) }
-    ProjectMenuItem(DocumentTexts::programFile, "program-file") { choose(DocumentEvent.ProgramFileRequested) }
+    if (state.canSend) ProjectMenuItem(CommonTexts::sendToRobot, CommonTags.SEND_ROBOT) { choose(SendEvent.Requested) }
+    ProjectMenuItem(CommonTexts::showWork, DocumentTags.SHOW) { choose(ExportEvent.Requested) }
+    ProjectMenuItem(SchoolTexts::makeTitle, DocumentTags.MAKE_ASSIGNMENT) { choose(AssignmentEvent.MakingRequested) }
+    ProjectMenuItem(DocumentTexts::replay, DocumentTags.REPLAY) { choose(DocumentEvent.ReplayRequested) }
+    ProjectMenuItem(DocumentTexts::programFile, DocumentTags.PROGRAM_FILE) {
+        choose(DocumentEvent.ProgramFileRequested)
+    }
     val kit = if (state.hasFirmwareImage) NqcTexts::documentsFirmwareImage else CommonTexts::sendingKit
-    ProjectMenuItem(kit, "kit") { choose(DocumentEvent.KitRequested) }
+    ProjectMenuItem(kit, DocumentTags.KIT) { choose(DocumentEvent.KitRequested) }
     if (state.hasGoals) {
         HorizontalDivider()
-        ProjectMenuItem(SchoolTexts::handInsMenu, "hand-ins") { choose(HandInsEvent.Requested) }
+        ProjectMenuItem(SchoolTexts::handInsMenu, HandInTags.HAND_INS) { choose(HandInsEvent.Requested) }
     }
 }
 
 @Composable
 private fun ProjectMenuItem(label: Label, tag: String, sign: String = "", onClick: () -> Unit) {
-    MenuItem(sign + label(spoken), "work-$tag", onClick = onClick)
+    MenuItem(sign + label(spoken), DocumentTags.menuItem(tag), onClick = onClick)
 }

@@ -34,6 +34,7 @@ import robotran.projects.Project
 import robotran.projects.RobotProgramSets
 import robotran.projects.readRobotLoads
 import robotran.simulation.RobotProgramSet
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -58,7 +59,7 @@ internal fun ProjectRow(work: ProjectListEntry, onEvent: (DocumentEvent) -> Unit
                 .clip(Shapes.MEDIUM)
                 .focusRing()
                 .clickable(role = Role.Button) { onEvent(DocumentEvent.SavedProjectChosen(work.entry.id)) }
-                .testTag("work-${work.entry.id}")
+                .testTag(DocumentTags.work(work.entry.id))
                 .padding(8.dp),
             Arrangement.spacedBy(12.dp),
             Alignment.CenterVertically,

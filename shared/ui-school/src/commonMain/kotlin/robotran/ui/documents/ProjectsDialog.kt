@@ -9,6 +9,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
@@ -31,11 +32,11 @@ internal fun ProjectsDialog(
         CommonTexts.myWork(spoken),
         close,
         buttons = {
-            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(DocumentTexts.close(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
             for (brick in OTHER_BRICKS) {
                 Button(
                     BrickLabels.of(brick).newProject(spoken),
-                    "works-new-${brick.name.lowercase()}",
+                    DocumentTags.worksNew(brick),
                     ButtonKind.DIALOG_OTHER,
                 ) {
                     onEvent(DocumentEvent.NewWithBrick(brick))
@@ -43,7 +44,7 @@ internal fun ProjectsDialog(
             }
             Button(
                 CommonTexts.newProject(spoken),
-                "works-new",
+                DocumentTags.WORKS_NEW,
                 ButtonKind.DIALOG_MAIN,
             ) { onEvent(DocumentEvent.NewRequested) }
         },
@@ -56,7 +57,7 @@ internal fun ProjectsDialog(
             projects.isEmpty() -> EmptyState(
                 EmptyPicture.SHEETS,
                 DocumentTexts.worksEmpty(spoken),
-                "works-empty",
+                DocumentTags.WORKS_EMPTY,
                 Modifier.fillMaxWidth(),
             )
 
@@ -76,7 +77,7 @@ internal fun ProjectsDialog(
 @Composable
 private fun ListNotice(label: String, isError: Boolean) = Explanation(
     label,
-    Modifier.testTag("works-notice").semantics {
+    Modifier.testTag(DocumentTags.WORKS_NOTICE).semantics {
         liveRegion = if (isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
     },
     bad = isError,

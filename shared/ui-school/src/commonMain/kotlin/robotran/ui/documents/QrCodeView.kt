@@ -36,6 +36,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import robotran.qrcode.QrCode
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -60,7 +61,7 @@ internal fun LinkAsQrCode(
     val news = Modifier.announced()
     if (code == null) {
         val words = if (isForClass) SchoolTexts::makeQrLong else DocumentTexts::qrLong
-        Explanation(words(spoken), news.testTag("qr-too-long"))
+        Explanation(words(spoken), news.testTag(DocumentTags.QR_TOO_LONG))
         return
     }
     if (help.isNotEmpty()) Explanation(help, news)
@@ -68,9 +69,9 @@ internal fun LinkAsQrCode(
     val large = DocumentTexts.qrLarge(spoken)
     Box(Modifier.fillMaxWidth(), Alignment.Center) {
         val side = Modifier.widthIn(max = minOf(maxSide, MAX_SIDE)).fillMaxWidth()
-        QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, "qr-code")
+        QrCodeView(code, side.focusRing().clickable(onClickLabel = large) { isLarge = true }, DocumentTags.QR_CODE)
     }
-    if (isForClass) Button(large, "qr-show-large", ButtonKind.SECOND) { isLarge = true }
+    if (isForClass) Button(large, DocumentTags.QR_SHOW_LARGE, ButtonKind.SECOND) { isLarge = true }
     if (isLarge) LargeQrCode(code) { isLarge = false }
 }
 
@@ -82,7 +83,7 @@ internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
         val close = @Composable {
             Button(
                 SchoolTexts.handInClose(spoken),
-                "qr-large-close",
+                DocumentTags.QR_LARGE_CLOSE,
                 modifier = Modifier.padding(8.dp),
                 onClick = onClose,
             )
@@ -91,7 +92,7 @@ internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
             Modifier
                 .fillMaxSize()
                 .background(RobotranColours.ON_COLOUR)
-                .testTag("qr-large-view")
+                .testTag(DocumentTags.QR_LARGE_VIEW)
                 .semantics { paneTitle = name },
         ) {
             val isAcross = maxWidth > maxHeight
@@ -101,7 +102,7 @@ internal fun LargeQrCode(code: QrCode, onClose: () -> Unit) =
             } else {
                 minOf(maxWidth, maxHeight - CLOSE_HEIGHT)
             }
-            val large = @Composable { QrCodeView(code, Modifier.size(side), "qr-code-large") }
+            val large = @Composable { QrCodeView(code, Modifier.size(side), DocumentTags.QR_CODE_LARGE) }
             if (isAcross) {
                 Row(Modifier.fillMaxSize()) {
                     Box(Modifier.weight(1f).fillMaxHeight(), Alignment.Center) { large() }

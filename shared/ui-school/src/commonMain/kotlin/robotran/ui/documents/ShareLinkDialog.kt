@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.projects.localSite
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -27,20 +28,22 @@ internal fun ShareLinkDialog(
         DocumentTexts.shareTitle(spoken),
         close,
         buttons = {
-            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(DocumentTexts.close(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
             if (link != null && hasShareSheet) {
-                Button(DocumentTexts.shareElsewhere(spoken), "link-share", ButtonKind.DIALOG_OTHER) {
+                Button(DocumentTexts.shareElsewhere(spoken), DocumentTags.LINK_SHARE, ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.LinkShared)
                 }
             }
             if (link != null) {
                 val words = if (dialog.copied) DocumentTexts::copied else DocumentTexts::copy
-                Button(words(spoken), "link-copy", ButtonKind.DIALOG_MAIN) { onEvent(DocumentEvent.LinkCopied) }
+                Button(words(spoken), DocumentTags.LINK_COPY, ButtonKind.DIALOG_MAIN) {
+                    onEvent(DocumentEvent.LinkCopied)
+                }
             }
         },
     ) {
         when {
-            tooLong != null -> Explanation(tooLong, Modifier.testTag("document-trouble"), bad = true)
+            tooLong != null -> Explanation(tooLong, Modifier.testTag(DocumentTags.DOCUMENT_TROUBLE), bad = true)
             link == null -> Explanation(DocumentTexts.shareMaking(spoken))
             else -> LinkItself(link)
         }
@@ -55,11 +58,11 @@ internal fun ShareFileDialog(onEvent: (DocumentEvent) -> Unit) {
         DocumentTexts.shareFileTitle(spoken),
         close,
         buttons = {
-            Button(DocumentTexts.close(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
-            Button(DocumentTexts.shareSite(spoken), "share-site", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.close(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(DocumentTexts.shareSite(spoken), DocumentTags.SHARE_SITE, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.SiteRequested)
             }
-            Button(CommonTexts.saveAs(spoken), "share-save-as", ButtonKind.DIALOG_MAIN) {
+            Button(CommonTexts.saveAs(spoken), DocumentTags.SHARE_SAVE_AS, ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.SaveAsRequested)
             }
         },
@@ -74,7 +77,7 @@ private fun LinkItself(link: String) {
     TextField(
         link,
         { },
-        Modifier.fillMaxWidth().testTag("link-text"),
+        Modifier.fillMaxWidth().testTag(DocumentTags.LINK_TEXT),
         DocumentTexts.linkLabel(spoken),
         1..MAX_LINES,
         extras = FieldExtras(isReadOnly = true),
@@ -82,7 +85,7 @@ private fun LinkItself(link: String) {
     val length = DocumentTexts.shareLength(spoken, link.length)
     Text(
         length,
-        Modifier.testTag("link-length").announced(),
+        Modifier.testTag(DocumentTags.LINK_LENGTH).announced(),
         TextStyles.small,
         color = colours.quiet,
     )
@@ -94,7 +97,7 @@ private fun LinkItself(link: String) {
 @Composable
 internal fun LocalLinkNote(link: String) {
     val site = localSite(link) ?: return
-    Explanation(DocumentTexts.shareLocal(spoken, site), Modifier.testTag("link-local"), bad = true)
+    Explanation(DocumentTexts.shareLocal(spoken, site), Modifier.testTag(DocumentTags.LINK_LOCAL), bad = true)
 }
 
 private const val MAX_LINES = 3

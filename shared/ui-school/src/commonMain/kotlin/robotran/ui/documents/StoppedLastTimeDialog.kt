@@ -3,6 +3,7 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -22,18 +23,18 @@ internal fun StoppedLastTimeDialog(dialog: DocumentDialog.StoppedLastTime, onEve
         title,
         onClose = { onEvent(DocumentEvent.DialogClosed) },
         buttons = {
-            Button(DocumentTexts.stoppedOpen(spoken), "stopped-open", ButtonKind.DIALOG_OTHER) {
+            Button(DocumentTexts.stoppedOpen(spoken), DocumentTags.STOPPED_OPEN, ButtonKind.DIALOG_OTHER) {
                 onEvent(DocumentEvent.StoppedWorkOpened)
             }
             // Files are where they came from.
             if (dialog.work != StoppedWork.OfFiles) {
-                Button(DocumentTexts.stoppedSave(spoken), "stopped-save", ButtonKind.DIALOG_OTHER) {
+                Button(DocumentTexts.stoppedSave(spoken), DocumentTags.STOPPED_SAVE, ButtonKind.DIALOG_OTHER) {
                     onEvent(DocumentEvent.StoppedWorkSaved)
                 }
             }
-            Button(CommonTexts.myWork(spoken), "stopped-my-work", ButtonKind.DIALOG_MAIN) {
+            Button(CommonTexts.myWork(spoken), DocumentTags.STOPPED_MY_WORK, ButtonKind.DIALOG_MAIN) {
                 onEvent(DocumentEvent.ProjectListRequested)
             }
         },
-    ) { Explanation(DocumentTexts.stoppedHelp(spoken), Modifier.testTag("stopped-help")) }
+    ) { Explanation(DocumentTexts.stoppedHelp(spoken), Modifier.testTag(DocumentTags.STOPPED_HELP)) }
 }

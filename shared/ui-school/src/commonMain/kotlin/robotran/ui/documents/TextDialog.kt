@@ -24,6 +24,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextRange
 import androidx.compose.ui.text.input.ImeAction
 import androidx.compose.ui.text.input.TextFieldValue
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -79,14 +80,14 @@ private fun TextDialog(
         title,
         close,
         buttons = {
-            Button(DocumentTexts.cancel(spoken), "document-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
-            Button(doneWords, "document-done", ButtonKind.DIALOG_MAIN, enabled = mayBeDone, onClick = onDone)
+            Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(doneWords, DocumentTags.DOCUMENT_DONE, ButtonKind.DIALOG_MAIN, enabled = mayBeDone, onClick = onDone)
         },
     ) {
         if (help != null) Explanation(help)
         OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
         if (error != null) {
-            val announced = Modifier.testTag("document-trouble").announced()
+            val announced = Modifier.testTag(DocumentTags.DOCUMENT_TROUBLE).announced()
             Explanation(error, announced, bad = true)
         }
     }
@@ -106,7 +107,7 @@ internal fun OneLine(
     TextField(
         value,
         onValue,
-        Modifier.fillMaxWidth().focusRequester(focus).testTag("document-text").onPreviewKeyEvent {
+        Modifier.fillMaxWidth().focusRequester(focus).testTag(DocumentTags.DOCUMENT_TEXT).onPreviewKeyEvent {
             val isReturn = it.key == Key.Enter || it.key == Key.NumPadEnter
             if (isReturn && it.type == KeyEventType.KeyDown) onReturn()
             isReturn

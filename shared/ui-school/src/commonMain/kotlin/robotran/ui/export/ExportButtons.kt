@@ -2,6 +2,7 @@ package robotran.ui.export
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import robotran.ui.school.tags.ExportTags
 import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
@@ -38,11 +39,11 @@ private fun actionsOf(state: ExportState): Pair<ShowAction, List<ShowAction>> = 
 }
 
 private enum class ShowAction(val words: Label, val tag: String, val event: ExportEvent) {
-    CLOSE(ExportTexts::close, "show-close", ExportEvent.Closed),
-    BACK(ExportTexts::back, "show-back", ExportEvent.BackRequested),
-    CANCEL(ExportTexts::cancel, "show-cancel", ExportEvent.BackRequested),
-    MORE(ExportTexts::more, "show-more", ExportEvent.BackRequested),
-    MAKE(ExportTexts::make, "show-make", ExportEvent.MakingRequested),
-    SAVE(ExportTexts::posterSave, "poster-save", ExportEvent.PosterSaved),
-    PRINT(ExportTexts::posterPrint, "poster-print", ExportEvent.PosterPrinted),
+    CLOSE(ExportTexts::close, ExportTags.SHOW_CLOSE, ExportEvent.Closed),
+    BACK(ExportTexts::back, ExportTags.SHOW_BACK, ExportEvent.BackRequested),
+    CANCEL(ExportTexts::cancel, ExportTags.SHOW_CANCEL, ExportEvent.BackRequested),
+    MORE(ExportTexts::more, ExportTags.SHOW_MORE, ExportEvent.BackRequested),
+    MAKE(ExportTexts::make, ExportTags.SHOW_MAKE, ExportEvent.MakingRequested),
+    SAVE(ExportTexts::posterSave, ExportTags.POSTER_SAVE, ExportEvent.PosterSaved),
+    PRINT(ExportTexts::posterPrint, ExportTags.POSTER_PRINT, ExportEvent.PosterPrinted),
 }

@@ -33,6 +33,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
+import robotran.ui.school.tags.ExportTags
 import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
@@ -84,7 +85,7 @@ private fun ChoiceButton(
 ) {
     val colours = LocalRobotranColours.current
     val sheet = remember(world) { ShownSheet(world) }
-    CardButton("show-${choice.name.lowercase()}", onClick, modifier, enabled = enabled) {
+    CardButton(ExportTags.choice(choice), onClick, modifier, enabled = enabled) {
         Row(
             Modifier.heightIn(min = MIN_HEIGHT).padding(12.dp).alpha(if (enabled) 1f else UNAVAILABLE),
             Arrangement.spacedBy(12.dp),

@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
 import robotran.simulation.state.SessionState
+import robotran.ui.school.tags.ExportTags
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
@@ -42,7 +43,7 @@ internal fun ShowCard(
     session: SessionState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-) = StepsCard(CommonTexts.showWork(spoken), "show-sheet", SIZE, modifier) {
+) = StepsCard(CommonTexts.showWork(spoken), ExportTags.SHOW_SHEET, SIZE, modifier) {
     Box(Modifier.weight(1f).fillMaxWidth()) {
         when (val step = state.step) {
             ShowStep.Choosing -> ExportChoices(state, world, session, onEvent)

@@ -24,6 +24,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.ExportTags
 import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
@@ -55,7 +56,7 @@ private fun SpeedRow(speed: ShowSpeed, isChosen: Boolean, onClick: () -> Unit) {
             .heightIn(min = Dimensions.TARGET)
             .focusRing()
             .selectable(isChosen, role = Role.RadioButton, onClick = onClick)
-            .testTag("show-speed-${speed.factor}")
+            .testTag(ExportTags.speed(speed.factor))
             .padding(horizontal = 4.dp),
         Arrangement.spacedBy(12.dp),
         Alignment.CenterVertically,
@@ -82,19 +83,19 @@ internal fun MakingView(step: ShowStep.Making) {
     Column(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp, Alignment.CenterVertically)) {
         Text(
             words,
-            Modifier.fillMaxWidth().testTag("show-making").announced(),
+            Modifier.fillMaxWidth().testTag(ExportTags.SHOW_MAKING).announced(),
             TextStyles.cardTitle,
         )
         Progress(
             { step.progress },
-            Modifier.fillMaxWidth().height(10.dp).testTag("show-progress").named(percent),
+            Modifier.fillMaxWidth().height(10.dp).testTag(ExportTags.SHOW_PROGRESS).named(percent),
         )
         Text(percent, style = TextStyles.body, color = colours.quiet)
     }
 }
 
 @Composable
-internal fun SavedView(name: String) = ExportResult(ExportTexts.saved(spoken, name), "show-saved")
+internal fun SavedView(name: String) = ExportResult(ExportTexts.saved(spoken, name), ExportTags.SHOW_SAVED)
 
 @Composable
 internal fun FailedView(error: ShowError) = ExportResult(
@@ -108,7 +109,7 @@ internal fun FailedView(error: ShowError) = ExportResult(
             else -> ExportTexts.notSaved(spoken, error.reason).trim()
         }
     },
-    "show-failed",
+    ExportTags.SHOW_FAILED,
     isError = true,
 )
 

@@ -26,6 +26,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.dp
 import robotran.ui.poster.DrawnPoster
+import robotran.ui.school.tags.ExportTags
 import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
@@ -62,13 +63,13 @@ internal fun PosterForm(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) ->
 @Composable
 private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) -> Unit) {
     val poster = step.poster
-    PosterField(poster.title, ExportTexts.posterTitle(spoken), "poster-title") {
+    PosterField(poster.title, ExportTexts.posterTitle(spoken), ExportTags.POSTER_TITLE) {
         onEvent(ExportEvent.PosterChanged(it, poster.maker, step.isDated))
     }
-    PosterField(poster.maker, ExportTexts.posterMaker(spoken), "poster-maker") {
+    PosterField(poster.maker, ExportTexts.posterMaker(spoken), ExportTags.POSTER_MAKER) {
         onEvent(ExportEvent.PosterChanged(poster.title, it, step.isDated))
     }
-    SwitchRow(ExportTexts.posterDate(spoken), step.isDated, "poster-date") {
+    SwitchRow(ExportTexts.posterDate(spoken), step.isDated, ExportTags.POSTER_DATE) {
         onEvent(ExportEvent.PosterChanged(poster.title, poster.maker, it))
     }
     val quiet = LocalRobotranColours.current.quiet
@@ -91,7 +92,7 @@ private fun PosterPreview(poster: Poster, modifier: Modifier) {
             Modifier
                 .aspectRatio((drawn.width / drawn.height).toFloat())
                 .border(1.dp, line)
-                .testTag("poster-preview")
+                .testTag(ExportTags.POSTER_PREVIEW)
                 .semantics {
                     role = Role.Image
                     contentDescription = description

@@ -11,6 +11,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import robotran.projects.AssignmentLimits
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -28,7 +29,7 @@ internal fun CommentField(row: HandInRow, onEvent: (HandInsEvent) -> Unit) {
             if (changed.text != text.text) onEvent(HandInsEvent.CommentChanged(row.id, changed.text))
             text = changed
         },
-        Modifier.fillMaxWidth().tabLeaves().testTag("hand-in-comment"),
+        Modifier.fillMaxWidth().tabLeaves().testTag(HandInTags.HAND_IN_COMMENT),
         SchoolTexts.handInComment(spoken, row.name),
         MIN_LINES..Int.MAX_VALUE,
         extras = FieldExtras(shape = Shapes.MEDIUM) {

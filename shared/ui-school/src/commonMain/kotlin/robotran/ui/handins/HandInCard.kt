@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -52,7 +53,7 @@ internal fun HandInCard(
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
-                .testTag("hand-in-row-$index")
+                .testTag(HandInTags.row(index))
                 .then(modifier)
                 .focusRing()
                 .clip(Shapes.MEDIUM)

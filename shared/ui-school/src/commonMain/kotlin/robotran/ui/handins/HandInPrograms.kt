@@ -17,6 +17,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.font.FontWeight
 import robotran.projects.ProjectProgram
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -36,7 +37,7 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
         val hasOthers = state.comparable.isNotEmpty()
         if (choices.size > 1 || hasOthers) BesideChoice(choices, chosen, hasOthers, onEvent)
         if (other == null) {
-            ReadOnlyPrograms(row.name, row.programs, emptyList(), "hand-in-program", Modifier.fillMaxWidth())
+            ReadOnlyPrograms(row.name, row.programs, emptyList(), HandInTags.HAND_IN_PROGRAM, Modifier.fillMaxWidth())
             return@Column
         }
         val (title, programs) = other
@@ -47,12 +48,12 @@ internal fun HandInPrograms(state: HandInsState, row: HandInRow, isWide: Boolean
         )
         if (isWide) {
             Row(horizontalArrangement = Arrangement.spacedBy(Space.SMALL)) {
-                ReadOnlyPrograms(row.name, row.programs, programs, "hand-in-program", Modifier.weight(1f))
-                ReadOnlyPrograms(title, programs, row.programs, "hand-in-beside", Modifier.weight(1f))
+                ReadOnlyPrograms(row.name, row.programs, programs, HandInTags.HAND_IN_PROGRAM, Modifier.weight(1f))
+                ReadOnlyPrograms(title, programs, row.programs, HandInTags.HAND_IN_BESIDE, Modifier.weight(1f))
             }
         } else {
-            ReadOnlyPrograms(row.name, row.programs, programs, "hand-in-program", Modifier.fillMaxWidth())
-            ReadOnlyPrograms(title, programs, row.programs, "hand-in-beside", Modifier.fillMaxWidth())
+            ReadOnlyPrograms(row.name, row.programs, programs, HandInTags.HAND_IN_PROGRAM, Modifier.fillMaxWidth())
+            ReadOnlyPrograms(title, programs, row.programs, HandInTags.HAND_IN_BESIDE, Modifier.fillMaxWidth())
         }
     }
 }
@@ -102,7 +103,7 @@ private fun BesideChoice(
     choices.forEachIndexed { index, (value, words) ->
         Row(
             Modifier
-                .testTag("hand-in-beside-$index")
+                .testTag(HandInTags.beside(index))
                 .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
                 .selectable(value == chosen, role = Role.RadioButton) {
@@ -116,7 +117,7 @@ private fun BesideChoice(
         }
     }
     if (hasOthers) {
-        Button(SchoolTexts.handInBesideOther(spoken), "hand-in-beside-other", ButtonKind.QUIET) {
+        Button(SchoolTexts.handInBesideOther(spoken), HandInTags.HAND_IN_BESIDE_OTHER, ButtonKind.QUIET) {
             onEvent(HandInsEvent.ComparisonsRequested)
         }
     }

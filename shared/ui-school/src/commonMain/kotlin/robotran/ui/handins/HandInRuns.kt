@@ -24,6 +24,7 @@ import robotran.simulation.GoalReport
 import robotran.ui.assignment.worldName
 import robotran.ui.learning.DONE_ICON
 import robotran.ui.learning.PLAY_ICON
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -60,7 +61,7 @@ private fun RunsInWorld(row: HandInRow, world: String, runs: List<GradedRun>, on
         for (run in if (areAllShown) unmet else unmet.take(FEW)) UnmetRun(row, run, onEvent)
         val more = unmet.size - FEW
         if (more > 0 && !areAllShown) {
-            Button(SchoolTexts.handInMoreRuns(spoken, more), "hand-in-more-runs", ButtonKind.QUIET) {
+            Button(SchoolTexts.handInMoreRuns(spoken, more), HandInTags.HAND_IN_MORE_RUNS, ButtonKind.QUIET) {
                 areAllShown = true
             }
         }
@@ -81,7 +82,7 @@ private fun UnmetRun(row: HandInRow, run: GradedRun, onEvent: (HandInsEvent) -> 
             grade.report.error?.let { Reason(isMet = false, it) }
         }
         val replay = SchoolTexts.handInReplaySeed(spoken, grade.seed)
-        IconButton(PLAY_ICON, replay, "hand-in-replay-${run.world.name}-${grade.seed}") {
+        IconButton(PLAY_ICON, replay, HandInTags.replay(run.world.name, grade.seed)) {
             onEvent(HandInsEvent.ReplayRequested(row.id, HandInRun(run.world.name, grade.seed)))
         }
     }

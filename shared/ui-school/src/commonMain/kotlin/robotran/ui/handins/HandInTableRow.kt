@@ -32,6 +32,7 @@ import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradingPlan
 import robotran.ui.learning.PLAY_ICON
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -79,7 +80,7 @@ internal fun HandInTableRow(
             Modifier
                 .weight(1f)
                 .heightIn(min = Dimensions.TARGET)
-                .testTag("hand-in-row-$index")
+                .testTag(HandInTags.row(index))
                 .then(modifier)
                 .focusRing()
                 .clip(Shapes.MEDIUM)
@@ -112,7 +113,7 @@ internal fun HandInTableRow(
 @Composable
 internal fun RemoveRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val words = SchoolTexts.handInsRemoveOne(spoken, row.name)
-    IconButton(EditIcons.DELETE, words, "hand-in-row-remove-$index") { onEvent(HandInsEvent.HandInRemoved(row.id)) }
+    IconButton(EditIcons.DELETE, words, HandInTags.rowRemove(index)) { onEvent(HandInsEvent.HandInRemoved(row.id)) }
 }
 
 /** The beginning of the teacher's comment, with a sign. */
@@ -130,7 +131,7 @@ internal fun CommentLine(row: HandInRow) {
 @Composable
 internal fun ReplayOfRow(row: HandInRow, index: Int, onEvent: (HandInsEvent) -> Unit) {
     val graded = row.results ?: return Spacer(Modifier.width(Dimensions.TARGET))
-    IconButton(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), "hand-in-row-replay-$index") {
+    IconButton(PLAY_ICON, SchoolTexts.handInsReplayOf(spoken, row.name), HandInTags.rowReplay(index)) {
         onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
     }
 }

@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -40,7 +41,7 @@ internal fun HandInView(
     LaunchedEffect(row.id) { scroll.scrollTo(0) }
     val padding = if (isWide) Space.PAGE else Space.LARGE
     Column(
-        Modifier.fillMaxSize().verticalScroll(scroll).padding(padding).testTag("hand-in"),
+        Modifier.fillMaxSize().verticalScroll(scroll).padding(padding).testTag(HandInTags.HAND_IN),
         Arrangement.spacedBy(Space.LARGE),
     ) {
         Head(state, row, onEvent)
@@ -79,12 +80,14 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             VerdictMark(row.verdict, inMiddle)
             row.results?.let { Words(runsText(it), inMiddle) }
             state.rows.getOrNull(index - 1)?.let { before ->
-                Button(SchoolTexts.handInPrevious(spoken, before.name), "hand-in-previous", ButtonKind.QUIET) {
+                Button(SchoolTexts.handInPrevious(spoken, before.name), HandInTags.HAND_IN_PREVIOUS, ButtonKind.QUIET) {
                     show(before)
                 }
             }
             state.rows.getOrNull(index + 1)?.let { next ->
-                Button(SchoolTexts.handInNext(spoken, next.name), "hand-in-next", ButtonKind.QUIET) { show(next) }
+                Button(SchoolTexts.handInNext(spoken, next.name), HandInTags.HAND_IN_NEXT, ButtonKind.QUIET) {
+                    show(next)
+                }
             }
         }
         for (remark in remarksOf(row)) Words(remark)
@@ -93,21 +96,21 @@ private fun Head(state: HandInsState, row: HandInRow, onEvent: (HandInsEvent) ->
             verticalArrangement = Arrangement.spacedBy(Space.SMALL),
         ) {
             row.results?.let { graded ->
-                Button(SchoolTexts.handInReplay(spoken), "hand-in-replay") {
+                Button(SchoolTexts.handInReplay(spoken), HandInTags.HAND_IN_REPLAY) {
                     onEvent(HandInsEvent.ReplayRequested(row.id, runToLookAt(graded)))
                 }
             }
             if (row.hasInputs && row.results != null) {
-                Button(SchoolTexts.handInReplayOwn(spoken), "hand-in-replay-own", ButtonKind.SECOND) {
+                Button(SchoolTexts.handInReplayOwn(spoken), HandInTags.HAND_IN_REPLAY_OWN, ButtonKind.SECOND) {
                     onEvent(HandInsEvent.ReplayRequested(row.id, null))
                 }
             }
             if (row.graded != null) {
-                Button(SchoolTexts.handInFeedback(spoken), "hand-in-feedback", ButtonKind.SECOND) {
+                Button(SchoolTexts.handInFeedback(spoken), HandInTags.HAND_IN_FEEDBACK, ButtonKind.SECOND) {
                     onEvent(HandInsEvent.FeedbackFileRequested(row.id))
                 }
             }
-            Button(SchoolTexts.handInRemove(spoken), "hand-in-remove", ButtonKind.QUIET) {
+            Button(SchoolTexts.handInRemove(spoken), HandInTags.HAND_IN_REMOVE, ButtonKind.QUIET) {
                 onEvent(HandInsEvent.HandInRemoved(row.id))
             }
         }

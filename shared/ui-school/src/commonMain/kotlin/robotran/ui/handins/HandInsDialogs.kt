@@ -23,6 +23,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.input.TextFieldValue
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -49,10 +50,15 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
         SchoolTexts.handInsPasteTitle(spoken),
         close,
         buttons = {
-            Button(DocumentTexts.cancel(spoken), "hand-ins-paste-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
+            Button(
+                DocumentTexts.cancel(spoken),
+                HandInTags.HAND_INS_PASTE_CANCEL,
+                ButtonKind.DIALOG_OTHER,
+                onClick = close,
+            )
             Button(
                 SchoolTexts.handInsPasteDone(spoken),
-                "hand-ins-paste-done",
+                HandInTags.HAND_INS_PASTE_DONE,
                 ButtonKind.DIALOG_MAIN,
                 enabled = text.text.isNotBlank(),
             ) {
@@ -70,7 +76,7 @@ private fun PasteLinksDialog(onEvent: (HandInsEvent) -> Unit) {
                 .heightIn(max = MAX_HEIGHT)
                 .tabLeaves()
                 .focusRequester(focus)
-                .testTag("hand-ins-links"),
+                .testTag(HandInTags.HAND_INS_LINKS),
             SchoolTexts.handInsPasteLabel(spoken),
             LINES..Int.MAX_VALUE,
         )
@@ -84,8 +90,13 @@ private fun RemoveDialog(count: Int, onEvent: (HandInsEvent) -> Unit) {
         SchoolTexts.handInsRemoveTitle(spoken),
         close,
         buttons = {
-            Button(DocumentTexts.cancel(spoken), "hand-ins-remove-cancel", ButtonKind.DIALOG_OTHER, onClick = close)
-            Button(SchoolTexts.handInsRemove(spoken), "hand-ins-remove-done", ButtonKind.DIALOG_MAIN) {
+            Button(
+                DocumentTexts.cancel(spoken),
+                HandInTags.HAND_INS_REMOVE_CANCEL,
+                ButtonKind.DIALOG_OTHER,
+                onClick = close,
+            )
+            Button(SchoolTexts.handInsRemove(spoken), HandInTags.HAND_INS_REMOVE_DONE, ButtonKind.DIALOG_MAIN) {
                 onEvent(HandInsEvent.RemovalConfirmed)
             }
         },
@@ -102,7 +113,7 @@ private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) 
         buttons = {
             Button(
                 DocumentTexts.cancel(spoken),
-                "hand-in-beside-cancel",
+                HandInTags.HAND_IN_BESIDE_CANCEL,
                 ButtonKind.DIALOG_OTHER,
                 onClick = close,
             )
@@ -115,7 +126,7 @@ private fun CompareDialog(state: HandInsState, onEvent: (HandInsEvent) -> Unit) 
                 Row(
                     Modifier
                         .fillMaxWidth()
-                        .testTag("hand-in-beside-choice-$index")
+                        .testTag(HandInTags.besideChoice(index))
                         .defaultMinSize(minHeight = Dimensions.TARGET)
                         .focusRing()
                         .selectable(isChosen, role = Role.RadioButton) {

@@ -15,6 +15,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -53,22 +54,24 @@ internal fun HandInsActions(state: HandInsState, onEvent: (HandInsEvent) -> Unit
         horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
         verticalArrangement = Arrangement.spacedBy(Space.SMALL),
     ) {
-        Button(SchoolTexts.handInsChoose(spoken), "hand-ins-choose") {
+        Button(SchoolTexts.handInsChoose(spoken), HandInTags.HAND_INS_CHOOSE) {
             onEvent(HandInsEvent.FilesRequested)
         }
-        Button(SchoolTexts.handInsPaste(spoken), "hand-ins-paste", ButtonKind.SECOND) {
+        Button(SchoolTexts.handInsPaste(spoken), HandInTags.HAND_INS_PASTE, ButtonKind.SECOND) {
             onEvent(HandInsEvent.PastingRequested)
         }
         for (kind in state.scanners) ScanButton(kind, onEvent)
         if (state.rows.isEmpty()) return@FlowRow
-        Button(SchoolTexts.handInsCsv(spoken), "hand-ins-csv", ButtonKind.SECOND) { onEvent(HandInsEvent.CsvRequested) }
-        Button(SchoolTexts.handInsHtml(spoken), "hand-ins-html", ButtonKind.SECOND) {
+        Button(SchoolTexts.handInsCsv(spoken), HandInTags.HAND_INS_CSV, ButtonKind.SECOND) {
+            onEvent(HandInsEvent.CsvRequested)
+        }
+        Button(SchoolTexts.handInsHtml(spoken), HandInTags.HAND_INS_HTML, ButtonKind.SECOND) {
             onEvent(HandInsEvent.PageRequested)
         }
-        Button(SchoolTexts.handInsFeedback(spoken), "hand-ins-feedback", ButtonKind.SECOND) {
+        Button(SchoolTexts.handInsFeedback(spoken), HandInTags.HAND_INS_FEEDBACK, ButtonKind.SECOND) {
             onEvent(HandInsEvent.FeedbackRequested)
         }
-        Button(SchoolTexts.handInsRemove(spoken), "hand-ins-remove", ButtonKind.QUIET) {
+        Button(SchoolTexts.handInsRemove(spoken), HandInTags.HAND_INS_REMOVE, ButtonKind.QUIET) {
             onEvent(HandInsEvent.RemovalRequested)
         }
     }
@@ -80,7 +83,7 @@ private fun HelpText(label: String) = Text(
         .fillMaxWidth()
         .background(LocalRobotranColours.current.invite, Shapes.MEDIUM)
         .padding(Space.MEDIUM)
-        .testTag("hand-ins-remark"),
+        .testTag(HandInTags.HAND_INS_REMARK),
     TextStyles.label,
     color = LocalRobotranColours.current.onPane,
 )
@@ -99,16 +102,16 @@ internal fun HandInsMessageText(message: HandInsMessage, onEvent: (HandInsEvent)
     ) {
         Text(
             wordsFor(message),
-            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag("hand-ins-told").announced(),
+            Modifier.weight(1f).padding(vertical = Space.SMALL).testTag(HandInTags.HAND_INS_TOLD).announced(),
             TextStyles.label,
             color = if (message.isError) colours.error else colours.onPane,
         )
         if (message is HandInsMessage.Removed) {
-            Button(SchoolTexts.handInsUndo(spoken), "hand-ins-undo", ButtonKind.QUIET) {
+            Button(SchoolTexts.handInsUndo(spoken), HandInTags.HAND_INS_UNDO, ButtonKind.QUIET) {
                 onEvent(HandInsEvent.RemovalUndone)
             }
         }
-        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "hand-ins-told-close") {
+        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), HandInTags.HAND_INS_TOLD_CLOSE) {
             onEvent(HandInsEvent.MessageDismissed)
         }
     }

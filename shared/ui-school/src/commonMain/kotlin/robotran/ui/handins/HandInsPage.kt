@@ -9,6 +9,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -27,7 +28,7 @@ fun HandInsPage(state: HandInsState, onEvent: (HandInsEvent) -> Unit) {
     val list = rememberLazyGridState()
     val ofOne = rememberScrollState()
     val words = if (row == null) KitTexts::pageClose else SchoolTexts::handInGoBack
-    Page(title, "hand-ins", close, if (row == null) list else ofOne, MAX_WIDTH, words) {
+    Page(title, HandInTags.HAND_INS, close, if (row == null) list else ofOne, MAX_WIDTH, words) {
         state.message?.let { HandInsMessageText(it, onEvent) }
         BoxWithConstraints(Modifier.weight(1f)) {
             val form = TableForm.of(maxWidth, LocalDensity.current.fontScale)

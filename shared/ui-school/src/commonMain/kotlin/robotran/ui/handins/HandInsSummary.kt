@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -40,7 +41,7 @@ internal fun HandInsSummary(state: HandInsState, onEvent: (HandInsEvent) -> Unit
             state.isStopped -> Stopped(state, onEvent)
         }
         FlowRow(
-            Modifier.testTag("hand-ins-counts"),
+            Modifier.testTag(HandInTags.HAND_INS_COUNTS),
             Arrangement.spacedBy(Space.SMALL),
             Arrangement.spacedBy(Space.SMALL),
         ) {
@@ -83,12 +84,12 @@ private fun Progress(progress: GradingProgress, onEvent: (HandInsEvent) -> Unit)
             val colours = LocalRobotranColours.current
             Progress(
                 { progress.part },
-                Modifier.fillMaxWidth().testTag("hand-ins-progress"),
+                Modifier.fillMaxWidth().testTag(HandInTags.HAND_INS_PROGRESS),
                 colours.good,
                 gap = Space.TINY,
             )
         }
-        Button(DocumentTexts.cancel(spoken), "hand-ins-cancel", ButtonKind.SECOND) {
+        Button(DocumentTexts.cancel(spoken), HandInTags.HAND_INS_CANCEL, ButtonKind.SECOND) {
             onEvent(HandInsEvent.GradingCancelled)
         }
     }
@@ -106,7 +107,7 @@ private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
         val waiting = state.counts[HandInVerdict.WAITING] ?: 0
         val words = SchoolTexts.handInsStopped(spoken, state.rows.size - waiting, state.rows.size)
         Line(words, Modifier.weight(1f))
-        Button(SchoolTexts.handInsGoOn(spoken), "hand-ins-go-on", ButtonKind.SECOND) {
+        Button(SchoolTexts.handInsGoOn(spoken), HandInTags.HAND_INS_GO_ON, ButtonKind.SECOND) {
             onEvent(HandInsEvent.GradingResumed)
         }
     }
@@ -114,7 +115,7 @@ private fun Stopped(state: HandInsState, onEvent: (HandInsEvent) -> Unit) =
 @Composable
 private fun Line(label: String, modifier: Modifier = Modifier) = Text(
     label,
-    modifier.testTag("hand-ins-status").announced(),
+    modifier.testTag(HandInTags.HAND_INS_STATUS).announced(),
     TextStyles.body,
     color = LocalRobotranColours.current.onPane,
 )
@@ -139,7 +140,7 @@ private fun Order(order: HandInOrder, onChoose: (HandInOrder) -> Unit) = FlowRow
     for ((value, words) in choices) {
         Row(
             Modifier
-                .testTag("hand-ins-order-${value.name.lowercase()}")
+                .testTag(HandInTags.order(value))
                 .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
                 .selectable(value == order, role = Role.RadioButton) { onChoose(value) }

@@ -26,6 +26,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -57,7 +58,7 @@ internal fun HandInsTable(
     }
     LazyVerticalGrid(
         GridCells.Fixed(form.columns),
-        Modifier.fillMaxSize().testTag("hand-in-list").scrolledByReaders(list) {
+        Modifier.fillMaxSize().testTag(HandInTags.HAND_IN_LIST).scrolledByReaders(list) {
             list.layoutInfo.viewportSize.height
         },
         list,
@@ -71,7 +72,7 @@ internal fun HandInsTable(
                 EmptyState(
                     EmptyPicture.SHEETS,
                     SchoolTexts.handInsEmpty(spoken),
-                    "hand-ins-empty",
+                    HandInTags.HAND_INS_EMPTY,
                     Modifier.fillMaxWidth().height(EMPTY_HEIGHT),
                 )
             }

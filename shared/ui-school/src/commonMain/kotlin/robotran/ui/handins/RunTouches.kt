@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.unit.dp
 import robotran.assignments.grading.GradedRun
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -52,7 +53,7 @@ private fun RunTouch(run: GradedRun, world: String, onReplay: () -> Unit) {
     val colours = LocalRobotranColours.current
     Column(
         Modifier
-            .testTag("hand-in-run-${run.world.name}-${grade.seed}")
+            .testTag(HandInTags.run(run.world.name, grade.seed))
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
             .focusRing()
             .clip(Shapes.SMALL)

@@ -1,6 +1,7 @@
 package robotran.ui.handins
 
 import androidx.compose.runtime.Composable
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.HandInsEvent
@@ -23,6 +24,6 @@ internal fun ScanButton(kind: QrScannerKind, onEvent: (HandInsEvent) -> Unit) {
         useless = SchoolTexts.handInsScanUseless(spoken),
         done = SchoolTexts.handInsScanDone(spoken),
     )
-    val tag = if (kind == QrScannerKind.PICTURES) "hand-ins-scan-pictures" else "hand-ins-scan"
+    val tag = if (kind == QrScannerKind.PICTURES) HandInTags.HAND_INS_SCAN_PICTURES else HandInTags.HAND_INS_SCAN
     Button(label, tag, ButtonKind.SECOND) { onEvent(HandInsEvent.ScanRequested(kind, words)) }
 }

@@ -21,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.ui.programlanguages.ExampleSet
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -32,12 +33,12 @@ import robotran.workshop.event.LearningEvent
 internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
     val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
     val cards = rememberLazyGridState()
-    Page(LearningTexts.examples(spoken), "examples-page", {
+    Page(LearningTexts.examples(spoken), LearningTags.EXAMPLES_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * scale),
-            modifier = Modifier.fillMaxSize().testTag("example-cards").scrolledByReaders(cards) {
+            modifier = Modifier.fillMaxSize().testTag(LearningTags.EXAMPLE_CARDS).scrolledByReaders(cards) {
                 cards.layoutInfo.viewportSize.height
             },
             state = cards,
@@ -73,7 +74,7 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
 @Composable
 private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    PictureCard(id, ExamplePictures, "example-$id", PICTURE_ASPECT, padding = 12.dp, onClick) {
+    PictureCard(id, ExamplePictures, LearningTags.example(id), PICTURE_ASPECT, padding = 12.dp, onClick) {
         Text(name, style = TextStyles.body.strong)
         Text(about, style = TextStyles.smallLines, color = colours.quiet)
     }

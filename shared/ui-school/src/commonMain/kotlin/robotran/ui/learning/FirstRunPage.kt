@@ -31,6 +31,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.max
 import robotran.projects.ProgramView
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
@@ -46,7 +47,7 @@ import robotran.workshop.state.LearningPage
  */
 @Composable
 internal fun FirstRunPage(view: ProgramView, onEvent: (WorkshopEvent) -> Unit) {
-    Page(LearningTexts.welcomeTitle(spoken), "first-run", {
+    Page(LearningTexts.welcomeTitle(spoken), LearningTags.FIRST_RUN, {
         onEvent(LearningEvent.PageClosed)
     }, scroll = null, maxWidth = Dp.Infinity) {
         BoxWithConstraints {
@@ -101,7 +102,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            Button(LearningTexts.mapAll(spoken), "try-lessons", ButtonKind.QUIET) {
+            Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
                 onEvent(LearningEvent.PageRequested(LearningPage.MAP))
             }
             if (room == WelcomeRoom.HIGH) {
@@ -118,7 +119,7 @@ private fun Things(room: WelcomeRoom, onEvent: (LearningEvent) -> Unit, modifier
         PLAY_ICON,
         LearningTexts.trySquare(spoken),
         LearningTexts.trySquareHelp(spoken).takeIf { hasHelp },
-        "try-square",
+        LearningTags.TRY_SQUARE,
         modifier,
         isFirst = true,
     ) { onEvent(LearningEvent.FirstProgramTried) }
@@ -126,14 +127,14 @@ private fun Things(room: WelcomeRoom, onEvent: (LearningEvent) -> Unit, modifier
         Icon.BOOK,
         LearningTexts.tryTutorial(spoken),
         LearningTexts.tryTutorialHelp(spoken).takeIf { hasHelp },
-        "try-tutorial",
+        LearningTags.TRY_TUTORIAL,
         modifier,
     ) { onEvent(LearningEvent.TutorialStarted) }
     ElementRef(
         Icon.WORLDS,
         LearningTexts.tryWorlds(spoken),
         LearningTexts.tryWorldsHelp(spoken).takeIf { hasHelp },
-        "try-worlds",
+        LearningTags.TRY_WORLDS,
         modifier,
     ) { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
 }

@@ -32,6 +32,7 @@ import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.WordHelp
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -46,7 +47,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
     LaunchedEffect(Unit) { focus.requestFocus() }
     Surface(
         modifier
-            .testTag("help")
+            .testTag(LearningTags.HELP)
             .semantics { paneTitle = title }
             .onKeyEvent { event ->
                 if (event.key != Key.Escape) return@onKeyEvent false
@@ -66,11 +67,11 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
             ) {
                 Text(
                     state.help.found?.word ?: title,
-                    Modifier.weight(1f).testTag("help-title").heading(),
+                    Modifier.weight(1f).testTag(LearningTags.HELP_TITLE).heading(),
                     (if (state.help.found == null) codeStyle().copy(fontFamily = FontFamily.Default) else codeStyle())
                         .strong.copy(fontSize = TextSizes.HEADING, lineHeight = LineHeights.HEADING),
                 )
-                IconButton(Icon.CLOSE, LearningTexts.helpClose(spoken), "help-close") {
+                IconButton(Icon.CLOSE, LearningTexts.helpClose(spoken), LearningTags.HELP_CLOSE) {
                     onEvent(LearningEvent.PageClosed)
                 }
             }
@@ -84,7 +85,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
 private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     Column(Modifier.verticalScroll(rememberScrollState()).padding(20.dp), Arrangement.spacedBy(12.dp)) {
-        Text(help.sentence, Modifier.testTag("help-sentence"), TextStyles.sentence)
+        Text(help.sentence, Modifier.testTag(LearningTags.HELP_SENTENCE), TextStyles.sentence)
         if (help.sentenceLanguage != state.language) {
             Text(LearningTexts.helpInEnglish(spoken), style = TextStyles.compact, color = colours.quiet)
         }
@@ -94,16 +95,16 @@ private fun HelpOnWord(help: WordHelp, state: LearningState, onEvent: (LearningE
             Label(LearningTexts.helpExample(spoken))
             val ground = Modifier.fillMaxWidth().background(colours.desk, Shapes.SMALL)
             Box(ground.horizontalScroll(rememberScrollState()).padding(12.dp)) {
-                Text(example.trimEnd(), Modifier.testTag("help-example"), codeStyle(), softWrap = false)
+                Text(example.trimEnd(), Modifier.testTag(LearningTags.HELP_EXAMPLE), codeStyle(), softWrap = false)
             }
         }
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
             if (help.example != null) {
-                Button(LearningTexts.helpTry(spoken), "help-try") {
+                Button(LearningTexts.helpTry(spoken), LearningTags.HELP_TRY) {
                     onEvent(LearningEvent.ExampleTried)
                 }
             }
-            Button(LearningTexts.helpAll(spoken), "help-all", ButtonKind.QUIET) {
+            Button(LearningTexts.helpAll(spoken), LearningTags.HELP_ALL, ButtonKind.QUIET) {
                 onEvent(LearningEvent.WordChosen(null))
             }
         }
@@ -119,7 +120,11 @@ private fun NoHelp(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     } else {
         LearningTexts.helpNone(spoken, word)
     }
-    Text(text, Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag("help-none"), TextStyles.sentence)
+    Text(
+        text,
+        Modifier.padding(start = 20.dp, end = 20.dp, top = 16.dp).testTag(LearningTags.HELP_NONE),
+        TextStyles.sentence,
+    )
     WordList(state, onEvent)
 }
 

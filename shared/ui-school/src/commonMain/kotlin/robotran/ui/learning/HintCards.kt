@@ -16,6 +16,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Hint
 import robotran.learning.HintStage
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 
@@ -37,7 +38,7 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag(if (isLatest) "hint" else "hint-${hint.stage.name.lowercase()}")
+            .testTag(if (isLatest) LearningTags.HINT else LearningTags.hint(hint.stage))
             .broughtIntoSight(isLatest)
             .border(1.dp, colours.line, Shapes.MEDIUM)
             .padding(12.dp)

@@ -16,6 +16,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
 import robotran.learning.Strand
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -31,11 +32,13 @@ internal fun LessonMapPage(state: LearningState, saved: SavedOwnCourse?, onEvent
             Lessons.strands.indexOf(Lessons.strandOf(Lessons.all[next]))
         } ?: 0,
     )
-    Page(LearningTexts.map(spoken), "map-page", {
+    Page(LearningTexts.map(spoken), LearningTags.MAP_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, strands, maxWidth = 960.dp) {
         LazyColumn(
-            Modifier.fillMaxSize().testTag("map").scrolledByReaders(strands) { strands.layoutInfo.viewportSize.height },
+            Modifier.fillMaxSize().testTag(LearningTags.MAP).scrolledByReaders(strands) {
+                strands.layoutInfo.viewportSize.height
+            },
             strands,
             PaddingValues(20.dp),
             verticalArrangement = Arrangement.spacedBy(32.dp),
@@ -56,7 +59,7 @@ private fun StrandOnMap(
 ) {
     val colours = LocalRobotranColours.current
     val done = strand.lessons.count { it.name in state.stepsDone }
-    Column(Modifier.testTag("strand-${strand.name}"), Arrangement.spacedBy(4.dp)) {
+    Column(Modifier.testTag(LearningTags.strand(strand.name)), Arrangement.spacedBy(4.dp)) {
         Text(strand.title(state.language), Modifier.heading(), TextStyles.pageTitle)
         Text(strand.about(state.language), style = TextStyles.label)
         Text(
@@ -68,7 +71,12 @@ private fun StrandOnMap(
             strand.lessons.map { lesson ->
                 val index = Lessons.all.indexOf(lesson)
                 val isDone = lesson.name in state.stepsDone
-                Stop("lesson-${lesson.name}", lesson.text(state.language).title, isDone, state.nextLesson == index) {
+                Stop(
+                    LearningTags.lesson(lesson.name),
+                    lesson.text(state.language).title,
+                    isDone,
+                    state.nextLesson == index,
+                ) {
                     onEvent(LearningEvent.LessonChosen(index))
                 }
             },

@@ -7,6 +7,7 @@ import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.CourseEvent
@@ -20,13 +21,13 @@ internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, 
     val words = SchoolTexts.courseSaveOwnOf(spoken, title)
     Button(
         SchoolTexts.courseSaveOwn(spoken),
-        "course-save-$name",
+        LearningTags.courseSave(name),
         ButtonKind.QUIET,
         Modifier.named(words),
     ) { onEvent(CourseEvent.OwnCourseSaved(name)) }
     if (saved?.name != name) return
     val error = saved.error
-    val news = Modifier.testTag("course-saved-$name").announced()
+    val news = Modifier.testTag(LearningTags.courseSaved(name)).announced()
     if (error == null) {
         Explanation(SchoolTexts.handInSaved(spoken, saved.file.orEmpty()), news)
     } else {

@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.Constraints
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -110,9 +111,9 @@ private fun Buttons(
 private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     val words = tutorial.first(spoken)
     if (tutorial.isLoaded) {
-        Button(words, "run-step", ButtonKind.SECOND) { onEvent(RunEvent.RunPressed) }
+        Button(words, LearningTags.RUN_STEP, ButtonKind.SECOND) { onEvent(RunEvent.RunPressed) }
     } else {
-        Button(words, "try-step", help = LearningTexts.tryStepHelp(spoken)) {
+        Button(words, LearningTags.TRY_STEP, help = LearningTexts.tryStepHelp(spoken)) {
             onEvent(LearningEvent.StepTried)
         }
     }
@@ -122,11 +123,13 @@ private fun First(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
 @Composable
 private fun Others(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) {
     if (tutorial.isLoaded) {
-        Button(LearningTexts.beginAgain(spoken), "begin-again", ButtonKind.QUIET) {
+        Button(LearningTexts.beginAgain(spoken), LearningTags.BEGIN_AGAIN, ButtonKind.QUIET) {
             onEvent(LearningEvent.StepRestarted)
         }
     }
-    Button(tutorial.last(spoken), "leave-tutorial", ButtonKind.QUIET) { onEvent(LearningEvent.TutorialClosed) }
+    Button(tutorial.last(spoken), LearningTags.LEAVE_TUTORIAL, ButtonKind.QUIET) {
+        onEvent(LearningEvent.TutorialClosed)
+    }
 }
 
 /** The same as a menu, if there is too little room. */
@@ -138,14 +141,14 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
         onEvent(event)
     }
     Box {
-        IconButton(Icon.MORE, LearningTexts.stepMore(spoken), "step-more") { open = true }
+        IconButton(Icon.MORE, LearningTexts.stepMore(spoken), LearningTags.STEP_MORE) { open = true }
         AppMenu(open, { open = false }) {
             if (tutorial.isLoaded) {
-                MenuItem(LearningTexts.beginAgain(spoken), "begin-again") {
+                MenuItem(LearningTexts.beginAgain(spoken), LearningTags.BEGIN_AGAIN) {
                     choose(LearningEvent.StepRestarted)
                 }
             }
-            MenuItem(tutorial.last(spoken), "leave-tutorial") { choose(LearningEvent.TutorialClosed) }
+            MenuItem(tutorial.last(spoken), LearningTags.LEAVE_TUTORIAL) { choose(LearningEvent.TutorialClosed) }
         }
     }
 }
@@ -153,7 +156,7 @@ private fun StepMenu(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) 
 @Composable
 private fun Previous(tutorial: TutorialState, onEvent: (WorkshopEvent) -> Unit) = Button(
     LearningTexts.previous(spoken),
-    "previous-step",
+    LearningTags.PREVIOUS_STEP,
     ButtonKind.QUIET,
     enabled = tutorial.step > 0,
 ) { onEvent(LearningEvent.StepChosen(tutorial.step - 1)) }
@@ -172,11 +175,11 @@ private fun Next(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent
         )
     }
     if (done) {
-        Button(words, "next-step", onClick = next)
+        Button(words, LearningTags.NEXT_STEP, onClick = next)
     } else {
         Button(
             words,
-            "next-step",
+            LearningTags.NEXT_STEP,
             ButtonKind.SECOND,
             onClick = next,
         )

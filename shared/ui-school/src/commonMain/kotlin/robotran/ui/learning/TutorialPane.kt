@@ -21,6 +21,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -36,7 +37,11 @@ fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifie
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
     val title = LearningTexts.tutorial(spoken)
-    BoxWithConstraints(modifier.background(colours.pane).testTag("tutorial").semantics { paneTitle = title }) {
+    BoxWithConstraints(
+        modifier.background(colours.pane).testTag(LearningTags.TUTORIAL).semantics {
+            paneTitle = title
+        },
+    ) {
         val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
         val maxFoot = maxHeight * FOOT_SHARE
         Column(Modifier.fillMaxSize()) {
@@ -60,7 +65,7 @@ private fun Step(
     val scroll = rememberScrollState()
     val scrolled = modifier
         .fillMaxSize()
-        .testTag("tutorial-text")
+        .testTag(LearningTags.TUTORIAL_TEXT)
         .scrollHint(scroll)
         .verticalScroll(scroll)
         .padding(horizontal = 20.dp, vertical = 16.dp)
@@ -82,7 +87,7 @@ private fun StepText(state: LearningState, tutorial: TutorialState) {
     val text = tutorial.current.text(state.language, state.isInBlocks)
     Text(
         text.title,
-        Modifier.testTag("step-title").heading(),
+        Modifier.testTag(LearningTags.STEP_TITLE).heading(),
         // A long word of a larger title would be broken on a phone.
         TextStyle(
             fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,

@@ -32,6 +32,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -56,7 +57,7 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
         Box {
             Column(
                 Modifier
-                    .testTag("tutorial-steps")
+                    .testTag(LearningTags.TUTORIAL_STEPS)
                     .fillMaxWidth()
                     .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
@@ -84,17 +85,17 @@ private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Un
     val folded = tutorial.isFolded
     if (folded && tutorial.hints.isNotEmpty()) {
         // After a try that failed, the hint is one touch away.
-        Button(LearningTexts.hint(spoken), "folded-hint", ButtonKind.SECOND) {
+        Button(LearningTexts.hint(spoken), LearningTags.FOLDED_HINT, ButtonKind.SECOND) {
             onEvent(LearningEvent.TutorialFolded(false))
         }
     }
-    IconButton(MAP_ICON, LearningTexts.map(spoken), "lesson-map") {
+    IconButton(MAP_ICON, LearningTexts.map(spoken), LearningTags.LESSON_MAP) {
         onEvent(LearningEvent.PageRequested(LearningPage.MAP))
     }
     IconButton(
         if (folded) UNFOLD_ICON else FOLD_ICON,
         if (folded) LearningTexts.unfold(spoken) else LearningTexts.fold(spoken),
-        "fold-tutorial",
+        LearningTags.FOLD_TUTORIAL,
     ) { onEvent(LearningEvent.TutorialFolded(!folded)) }
 }
 
@@ -114,7 +115,7 @@ private fun ReturnStrip(
         Row(
             Modifier
                 .weight(1f)
-                .testTag("tutorial-return")
+                .testTag(LearningTags.TUTORIAL_RETURN)
                 .defaultMinSize(minHeight = Dimensions.TARGET)
                 .focusRing()
                 .clickable(role = Role.Button) {
@@ -133,7 +134,7 @@ private fun ReturnStrip(
                 overflow = TextOverflow.Ellipsis,
             )
         }
-        IconButton(Icon.CLOSE, LearningTexts.close(spoken), "leave-tutorial") {
+        IconButton(Icon.CLOSE, LearningTexts.close(spoken), LearningTags.LEAVE_TUTORIAL) {
             onEvent(LearningEvent.TutorialClosed)
         }
     }
@@ -159,7 +160,7 @@ private fun StepList(
             }
             MenuItem(
                 named,
-                "tutorial-step-${place + 1}",
+                LearningTags.tutorialStep(place + 1),
                 trailing = if (done) ({ SmallIcon(DONE_ICON, colours.onPane) }) else null,
             ) {
                 onClose()
@@ -177,7 +178,7 @@ private fun StepDots(state: LearningState, modifier: Modifier = Modifier) {
     val done = lessons.map { it.name in state.stepsDone }
     val description = LearningTexts.stepsDone(spoken, done.count { it }, done.size)
     Canvas(
-        modifier.testTag("step-dots").width(DOT_STEP * done.size).height(DOT_STEP).semantics {
+        modifier.testTag(LearningTags.STEP_DOTS).width(DOT_STEP * done.size).height(DOT_STEP).semantics {
             contentDescription = description
         },
     ) {

@@ -23,6 +23,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -39,7 +40,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("task")
+            .testTag(LearningTags.TASK)
             .drawBehind {
                 drawRoundRect(bar, size = Size(BAR.toPx(), size.height), cornerRadius = CornerRadius(BAR.toPx() / 2))
             }
@@ -47,7 +48,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
         Arrangement.spacedBy(8.dp),
     ) {
         Row(
-            Modifier.testTag("task-status").semantics(mergeDescendants = true) {
+            Modifier.testTag(LearningTags.TASK_STATUS).semantics(mergeDescendants = true) {
                 heading()
                 liveRegion = LiveRegionMode.Polite
             },
@@ -92,7 +93,7 @@ fun TaskHelps(
     if (help.solutionShown) {
         Text(
             LearningTexts.solutionNote(spoken),
-            Modifier.testTag("solution-note").broughtIntoSight(true).announced(),
+            Modifier.testTag(LearningTags.SOLUTION_NOTE).broughtIntoSight(true).announced(),
             TextStyles.sentence,
             color = LocalRobotranColours.current.quiet,
         )
@@ -105,9 +106,11 @@ private fun Helps(help: TaskHelp, onHint: (Boolean) -> Unit, onSolution: (Boolea
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         val hintWords = listOf(LearningTexts::hint, LearningTexts::hintMore, LearningTexts::hintHide)
         val hintWord = if (help.nextStage == null) hintWords.lastIndex else minOf(help.hints.size, 1)
-        Help(hintWords, hintWord, "hint-wanted") { onHint(help.nextStage != null) }
+        Help(hintWords, hintWord, LearningTags.HINT_WANTED) { onHint(help.nextStage != null) }
         val solutionWords = listOf(LearningTexts::showMe, LearningTexts::backToMine)
-        Help(solutionWords, if (help.solutionShown) 1 else 0, "solution-wanted") { onSolution(!help.solutionShown) }
+        Help(solutionWords, if (help.solutionShown) 1 else 0, LearningTags.SOLUTION_WANTED) {
+            onSolution(!help.solutionShown)
+        }
     }
 }
 

@@ -27,6 +27,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.projects.ProgramView
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -65,7 +66,7 @@ private fun Views(view: ProgramView, withPictures: Boolean, onView: (ProgramView
         view == ProgramView.BLOCKS,
         CommonTexts.viewBlocks(spoken),
         LearningTexts.viewBlocks(spoken),
-        "first-blocks",
+        LearningTags.FIRST_BLOCKS,
         { onView(ProgramView.BLOCKS) },
         modifier,
         withPictures,
@@ -74,7 +75,7 @@ private fun Views(view: ProgramView, withPictures: Boolean, onView: (ProgramView
         view == ProgramView.TEXT,
         CommonTexts.viewText(spoken),
         LearningTexts.viewText(spoken),
-        "first-text",
+        LearningTags.FIRST_TEXT,
         { onView(ProgramView.TEXT) },
         modifier,
         withPictures,

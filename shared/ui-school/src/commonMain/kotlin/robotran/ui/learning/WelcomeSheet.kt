@@ -31,6 +31,7 @@ import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.simulation.state.RobotSnapshot
 import robotran.simulation.state.SessionState
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
@@ -61,7 +62,7 @@ internal fun WelcomeSheet(modifier: Modifier = Modifier) {
     val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
     val fit = remember { SheetFit(SHEET, MARGIN) }
     BoxWithConstraints(
-        modifier.clipToBounds().background(colours.desk).testTag("welcome-sheet").clearAndSetSemantics { },
+        modifier.clipToBounds().background(colours.desk).testTag(LearningTags.WELCOME_SHEET).clearAndSetSemantics { },
     ) {
         val density = LocalDensity.current
         val label = COMMAND_HEIGHT * density.fontScale

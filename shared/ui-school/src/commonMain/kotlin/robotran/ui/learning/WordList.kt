@@ -26,6 +26,7 @@ import robotran.language.ProgramLanguage
 import robotran.learning.WordHelp
 import robotran.programs.support
 import robotran.ui.programlanguages.texts
+import robotran.ui.school.tags.LearningTags
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
@@ -37,7 +38,7 @@ internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val words = remember(code, state.language, state.help.brick) {
         WordHelp.words(code, state.help.brick).mapNotNull { WordHelp.of(state.language, code, it, state.help.brick) }
     }
-    LazyColumn(Modifier.testTag("help-words")) {
+    LazyColumn(Modifier.testTag(LearningTags.HELP_WORDS)) {
         item(key = "languages") { Languages(code, state.help.brick) { onEvent(LearningEvent.WordsRequested(it)) } }
         items(words, key = { it.word }) { help -> Word(help) { onEvent(LearningEvent.WordChosen(help.word)) } }
     }
@@ -52,7 +53,7 @@ private fun Languages(chosen: ProgramLanguage, brick: BrickKind, onChoose: (Prog
             val selected = language == chosen
             Row(
                 Modifier
-                    .testTag("help-${language.name.lowercase()}")
+                    .testTag(LearningTags.help(language))
                     .defaultMinSize(minHeight = Dimensions.TARGET)
                     .focusRing()
                     .selectable(selected, role = Role.RadioButton) { onChoose(language) }
@@ -73,7 +74,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("word-${help.word}")
+            .testTag(LearningTags.word(help.word))
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
             .clickable(role = Role.Button, onClick = onClick)

@@ -12,6 +12,7 @@ import androidx.compose.ui.unit.dp
 import robotran.language.Language
 import robotran.learning.GalleryWorld
 import robotran.learning.WorldLevel
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 
@@ -24,7 +25,9 @@ import robotran.uikit.*
 internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String>, onChoose: (GalleryWorld) -> Unit) {
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
-    PictureCard(world, WorldPictures, "world-${world.name}", PICTURE_ASPECT, padding = 16.dp, { onChoose(world) }) {
+    PictureCard(world, WorldPictures, LearningTags.world(world.name), PICTURE_ASPECT, padding = 16.dp, {
+        onChoose(world)
+    }) {
         Text(shown.title, style = TextStyles.lead.strong)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(world.level.title(spoken), style = TextStyles.compact.medium, color = colours.quiet)
@@ -41,7 +44,7 @@ private fun Harder(world: GalleryWorld, language: Language, isDone: Boolean, onC
     val title = remember(world, language) { world.world(language).title }
     val words = LearningTexts.harder(spoken, title)
     val mark = if (isDone) " · ${LearningTexts.worldDoneMark(spoken)}" else ""
-    Button("$words$mark", "world-${world.name}", ButtonKind.SECOND, Modifier.fillMaxWidth(), onClick = onClick)
+    Button("$words$mark", LearningTags.world(world.name), ButtonKind.SECOND, Modifier.fillMaxWidth(), onClick = onClick)
 }
 
 @Composable

@@ -35,6 +35,7 @@ import robotran.brick.kind.BrickKind
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -53,12 +54,12 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             .filter { brick == null || it.plainWorld.robots.first().description.brick == brick }
     }
     val cards = rememberLazyGridState()
-    Page(LearningTexts.worlds(spoken), "worlds-page", {
+    Page(LearningTexts.worlds(spoken), LearningTags.WORLDS_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
         LazyVerticalGrid(
             columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
-            modifier = Modifier.fillMaxSize().testTag("world-cards").scrolledByReaders(cards) {
+            modifier = Modifier.fillMaxSize().testTag(LearningTags.WORLD_CARDS).scrolledByReaders(cards) {
                 cards.layoutInfo.viewportSize.height
             },
             state = cards,
@@ -98,7 +99,7 @@ private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
     val all = LearningTexts.worldsAll(spoken)
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
         for (choice in listOf<BrickKind?>(null) + BrickKind.entries) {
-            val tag = "worlds-${choice?.name?.lowercase() ?: "all"}"
+            val tag = LearningTags.worlds(choice)
             Chip(choice?.name ?: all, choice == brick, tag) { onChoose(choice) }
         }
     }
@@ -108,7 +109,7 @@ private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
 private fun Search(query: String, onAsk: (String) -> Unit) {
     val field = remember { FocusRequester() }
     val clear = @Composable {
-        IconButton(Icon.CLOSE, LearningTexts.worldsClear(spoken), "world-search-clear") {
+        IconButton(Icon.CLOSE, LearningTexts.worldsClear(spoken), LearningTags.WORLD_SEARCH_CLEAR) {
             onAsk("")
             // Whoever clears it wants to type something else.
             field.requestFocus()
@@ -117,7 +118,7 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
     TextField(
         query,
         onAsk,
-        Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag("world-search"),
+        Modifier.fillMaxWidth().widthIn(max = 480.dp).focusRequester(field).testTag(LearningTags.WORLD_SEARCH),
         LearningTexts.worldsSearch(spoken),
         extras = FieldExtras(shape = Shapes.MEDIUM, button = if (query.isEmpty()) null else clear),
     )
@@ -127,7 +128,7 @@ private fun Search(query: String, onAsk: (String) -> Unit) {
 private fun NothingFound() = EmptyState(
     EmptyPicture.GLASS,
     LearningTexts.worldsNone(spoken),
-    "worlds-none",
+    LearningTags.WORLDS_NONE,
     Modifier.fillMaxWidth().height(NOTHING_HEIGHT).announced(),
 )
 

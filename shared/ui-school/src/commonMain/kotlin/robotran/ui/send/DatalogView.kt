@@ -8,12 +8,13 @@ import robotran.legofirmware.device.DatalogEntry
 import robotran.legofirmware.device.DatalogSource
 import robotran.legofirmware.device.source
 import robotran.legofirmware.device.sourceNumber
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 
 /** The first entries of a datalog, a line each. The saved table has all. */
 @Composable
-internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag("send-datalog")) {
+internal fun DatalogView(entries: List<DatalogEntry>) = Column(Modifier.testTag(SendTags.SEND_DATALOG)) {
     entries.take(SHOWN).forEachIndexed { index, entry ->
         val words = when (entry.source) {
             DatalogSource.VARIABLE -> SendTexts::datalogVariable

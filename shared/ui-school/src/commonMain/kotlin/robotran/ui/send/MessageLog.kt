@@ -5,6 +5,7 @@ import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import robotran.tower.ReceivedMessage
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.state.RobotMessage
@@ -14,7 +15,7 @@ import robotran.workshop.state.RobotMessage
 internal fun MessageLog(messages: List<RobotMessage>) {
     for (message in messages.asReversed()) {
         key(message.number) {
-            Text(textOf(message), Modifier.testTag("send-message"), TextStyles.body)
+            Text(textOf(message), Modifier.testTag(SendTags.SEND_MESSAGE), TextStyles.body)
         }
     }
 }

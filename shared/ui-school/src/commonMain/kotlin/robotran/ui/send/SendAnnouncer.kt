@@ -10,6 +10,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.state.SendStep
@@ -24,7 +25,7 @@ internal fun SendAnnouncer(step: SendStep) {
         SendTexts.saidProgress(spoken, quarters * PERCENT / QUARTERS)
     }
     Box(
-        Modifier.size(1.dp).testTag("send-announcer").semantics {
+        Modifier.size(1.dp).testTag(SendTags.SEND_ANNOUNCER).semantics {
             liveRegion = LiveRegionMode.Polite
             contentDescription = said
         },

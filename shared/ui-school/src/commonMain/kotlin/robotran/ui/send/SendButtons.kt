@@ -7,6 +7,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.event.SendEvent
@@ -30,7 +31,7 @@ internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier:
 
 @Composable
 private fun CancelButton(cancels: Boolean, onClick: () -> Unit) =
-    ButtonFrame("send-cancel", ButtonKind.DIALOG_OTHER, onClick = onClick) {
+    ButtonFrame(SendTags.SEND_CANCEL, ButtonKind.DIALOG_OTHER, onClick = onClick) {
         val words = if (cancels) SendTexts::cancel else SendTexts::close
         SteadySize(words, listOf(SendTexts::cancel, SendTexts::close)) { Text(it(spoken), style = TextStyles.body) }
     }
@@ -77,16 +78,16 @@ private fun actionsOf(error: SendError): List<SendAction> = when (error) {
 private val TowerError.TooLarge.isOfSlots get() = maxBytes == null
 
 private enum class SendAction(val words: Label, val tag: String, val event: SendEvent) {
-    AGAIN(SendTexts::again, "send-again", SendEvent.Retried),
-    SEND_AGAIN(SendTexts::againAfter, "send-again", SendEvent.Retried),
-    OTHER_TOWER(SendTexts::otherTower, "send-other-tower", SendEvent.OtherTowerRequested),
-    SHOW_MISTAKE(SendTexts::mistakeShow, "send-show-mistake", SendEvent.DiagnosticShown),
-    CHOOSE_FILE(SendTexts::firmwareChoose, "send-choose-firmware", SendEvent.FirmwareFileRequested),
-    OTHER_FILE(SendTexts::firmwareOther, "send-choose-firmware", SendEvent.FirmwareFileRequested),
-    SEND_FIRMWARE(SendTexts::firmwareSend, "send-firmware", SendEvent.FirmwareConfirmed),
-    EMPTY_SLOTS(SendTexts::emptySlots, "send-empty-slots", SendEvent.SlotsEmptied),
-    READ_DATALOG(SendTexts::datalogRead, "send-read-datalog", SendEvent.DatalogRequested),
-    SAVE_DATALOG(SendTexts::datalogSave, "send-save-datalog", SendEvent.DatalogSaved),
-    TO_SLOTS(SendTexts::toSlots, "send-to-slots", SendEvent.Retried),
-    WATCH(SendTexts::watch, "send-watch", SendEvent.WatchingRequested),
+    AGAIN(SendTexts::again, SendTags.SEND_AGAIN, SendEvent.Retried),
+    SEND_AGAIN(SendTexts::againAfter, SendTags.SEND_AGAIN, SendEvent.Retried),
+    OTHER_TOWER(SendTexts::otherTower, SendTags.SEND_OTHER_TOWER, SendEvent.OtherTowerRequested),
+    SHOW_MISTAKE(SendTexts::mistakeShow, SendTags.SEND_SHOW_MISTAKE, SendEvent.DiagnosticShown),
+    CHOOSE_FILE(SendTexts::firmwareChoose, SendTags.SEND_CHOOSE_FIRMWARE, SendEvent.FirmwareFileRequested),
+    OTHER_FILE(SendTexts::firmwareOther, SendTags.SEND_CHOOSE_FIRMWARE, SendEvent.FirmwareFileRequested),
+    SEND_FIRMWARE(SendTexts::firmwareSend, SendTags.SEND_FIRMWARE, SendEvent.FirmwareConfirmed),
+    EMPTY_SLOTS(SendTexts::emptySlots, SendTags.SEND_EMPTY_SLOTS, SendEvent.SlotsEmptied),
+    READ_DATALOG(SendTexts::datalogRead, SendTags.SEND_READ_DATALOG, SendEvent.DatalogRequested),
+    SAVE_DATALOG(SendTexts::datalogSave, SendTags.SEND_SAVE_DATALOG, SendEvent.DatalogSaved),
+    TO_SLOTS(SendTexts::toSlots, SendTags.SEND_TO_SLOTS, SendEvent.Retried),
+    WATCH(SendTexts::watch, SendTags.SEND_WATCH, SendEvent.WatchingRequested),
 }

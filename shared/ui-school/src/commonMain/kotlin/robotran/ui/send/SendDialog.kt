@@ -18,6 +18,7 @@ import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.window.DialogProperties
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.event.SendEvent
@@ -36,7 +37,7 @@ fun SendDialog(state: SendState, onEvent: (SendEvent) -> Unit) = StepsDialog(
 /** The sheet without its window. It has one size for all steps, so its buttons stay where they are. */
 @Composable
 fun SendCard(state: SendState, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) =
-    StepsCard(SendTexts.title(spoken, state.program), "send-sheet", SIZE, modifier, maxTitleLines = 1) {
+    StepsCard(SendTexts.title(spoken, state.program), SendTags.SEND_SHEET, SIZE, modifier, maxTitleLines = 1) {
         SendStepView(state.step, onEvent, Modifier.weight(1f).fillMaxWidth())
         SendButtons(state.step, onEvent, Modifier.fillMaxWidth())
         SendAnnouncer(state.step)

@@ -10,6 +10,7 @@ import androidx.compose.ui.graphics.drawscope.translate
 import androidx.compose.ui.platform.testTag
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
+import robotran.ui.school.tags.SendTags
 import robotran.uikit.*
 import robotran.workshop.state.SendError
 import robotran.workshop.state.SendStep
@@ -48,7 +49,7 @@ enum class SendPicture(val draw: DrawScope.(RobotranColours) -> Unit) {
 @Composable
 fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    Canvas(modifier.testTag("send-picture")) {
+    Canvas(modifier.testTag(SendTags.SEND_PICTURE)) {
         val factor = minOf(size.width / SendPicture.WIDTH, size.height / SendPicture.HEIGHT)
         translate((size.width - SendPicture.WIDTH * factor) / 2, (size.height - SendPicture.HEIGHT * factor) / 2) {
             scale(factor, Offset.Zero) { picture.draw(this, colours) }

@@ -18,6 +18,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.event.SendEvent
@@ -39,7 +40,7 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
                     Modifier
                         .weight(1f)
                         .fillMaxHeight()
-                        .testTag("send-words")
+                        .testTag(SendTags.SEND_WORDS)
                         .scrollHint(scroll, arrow = colours.quiet)
                         .verticalScroll(scroll),
                     Arrangement.spacedBy(12.dp),
@@ -54,7 +55,7 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
 
 @Composable
 private fun StepWords(step: SendStep, onEvent: (SendEvent) -> Unit) {
-    Explanation(sentenceOf(step), Modifier.testTag("send-step"), bad = step is SendStep.Failed)
+    Explanation(sentenceOf(step), Modifier.testTag(SendTags.SEND_STEP), bad = step is SendStep.Failed)
     adviceOf(step)?.let { Explanation(it) }
     when (step) {
         is SendStep.ChoosingTower -> TowerChoice(step, onEvent)

@@ -14,6 +14,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.tower.LegoLimits
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.event.SendEvent
@@ -33,7 +34,7 @@ private fun SlotButton(slot: Int, isLast: Boolean, modifier: Modifier, onClick: 
     val colours = LocalRobotranColours.current
     val words = if (isLast) SendTexts.slotLast(spoken, slot) else SendTexts.slotNumber(spoken, slot)
     ButtonFrame(
-        "send-slot-$slot",
+        SendTags.slot(slot),
         ButtonKind.DIALOG_ANSWER,
         modifier.named(words),
         padding = PaddingValues(0.dp),

@@ -10,6 +10,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 import robotran.workshop.event.SendEvent
@@ -21,7 +22,7 @@ internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> U
     step.devices.forEachIndexed { index, device ->
         Button(
             nameOf(device),
-            "send-tower-$index",
+            SendTags.tower(index),
             ButtonKind.DIALOG_ANSWER,
             Modifier.fillMaxWidth(),
         ) { onEvent(SendEvent.TowerChosen(device)) }
@@ -30,7 +31,7 @@ internal fun TowerChoice(step: SendStep.ChoosingTower, onEvent: (SendEvent) -> U
     for (kind in step.kinds.sortedByDescending { it == TowerKind.USB }) {
         Button(
             lookingFor(kind)(spoken),
-            "send-look-${kind.name.lowercase()}",
+            SendTags.look(kind),
             ButtonKind.DIALOG_ANSWER,
             Modifier.fillMaxWidth(),
         ) {

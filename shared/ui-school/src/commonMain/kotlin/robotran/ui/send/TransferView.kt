@@ -10,6 +10,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
 import robotran.tower.TransferProgress
+import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.SendTexts
 import robotran.uikit.*
 
@@ -24,16 +25,16 @@ internal fun TransferView(progress: TransferProgress?, counted: (Language, Int, 
     Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
         Progress(
             { partOf(progress) },
-            Modifier.fillMaxWidth().height(8.dp).testTag("send-progress"),
+            Modifier.fillMaxWidth().height(8.dp).testTag(SendTags.SEND_PROGRESS),
             ground = colours.desk,
         )
         val words = progress?.let {
             "${counted(spoken, it.confirmedBlocks, it.totalBlocks)}, ${timeLeft(it)}"
         }
         // An empty line, so that nothing moves when the first block is through.
-        Text(words.orEmpty(), Modifier.testTag("send-block"), TextStyles.body, color = colours.quiet)
+        Text(words.orEmpty(), Modifier.testTag(SendTags.SEND_BLOCK), TextStyles.body, color = colours.quiet)
         if (progress != null && isWeak(progress)) {
-            Explanation(SendTexts.weak(spoken), Modifier.testTag("send-weak"))
+            Explanation(SendTexts.weak(spoken), Modifier.testTag(SendTags.SEND_WEAK))
         }
     }
 }

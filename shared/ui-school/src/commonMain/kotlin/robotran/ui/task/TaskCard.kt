@@ -43,6 +43,7 @@ import robotran.ui.course.CourseLine
 import robotran.ui.learning.FOLD_ICON
 import robotran.ui.learning.HintCards
 import robotran.ui.learning.UNFOLD_ICON
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -79,7 +80,7 @@ fun TaskCard(
     val colours = LocalRobotranColours.current
     Column(
         modifier
-            .testTag("task-card")
+            .testTag(AssignmentTags.TASK_CARD)
             .clip(RoundedCornerShape(CORNER))
             .background(colours.pane)
             .border(1.dp, colours.line, RoundedCornerShape(CORNER))
@@ -110,7 +111,7 @@ fun TaskCard(
             IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) LearningTexts.taskUnfold(spoken) else LearningTexts.taskFold(spoken),
-                "task-fold",
+                AssignmentTags.TASK_FOLD,
                 onClick = fold,
             )
             HideTask(onEvent)
@@ -125,7 +126,7 @@ fun TaskCard(
 
 @Composable
 private fun HideTask(onEvent: (WorkshopEvent) -> Unit) =
-    IconButton(Icon.CLOSE, CommonTexts.taskHide(spoken), "task-hide") {
+    IconButton(Icon.CLOSE, CommonTexts.taskHide(spoken), AssignmentTags.TASK_HIDE) {
         onEvent(ScreenEvent.TaskShown(false))
     }
 
@@ -147,11 +148,11 @@ private fun ColumnScope.FoldedAssignment(
 ) = Scrolling {
     HintCards(assignment.hints.asReversed(), learning.isInBlocks)
     Goals(goals)
-    if (canHandIn) Line(triesText(assignment.tries), "assignment-tries", isNews = true)
+    if (canHandIn) Line(triesText(assignment.tries), AssignmentTags.ASSIGNMENT_TRIES, isNews = true)
     HandedInLine(assignment)
     // After a try it is one touch away; before, there is nothing to hand in.
     if (canHandIn && assignment.isOpenForTries && assignment.tries.tries > 0) {
-        HandInButton(assignment, "assignment-hand-in", onEvent)
+        HandInButton(assignment, AssignmentTags.ASSIGNMENT_HAND_IN, onEvent)
     }
 }
 
@@ -186,7 +187,7 @@ private fun ColumnScope.WholeAssignment(
 @Composable
 private fun TaskText(world: World) = Text(
     world.task.trim(),
-    Modifier.fillMaxWidth().testTag("task-text").announced(),
+    Modifier.fillMaxWidth().testTag(AssignmentTags.TASK_TEXT).announced(),
     TextStyles.sentence,
 )
 
@@ -207,7 +208,7 @@ private fun ColumnScope.Scrolling(content: @Composable ColumnScope.() -> Unit) {
 @Composable
 private fun Title(world: World, modifier: Modifier = Modifier, maxLines: Int = Int.MAX_VALUE) = Text(
     world.title,
-    modifier.testTag("task-title").heading(),
+    modifier.testTag(AssignmentTags.TASK_TITLE).heading(),
     TextStyles.cardTitle.strong,
     maxLines = maxLines,
     overflow = TextOverflow.Ellipsis,

@@ -7,6 +7,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.ui.learning.TaskHelps
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -23,7 +24,7 @@ internal fun WorldTaskHelp(
 ) {
     Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
         if (task.canStart) {
-            Button(LearningTexts.worldProgram(spoken), "world-program", ButtonKind.SECOND) {
+            Button(LearningTexts.worldProgram(spoken), AssignmentTags.WORLD_PROGRAM, ButtonKind.SECOND) {
                 onEvent(LearningEvent.WorldProgramRequested)
             }
         }

@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import robotran.assignments.doing.pupilCopy
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
@@ -18,10 +19,16 @@ import robotran.projects.ProgramView
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
 import robotran.ui.screen.scrollTo
+import robotran.ui.screen.tags.ScreenTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.blocks.BlockDialog
@@ -73,10 +80,15 @@ class AssignmentScreenTest {
     fun `the card has text, picture, due note, goals and tries on every screen`() {
         for (size in SIZES) {
             on(size) {
-                for (tag in listOf("assignment-text", "assignment-picture", "assignment-due", "assignment-tries")) {
+                for (tag in listOf(
+                    AssignmentTags.ASSIGNMENT_TEXT,
+                    AssignmentTags.ASSIGNMENT_PICTURE,
+                    AssignmentTags.ASSIGNMENT_DUE,
+                    AssignmentTags.ASSIGNMENT_TRIES,
+                )) {
                     assertTrue(has(tag), "$tag on $size")
                 }
-                assertEquals(2, onAllNodesWithTag("assignment-goal").fetchSemanticsNodes().size)
+                assertEquals(2, onAllNodesWithTag(AssignmentTags.ASSIGNMENT_GOAL).fetchSemanticsNodes().size)
             }
         }
     }
@@ -85,7 +97,8 @@ class AssignmentScreenTest {
     fun `a picture that cannot be read is its description`() {
         val broken = AnyAssignment.assignment.run { copy(pictures = pictures.map { it.copy(base64 = "AAAA") }) }
         on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = broken))) {
-            onNodeWithTag("assignment-picture-broken").assertTextContains("This picture cannot be shown: A dot")
+            onNodeWithTag(AssignmentTags.ASSIGNMENT_PICTURE_BROKEN)
+                .assertTextContains("This picture cannot be shown: A dot")
         }
     }
 
@@ -93,9 +106,16 @@ class AssignmentScreenTest {
     fun `new programs are offered in the languages of the assignment only`() {
         val only = AnyAssignment.assignment.copy(languages = listOf(ProgramLanguage.NQC))
         on(TABLET, pupilCopy(AnyAssignment.teachers.copy(assignment = only))) {
-            touch("add-program")
-            assertTrue(has("new-nqc"))
-            for (tag in listOf("new-robolang", "new-java", "new-more", "new-lasm")) assertFalse(has(tag), tag)
+            touch(ProgramTags.ADD_PROGRAM)
+            assertTrue(has(ProgramTags.new(ProgramLanguage.NQC)))
+            for (tag in listOf(
+                ProgramTags.new(ProgramLanguage.ROBOLANG),
+                ProgramTags.new(ProgramLanguage.JAVA),
+                ProgramTags.NEW_MORE,
+                ProgramTags.new(ProgramLanguage.LASM),
+            )) {
+                assertFalse(has(tag), tag)
+            }
         }
     }
 
@@ -103,9 +123,9 @@ class AssignmentScreenTest {
     fun `after a failed run its card tells the tries and leads to the hint`() = on(TABLET) { workshop ->
         workshop.attempt("beep\n")
         pass(SETTLED)
-        onNodeWithTag("outcome-tries").assertTextContains("1 try. Best: 0 of 2 goals", substring = true)
-        touch("missing-hint")
-        assertTrue(has("hint"))
+        onNodeWithTag(ScreenTags.OUTCOME_TRIES).assertTextContains("1 try. Best: 0 of 2 goals", substring = true)
+        touch(ScreenTags.MISSING_HINT)
+        assertTrue(has(LearningTags.HINT))
     }
 
     @Test
@@ -115,19 +135,20 @@ class AssignmentScreenTest {
             on(size) { workshop ->
                 workshop.attempt(AnyAssignment.SOLUTION)
                 pass(SETTLED)
-                touch("solved-hand-in")
-                onNodeWithTag("hand-in-name").performTextInput("Ada")
+                touch(ScreenTags.SOLVED_HAND_IN)
+                onNodeWithTag(AssignmentTags.HAND_IN_NAME).performTextInput("Ada")
                 pass(SETTLED)
-                touch("hand-in-go-on")
+                touch(AssignmentTags.HAND_IN_GO_ON)
                 assertIs<HandInStep.Ready>(workshop.state.handIn)
-                assertTrue(has("qr-code"))
-                scrollAndTouch("hand-in-file")
-                scrollAndTouch("hand-in-link")
-                touch("hand-in-close")
+                assertTrue(has(DocumentTags.QR_CODE))
+                scrollAndTouch(AssignmentTags.HAND_IN_FILE)
+                scrollAndTouch(AssignmentTags.HAND_IN_LINK)
+                touch(AssignmentTags.HAND_IN_CLOSE)
                 assertNull(workshop.state.handIn)
                 workshop.handle(ScreenEvent.TaskShown(true))
                 pass(SETTLED)
-                onNodeWithTag("assignment-handed-in").assertTextContains("Handed in on this device as Ada.")
+                onNodeWithTag(AssignmentTags.ASSIGNMENT_HANDED_IN)
+                    .assertTextContains("Handed in on this device as Ada.")
             }
             val saved = assertIs<ProjectFileResult.Success>(
                 readProject(machine.files.disk.values.last(), Language.ENGLISH),
@@ -143,13 +164,13 @@ class AssignmentScreenTest {
             workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
             workshop.handle(BlockEvent.DialogShown(BlockDialog.Palette))
             pass(SETTLED)
-            assertTrue(has("take-move"))
-            assertTrue(!has("take-turn"))
-            assertTrue(!has("palette-all"))
+            assertTrue(has(ProgramTags.take("move")))
+            assertTrue(!has(ProgramTags.take("turn")))
+            assertTrue(!has(ProgramTags.PALETTE_ALL))
             workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
             workshop.handle(ProgramEvent.ProgramEdited("forward 5\nturn left\n"))
             pass(SETTLED)
-            assertTrue(has("program-not-allowed"))
+            assertTrue(has(AssignmentTags.PROGRAM_NOT_ALLOWED))
         }
     }
 
@@ -164,8 +185,8 @@ class AssignmentScreenTest {
                     workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                     workshop.handle(BlockEvent.ViewChosen(view))
                     pass(SETTLED)
-                    val strip = hasTestTag("program-not-allowed")
-                    val inStrip = hasTestTag("assignment-not-allowed") and hasAnyAncestor(strip)
+                    val strip = hasTestTag(AssignmentTags.PROGRAM_NOT_ALLOWED)
+                    val inStrip = hasTestTag(AssignmentTags.ASSIGNMENT_NOT_ALLOWED) and hasAnyAncestor(strip)
                     assertEquals(2, onAllNodes(inStrip).fetchSemanticsNodes().size, "$size $view")
                     onAllNodes(inStrip)[0].performClick()
                     pass(SETTLED)
@@ -178,22 +199,22 @@ class AssignmentScreenTest {
 
     @Test
     fun `on a phone the task is folded from the first run on, and the pupil's choice is remembered`() = on(PHONE) {
-        assertTrue(has("assignment-text"))
+        assertTrue(has(AssignmentTags.ASSIGNMENT_TEXT))
         it.attempt("forward 5\n")
         it.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         it.handle(ScreenEvent.TaskShown(true))
         pass(SETTLED)
-        assertTrue(!has("assignment-text"))
-        assertEquals(2, onAllNodesWithTag("assignment-goal").fetchSemanticsNodes().size)
-        assertTrue(has("assignment-hand-in"))
-        touch("task-fold")
-        assertTrue(has("assignment-text"))
+        assertTrue(!has(AssignmentTags.ASSIGNMENT_TEXT))
+        assertEquals(2, onAllNodesWithTag(AssignmentTags.ASSIGNMENT_GOAL).fetchSemanticsNodes().size)
+        assertTrue(has(AssignmentTags.ASSIGNMENT_HAND_IN))
+        touch(AssignmentTags.TASK_FOLD)
+        assertTrue(has(AssignmentTags.ASSIGNMENT_TEXT))
         it.handle(ScreenEvent.TaskShown(false))
         it.handle(ScreenEvent.TaskShown(true))
         pass(SETTLED)
-        assertTrue(has("assignment-text"))
-        touch("task-fold")
-        assertTrue(!has("assignment-text"))
+        assertTrue(has(AssignmentTags.ASSIGNMENT_TEXT))
+        touch(AssignmentTags.TASK_FOLD)
+        assertTrue(!has(AssignmentTags.ASSIGNMENT_TEXT))
     }
 
     @Test
@@ -204,9 +225,11 @@ class AssignmentScreenTest {
         pass(SETTLED)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
         pass(SETTLED)
-        val tab = onNodeWithTag("close-program").fetchSemanticsNode()
+        val tab = onNodeWithTag(ProgramTags.CLOSE_PROGRAM).fetchSemanticsNode()
         assertEquals(tab.size.width.toFloat(), tab.boundsInRoot.width, 1f)
-        assertTrue(tab.boundsInRoot.right <= onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot.left + 1)
+        assertTrue(
+            tab.boundsInRoot.right <= onNodeWithTag(ProgramTags.ADD_PROGRAM).fetchSemanticsNode().boundsInRoot.left + 1,
+        )
     }
 
     @Test
@@ -217,9 +240,9 @@ class AssignmentScreenTest {
                 workshop.attempt("beep\n")
                 workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 pass(SETTLED)
-                touch("missing-hint")
-                assertTrue(has("hint"), "$size")
-                val described = listOf("outcome-tries", "assignment-tries").count { has(it) }
+                touch(ScreenTags.MISSING_HINT)
+                assertTrue(has(LearningTags.HINT), "$size")
+                val described = listOf(ScreenTags.OUTCOME_TRIES, AssignmentTags.ASSIGNMENT_TRIES).count { has(it) }
                 assertEquals(1, described, "$size")
             }
         }
@@ -227,14 +250,15 @@ class AssignmentScreenTest {
 
     @Test
     fun `who has tried nothing is told so when handing in`() = on(TABLET) { workshop ->
-        touch("assignment-hand-in")
-        onNodeWithTag("hand-in-what").assertTextContains("You have not tried anything yet.", substring = true)
-        assertTrue(has("hand-in-unchanged"))
+        touch(AssignmentTags.ASSIGNMENT_HAND_IN)
+        onNodeWithTag(AssignmentTags.HAND_IN_WHAT)
+            .assertTextContains("You have not tried anything yet.", substring = true)
+        assertTrue(has(AssignmentTags.HAND_IN_UNCHANGED))
         workshop.handle(AssignmentEvent.HandInClosed)
         workshop.handle(ProgramEvent.ProgramEdited("forward 5\n"))
         workshop.handle(AssignmentEvent.HandInRequested)
         pass(SETTLED)
-        assertTrue(!has("hand-in-unchanged"))
+        assertTrue(!has(AssignmentTags.HAND_IN_UNCHANGED))
     }
 
     @Test
@@ -249,17 +273,17 @@ class AssignmentScreenTest {
                     workshop.handle(AssignmentEvent.NameEntered("Ada"))
                     workshop.handle(AssignmentEvent.HandInMade())
                     pass(SETTLED)
-                    scrollTo("qr-code")
-                    val node = onNodeWithTag("qr-code").fetchSemanticsNode()
+                    scrollTo(DocumentTags.QR_CODE)
+                    val node = onNodeWithTag(DocumentTags.QR_CODE).fetchSemanticsNode()
                     val shown = node.boundsInRoot
                     assertEquals(node.size.width, node.size.height, "$size at $scale")
                     assertEquals(node.size.height.toFloat(), shown.height, 1f, "$size at $scale")
                     assertTrue(shown.height > 180, "$size at $scale: ${shown.height}")
-                    touch("qr-code")
-                    val large = onNodeWithTag("qr-code-large").fetchSemanticsNode()
+                    touch(DocumentTags.QR_CODE)
+                    val large = onNodeWithTag(DocumentTags.QR_CODE_LARGE).fetchSemanticsNode()
                     assertTrue(large.size.height >= minOf(size.first, size.second) - 1, "$size at $scale")
-                    touch("qr-large-close")
-                    assertTrue(!has("qr-code-large"))
+                    touch(DocumentTags.QR_LARGE_CLOSE)
+                    assertTrue(!has(DocumentTags.QR_CODE_LARGE))
                 }
             }
         }
@@ -267,19 +291,19 @@ class AssignmentScreenTest {
 
     @Test
     fun `the menu of the project opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
-        touch("work-menu")
-        touch("work-make-assignment")
-        assertTrue(has("assignment-make"))
+        touch(DocumentTags.WORK_MENU)
+        touch(DocumentTags.menuItem(DocumentTags.MAKE_ASSIGNMENT))
+        assertTrue(has(AssignmentTags.ASSIGNMENT_MAKE))
         val before = assignmentOf(workshop).hints.size
-        scrollAndTouch("make-hint-add")
-        onNodeWithTag("make-hint-text-$before").performTextInput("Look at the start.")
+        scrollAndTouch(AssignmentTags.MAKE_HINT_ADD)
+        onNodeWithTag(AssignmentTags.makeHintText(before)).performTextInput("Look at the start.")
         pass(SETTLED)
         assertEquals("Look at the start.", assignmentOf(workshop).hints.last().text)
-        scrollAndTouch("make-hint-later-$before")
+        scrollAndTouch(AssignmentTags.makeHintLater(before))
         assertEquals(2, assignmentOf(workshop).hints.last().afterTries)
-        scrollAndTouch("make-undo")
+        scrollAndTouch(AssignmentTags.MAKE_UNDO)
         assertEquals(1, assignmentOf(workshop).hints.last().afterTries)
-        touch("assignment-make-close")
+        touch(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE))
         assertNull(workshop.state.making)
     }
 
@@ -288,7 +312,7 @@ class AssignmentScreenTest {
         workshop.handle(AssignmentEvent.MakingRequested)
         pass(SETTLED)
         assertNotNull(workshop.state.making)
-        touch("assignment-make-close")
+        touch(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE))
         assertNull(workshop.state.making)
     }
 

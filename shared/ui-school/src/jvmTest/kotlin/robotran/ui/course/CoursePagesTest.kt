@@ -18,9 +18,14 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import robotran.assignments.course.pupilCopy
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.CourseTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
+import robotran.ui.screen.tags.ScreenTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.assignment.AnyCourse
@@ -53,7 +58,7 @@ class CoursePagesTest {
     }
 
     private fun ComposeUiTest.assertStop(index: Int, condition: String) {
-        onNodeWithTag("course-task-$index").assert(
+        onNodeWithTag(CourseTags.task(index)).assert(
             SemanticsMatcher.expectValue(SemanticsProperties.StateDescription, condition),
         )
     }
@@ -66,15 +71,15 @@ class CoursePagesTest {
 
     @Test
     fun `a pupil begins, solves, goes on from the outcome and comes back`() = onCourse { workshop ->
-        onNodeWithTag("course-done").assertTextContains("0 of 3", substring = true)
-        onNodeWithTag("course-go-on").assertTextContains("Begin: Into the circle")
+        onNodeWithTag(CourseTags.COURSE_DONE).assertTextContains("0 of 3", substring = true)
+        onNodeWithTag(CourseTags.COURSE_GO_ON).assertTextContains("Begin: Into the circle")
         assertStop(0, "next")
-        touch("course-go-on")
-        onNodeWithTag("course-page").assertDoesNotExist()
+        touch(CourseTags.COURSE_GO_ON)
+        onNodeWithTag(CourseTags.COURSE_PAGE).assertDoesNotExist()
         workshop.attempt(AnyAssignment.SOLUTION)
         pass(600)
-        onNodeWithTag("solved-course-next").assertIsDisplayed().assertTextContains("Next: Out of the circle")
-        touch("solved-course-next")
+        onNodeWithTag(CourseTags.SOLVED_COURSE_NEXT).assertIsDisplayed().assertTextContains("Next: Out of the circle")
+        touch(CourseTags.SOLVED_COURSE_NEXT)
         assertEquals("circle-2", workshop.state.assignment?.assignment?.id)
         workshop.attempt("pen down\nforward 6\n")
         workshop.handle(CourseEvent.OpenCourseRequested)
@@ -82,7 +87,7 @@ class CoursePagesTest {
         assertStop(0, "done")
         assertStop(1, "next, 1 of 2 goals")
         assertStop(2, "not done yet")
-        onNodeWithTag("course-go-on").assertTextContains("Go on: Out of the circle")
+        onNodeWithTag(CourseTags.COURSE_GO_ON).assertTextContains("Go on: Out of the circle")
     }
 
     @Test
@@ -90,28 +95,28 @@ class CoursePagesTest {
         for (index in 0..2) {
             workshop.handle(CourseEvent.OpenCourseRequested)
             pass(200)
-            touch("course-task-$index")
+            touch(CourseTags.task(index))
             workshop.attempt(AnyAssignment.SOLUTION)
             pass(300)
         }
-        onNodeWithTag("solved-course-next").assertDoesNotExist()
-        touch("solved-course")
-        onNodeWithTag("course-all-done").assertIsDisplayed()
+        onNodeWithTag(CourseTags.SOLVED_COURSE_NEXT).assertDoesNotExist()
+        touch(CourseTags.SOLVED_COURSE)
+        onNodeWithTag(CourseTags.COURSE_ALL_DONE).assertIsDisplayed()
     }
 
     @Test
     fun `the menu lists the courses, and one is removed after a question`() = onCourse { workshop ->
-        touch("course-page-close")
-        touch("menu")
-        touch("menu-courses")
+        touch(KitTags.close(CourseTags.COURSE_PAGE))
+        touch(ScreenTags.MENU)
+        touch(ScreenTags.MENU_COURSES)
         val key = assertIs<CoursePage.MyCourses>(workshop.state.course.page).courses.single().key
-        touch("course-remove-$key")
-        touch("course-remove-no")
-        onNodeWithTag("course-$key").assertIsDisplayed()
-        touch("course-remove-$key")
-        touch("course-remove-yes")
-        onNodeWithTag("courses-none").assertIsDisplayed()
-        touch("courses-page-close")
+        touch(CourseTags.remove(key))
+        touch(CourseTags.COURSE_REMOVE_NO)
+        onNodeWithTag(CourseTags.course(key)).assertIsDisplayed()
+        touch(CourseTags.remove(key))
+        touch(CourseTags.COURSE_REMOVE_YES)
+        onNodeWithTag(CourseTags.COURSES_NONE).assertIsDisplayed()
+        touch(KitTags.close(CourseTags.COURSES_PAGE))
         assertNull(workshop.state.course.page)
     }
 
@@ -119,26 +124,26 @@ class CoursePagesTest {
     fun `a teacher makes a course with the keyboard and buttons`() = onCourse(1280, 1400) { workshop ->
         workshop.handle(CourseEvent.ListRequested)
         pass(300)
-        touch("courses-make")
-        onNodeWithTag("course-incomplete").assertIsDisplayed()
-        onNodeWithTag("course-title").performTextInput("Circles")
-        onNodeWithTag("course-text").performTextInput("In order.")
+        touch(CourseTags.COURSES_MAKE)
+        onNodeWithTag(CourseTags.COURSE_INCOMPLETE).assertIsDisplayed()
+        onNodeWithTag(CourseTags.COURSE_TITLE).performTextInput("Circles")
+        onNodeWithTag(CourseTags.COURSE_TEXT).performTextInput("In order.")
         machine.files.chosen =
             AnyCourse.teachers.assignments.mapIndexed { index, it -> AnyAssignment.file(it, "$index.robotran") }
-        touch("course-add-files")
-        onNodeWithTag("course-up-0").assertIsNotEnabled()
-        touch("course-down-0")
+        touch(CourseTags.COURSE_ADD_FILES)
+        onNodeWithTag(CourseTags.up(0)).assertIsNotEnabled()
+        touch(CourseTags.down(0))
         val course = assertIs<CoursePage.Making>(workshop.state.course.page).course
         assertEquals(listOf<String?>("circle-2", "circle-1", "circle-3"), course.assignments.map { it.assignment?.id })
         assertEquals("Circles" to "In order.", course.title to course.text)
-        touch("course-take-out-2")
-        touch("course-undo")
-        onNodeWithTag("course-row-2").assertExists()
+        touch(CourseTags.takeOut(2))
+        touch(CourseTags.COURSE_UNDO)
+        onNodeWithTag(CourseTags.row(2)).assertExists()
         machine.files.location = "/home/a.course.json"
-        touch("course-pupil-file")
-        onNodeWithTag("course-saved").assertTextContains("a.course.json", substring = true)
-        touch("course-link")
-        onNodeWithTag("course-qr").assertExists()
+        touch(CourseTags.COURSE_PUPIL_FILE)
+        onNodeWithTag(CourseTags.COURSE_SAVED).assertTextContains("a.course.json", substring = true)
+        touch(CourseTags.COURSE_LINK)
+        onNodeWithTag(AssignmentTags.qr(CourseTags.COURSE)).assertExists()
     }
 
     @Test
@@ -147,22 +152,22 @@ class CoursePagesTest {
         machine.files.chosen =
             AnyCourse.teachers.assignments.mapIndexed { index, it -> AnyAssignment.file(it, "$index.robotran") }
         pass(300)
-        press("course-add-files")
+        press(CourseTags.COURSE_ADD_FILES)
         val making = { assertIs<CoursePage.Making>(workshop.state.course.page).course }
-        press("course-down-0")
-        press("course-down-1")
-        press("course-up-1")
+        press(CourseTags.down(0))
+        press(CourseTags.down(1))
+        press(CourseTags.up(1))
         val order = { making().assignments.map { it.assignment?.id?.substringAfter('-') } }
         assertEquals(listOf<String?>("3", "2", "1"), order())
-        press("course-take-out-1")
+        press(CourseTags.takeOut(1))
         assertEquals(listOf<String?>("3", "1"), order())
-        press("course-undo")
+        press(CourseTags.COURSE_UNDO)
         assertEquals(3, order().size)
-        onNodeWithTag("course-title").performTextInput("Circles")
-        onNodeWithTag("course-title").performTextReplacement("Rings")
+        onNodeWithTag(CourseTags.COURSE_TITLE).performTextInput("Circles")
+        onNodeWithTag(CourseTags.COURSE_TITLE).performTextReplacement("Rings")
         pass(300)
         assertEquals("Rings", making().title)
-        onNodeWithTag("course-title").performKeyInput { pressKey(Key.Escape) }
+        onNodeWithTag(CourseTags.COURSE_TITLE).performKeyInput { pressKey(Key.Escape) }
         pass(600)
         assertEquals("Rings", assertIs<CoursePage.OneCourse>(workshop.state.course.page).title)
     }
@@ -178,16 +183,16 @@ class CoursePagesTest {
     fun `the card of the task says where the pupil is in the course and leads on and back`() {
         for ((width, height) in listOf(411 to 891, 1280 to 800)) {
             onCourse(width, height) { workshop ->
-                touch("course-go-on")
+                touch(CourseTags.COURSE_GO_ON)
                 workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
-                onNodeWithTag("course-place").assertTextContains("Circles: assignment 1 of 3")
-                scrollAndTouch("course-line-next")
+                onNodeWithTag(CourseTags.COURSE_PLACE).assertTextContains("Circles: assignment 1 of 3")
+                scrollAndTouch(CourseTags.COURSE_LINE_NEXT)
                 pass(600)
                 assertEquals("circle-2", workshop.state.assignment?.assignment?.id)
                 workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
-                scrollAndTouch("course-line-back")
+                scrollAndTouch(CourseTags.COURSE_LINE_BACK)
                 pass(600)
                 assertIs<CoursePage.OneCourse>(workshop.state.course.page)
             }
@@ -200,14 +205,14 @@ class CoursePagesTest {
         machine.files.location = "/home/drive.course.json"
         workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
         pass(300)
-        touch("course-save-drive")
-        onNodeWithTag("course-saved-drive").assertTextContains("drive.course.json", substring = true)
+        touch(LearningTags.courseSave("drive"))
+        onNodeWithTag(LearningTags.courseSaved("drive")).assertTextContains("drive.course.json", substring = true)
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(300)
-        onNodeWithTag("world-cards").assertIsDisplayed()
-        onNodeWithTag("world-cards").performScrollToKey("save")
+        onNodeWithTag(LearningTags.WORLD_CARDS).assertIsDisplayed()
+        onNodeWithTag(LearningTags.WORLD_CARDS).performScrollToKey("save")
         pass(300)
-        touch("course-save-worlds")
+        touch(LearningTags.courseSave("worlds"))
         assertEquals("worlds", assertNotNull(workshop.state.course.saved).name)
     }
 }

@@ -21,10 +21,13 @@ import androidx.compose.ui.test.pressKey
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.ui.common.AutosaveBanner
+import robotran.ui.common.tags.CommonTags
 import robotran.ui.language.InLanguage
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.screen.noticeText
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
@@ -48,56 +51,57 @@ class ProjectMenuTest {
 
     @Test
     fun `the name of the work opens the menu, and everything in it is large enough for a finger`() = shown {
-        onNodeWithTag("work-menu").assertContentDescriptionContains("Work: My first work").performClick()
+        onNodeWithTag(DocumentTags.WORK_MENU).assertContentDescriptionContains("Work: My first work").performClick()
         for (item in listOf(
-            "new",
-            "my-work",
-            "open",
-            "open-link",
-            "rename",
-            "save-as",
-            "share-link",
-            "show",
-            "replay",
-            "program-file",
-            "kit",
+            DocumentTags.NEW,
+            DocumentTags.MY_WORK,
+            DocumentTags.OPEN,
+            DocumentTags.OPEN_LINK,
+            DocumentTags.RENAME,
+            DocumentTags.SAVE_AS,
+            DocumentTags.SHARE_LINK,
+            DocumentTags.SHOW,
+            DocumentTags.REPLAY,
+            DocumentTags.PROGRAM_FILE,
+            DocumentTags.KIT,
         )) {
-            val bounds = onNodeWithTag("work-$item").fetchSemanticsNode().touchBoundsInRoot
+            val bounds = onNodeWithTag(DocumentTags.menuItem(item)).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(bounds.height >= 48f, "$item is only $bounds")
         }
-        onNodeWithTag("work-save").assertDoesNotExist()
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.SAVE)).assertDoesNotExist()
     }
 
     @Test
     fun `a work is given a name by typing it and Return`() = shown { workshop ->
-        choose("rename")
-        onNodeWithTag("document-text").assertIsFocused().performTextReplacement(" ")
-        onNodeWithTag("document-done").assertIsNotEnabled()
-        onNodeWithTag("document-text").performTextReplacement("Maze")
-        onNodeWithTag("document-text").performKeyInput { pressKey(Key.Enter) }
-        onNodeWithTag("document-dialog").assertDoesNotExist()
+        choose(DocumentTags.RENAME)
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).assertIsFocused().performTextReplacement(" ")
+        onNodeWithTag(DocumentTags.DOCUMENT_DONE).assertIsNotEnabled()
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performTextReplacement("Maze")
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performKeyInput { pressKey(Key.Enter) }
+        onNodeWithTag(KitTags.DOCUMENT_DIALOG).assertDoesNotExist()
         assertEquals("Maze", workshop.state.document.name)
-        onNodeWithTag("work-menu").assertContentDescriptionContains("Work: Maze")
+        onNodeWithTag(DocumentTags.WORK_MENU).assertContentDescriptionContains("Work: Maze")
     }
 
     @Test
     fun `my work says what to do first, then lists what was written`() = shown { workshop ->
-        choose("my-work")
-        onNodeWithTag("works-empty").assertIsDisplayed()
-        onNodeWithTag("document-cancel").performClick()
+        choose(DocumentTags.MY_WORK)
+        onNodeWithTag(DocumentTags.WORKS_EMPTY).assertIsDisplayed()
+        onNodeWithTag(DocumentTags.DOCUMENT_CANCEL).performClick()
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
         workshop.handle(DocumentEvent.NewRequested)
-        choose("my-work")
+        choose(DocumentTags.MY_WORK)
         val work = checkNotNull(
             assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
-        onNodeWithTag("actions-$work").assertContentDescriptionContains("What to do with My first work").performClick()
-        onNodeWithTag("rename-$work").performClick()
-        onNodeWithTag("document-text").assertIsFocused().performTextReplacement("Maze")
-        onNodeWithTag("document-text").performKeyInput { pressKey(Key.Enter) }
-        onNodeWithTag("work-$work").assertTextContains("Maze")
-        onNodeWithTag("work-$work").performClick()
+        onNodeWithTag(DocumentTags.actions(work))
+            .assertContentDescriptionContains("What to do with My first work").performClick()
+        onNodeWithTag(DocumentTags.rename(work)).performClick()
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).assertIsFocused().performTextReplacement("Maze")
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performKeyInput { pressKey(Key.Enter) }
+        onNodeWithTag(DocumentTags.work(work)).assertTextContains("Maze")
+        onNodeWithTag(DocumentTags.work(work)).performClick()
         assertEquals("forward 7", workshop.state.programText)
         assertNull(workshop.state.document.dialog)
     }
@@ -108,14 +112,14 @@ class ProjectMenuTest {
         val next = machine.afterKill()
         next.window()
         shown(next.afterKill().window()) { workshop ->
-            onNodeWithTag("stopped-help").assertIsDisplayed()
-            onNodeWithTag("stopped-save").assertIsDisplayed()
-            onNodeWithTag("stopped-my-work").performClick()
+            onNodeWithTag(DocumentTags.STOPPED_HELP).assertIsDisplayed()
+            onNodeWithTag(DocumentTags.STOPPED_SAVE).assertIsDisplayed()
+            onNodeWithTag(DocumentTags.STOPPED_MY_WORK).performClick()
             val work = checkNotNull(
                 assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
             ).single().entry.id
-            onNodeWithTag("work-$work").performClick()
-            onNodeWithTag("stopped-open").performClick()
+            onNodeWithTag(DocumentTags.work(work)).performClick()
+            onNodeWithTag(DocumentTags.STOPPED_OPEN).performClick()
             assertEquals("forward 7", workshop.state.programText)
         }
     }
@@ -125,21 +129,21 @@ class ProjectMenuTest {
         machine.window(opened).also { it.handle(ProgramEvent.ProgramEdited("forward 7")) }.keep()
         val next = machine.afterKill().also { it.marks.times.clear() }
         shown(next.window(opened)) { workshop ->
-            onNodeWithTag("newer-times").assertIsDisplayed()
-            onNodeWithTag("newer-file").assertIsDisplayed()
-            onNodeWithTag("newer-work").performClick()
+            onNodeWithTag(DocumentTags.NEWER_TIMES).assertIsDisplayed()
+            onNodeWithTag(DocumentTags.NEWER_FILE).assertIsDisplayed()
+            onNodeWithTag(DocumentTags.NEWER_WORK).performClick()
             assertEquals("forward 7", workshop.state.programText)
         }
     }
 
     @Test
     fun `my work offers a new one with either brick, in the words of the menu`() = shown { workshop ->
-        choose("my-work")
-        onNodeWithTag("works-new-nxt").assertTextEquals("New with an NXT").performClick()
+        choose(DocumentTags.MY_WORK)
+        onNodeWithTag(DocumentTags.worksNew(BrickKind.NXT)).assertTextEquals("New with an NXT").performClick()
         assertNull(workshop.state.document.dialog)
         assertEquals(BrickKind.NXT, workshop.state.programs.brick)
-        choose("my-work")
-        onNodeWithTag("works-new").assertTextEquals("New").performClick()
+        choose(DocumentTags.MY_WORK)
+        onNodeWithTag(DocumentTags.WORKS_NEW).assertTextEquals("New").performClick()
         assertEquals(BrickKind.RCX, workshop.state.programs.brick)
     }
 
@@ -148,15 +152,15 @@ class ProjectMenuTest {
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
         workshop.handle(DocumentEvent.NewRequested)
-        choose("my-work")
+        choose(DocumentTags.MY_WORK)
         val work = checkNotNull(
             assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
-        onNodeWithTag("actions-$work").performClick()
-        onNodeWithTag("delete-$work").performClick()
-        onNodeWithTag("work-$work").assertDoesNotExist()
-        onNodeWithTag("delete-undo").performClick()
-        onNodeWithTag("work-$work").assertIsDisplayed()
+        onNodeWithTag(DocumentTags.actions(work)).performClick()
+        onNodeWithTag(DocumentTags.delete(work)).performClick()
+        onNodeWithTag(DocumentTags.work(work)).assertDoesNotExist()
+        onNodeWithTag(DocumentTags.DELETE_UNDO).performClick()
+        onNodeWithTag(DocumentTags.work(work)).assertIsDisplayed()
     }
 
     @Test
@@ -164,11 +168,11 @@ class ProjectMenuTest {
         workshop.handle(SettingsEvent.SettingsChanged(workshop.state.settings.copy(language = Language.GERMAN)))
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
-        choose("my-work")
+        choose(DocumentTags.MY_WORK)
         val work = checkNotNull(
             assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
         ).single().entry.id
-        onNodeWithTag("work-$work").assertTextContains("Leeres Blatt", substring = true)
+        onNodeWithTag(DocumentTags.work(work)).assertTextContains("Leeres Blatt", substring = true)
     }
 
     @Test
@@ -179,18 +183,19 @@ class ProjectMenuTest {
         }
         other.keep()
         shown { workshop ->
-            choose("my-work")
+            choose(DocumentTags.MY_WORK)
             val work = checkNotNull(
                 assertIs<DocumentDialog.ProjectList>(workshop.state.document.dialog).projects,
             ).single().entry.id
-            onNodeWithTag("work-$work").performClick()
-            onNodeWithTag("works-notice").assertIsDisplayed().assertTextEquals("“Sumo” is open in another window.")
-            onNodeWithTag("actions-$work").performClick()
-            onNodeWithTag("delete-$work").performClick()
-            onNodeWithTag("works-notice").assertIsDisplayed()
-            onNodeWithTag("document-cancel").performClick()
-            choose("my-work")
-            onNodeWithTag("works-notice").assertDoesNotExist()
+            onNodeWithTag(DocumentTags.work(work)).performClick()
+            onNodeWithTag(DocumentTags.WORKS_NOTICE)
+                .assertIsDisplayed().assertTextEquals("“Sumo” is open in another window.")
+            onNodeWithTag(DocumentTags.actions(work)).performClick()
+            onNodeWithTag(DocumentTags.delete(work)).performClick()
+            onNodeWithTag(DocumentTags.WORKS_NOTICE).assertIsDisplayed()
+            onNodeWithTag(DocumentTags.DOCUMENT_CANCEL).performClick()
+            choose(DocumentTags.MY_WORK)
+            onNodeWithTag(DocumentTags.WORKS_NOTICE).assertDoesNotExist()
             assertIs<Notice.LastProjectOpenElsewhere>(workshop.state.notice, "nothing is said behind the list")
         }
         other.close()
@@ -198,29 +203,29 @@ class ProjectMenuTest {
 
     @Test
     fun `the link is shown with its length and copied by a touch`() = shown { workshop ->
-        choose("share-link")
+        choose(DocumentTags.SHARE_LINK)
         val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
-        onNodeWithTag("link-text").assertTextContains(link, substring = true)
-        onNodeWithTag("link-length").assertTextEquals("${link.length} characters")
-        onNodeWithTag("link-copy").performClick()
+        onNodeWithTag(DocumentTags.LINK_TEXT).assertTextContains(link, substring = true)
+        onNodeWithTag(DocumentTags.LINK_LENGTH).assertTextEquals("${link.length} characters")
+        onNodeWithTag(DocumentTags.LINK_COPY).performClick()
         assertEquals(link, machine.clipboard.text)
-        onNodeWithTag("link-copy").assertTextEquals("Copied")
+        onNodeWithTag(DocumentTags.LINK_COPY).assertTextEquals("Copied")
     }
 
     @Test
     fun `a link is opened by pasting it, and a broken one says why`() = shown { workshop ->
-        choose("open-link")
-        onNodeWithTag("document-text").performTextReplacement("#w=a???")
-        onNodeWithTag("document-done").performClick()
-        onNodeWithTag("document-trouble").assertTextContains("The link is broken", substring = true)
-        onNodeWithTag("document-cancel").performClick()
+        choose(DocumentTags.OPEN_LINK)
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performTextReplacement("#w=a???")
+        onNodeWithTag(DocumentTags.DOCUMENT_DONE).performClick()
+        onNodeWithTag(DocumentTags.DOCUMENT_TROUBLE).assertTextContains("The link is broken", substring = true)
+        onNodeWithTag(DocumentTags.DOCUMENT_CANCEL).performClick()
         assertNull(workshop.state.document.dialog)
     }
 
     @Test
     fun `Escape closes a dialog`() = shown { workshop ->
-        choose("rename")
-        onNodeWithTag("document-text").performKeyInput { pressKey(Key.Escape) }
+        choose(DocumentTags.RENAME)
+        onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performKeyInput { pressKey(Key.Escape) }
         assertNull(workshop.state.document.dialog)
     }
 
@@ -229,8 +234,8 @@ class ProjectMenuTest {
         it.handle(ProgramEvent.ProgramEdited("beep beep"))
         it.keep()
         waitForIdle()
-        onNodeWithTag("work-menu").performClick()
-        onNodeWithTag("work-save").performClick()
+        onNodeWithTag(DocumentTags.WORK_MENU).performClick()
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.SAVE)).performClick()
         assertTrue(it.state.document.saved)
     }
 
@@ -240,9 +245,9 @@ class ProjectMenuTest {
         workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
         workshop.keep()
         waitForIdle()
-        onNodeWithTag("keeping-trouble").assertIsDisplayed()
+        onNodeWithTag(CommonTags.KEEPING_TROUBLE).assertIsDisplayed()
         machine.files.location = "/stick/mine.robotran"
-        onNodeWithTag("trouble-save-as").performClick()
+        onNodeWithTag(CommonTags.TROUBLE_SAVE_AS).performClick()
         assertTrue("/stick/mine.robotran" in machine.files.disk)
     }
 
@@ -253,7 +258,7 @@ class ProjectMenuTest {
         it.handle(DocumentEvent.SaveRequested)
         waitForIdle()
         machine.files.location = "/home/mine.robotran"
-        onNodeWithTag("changed-as").performClick()
+        onNodeWithTag(DocumentTags.CHANGED_AS).performClick()
         assertEquals("mine.robotran", it.state.document.fileName)
     }
 
@@ -281,8 +286,8 @@ class ProjectMenuTest {
     }
 
     private fun ComposeUiTest.choose(item: String) {
-        onNodeWithTag("work-menu").performClick()
-        onNodeWithTag("work-$item").performClick()
+        onNodeWithTag(DocumentTags.WORK_MENU).performClick()
+        onNodeWithTag(DocumentTags.menuItem(item)).performClick()
         waitForIdle()
     }
 }

@@ -11,6 +11,7 @@ import com.google.zxing.common.HybridBinarizer
 import com.google.zxing.qrcode.QRCodeReader
 import org.jetbrains.skia.Image
 import robotran.ui.RobotranApp
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.screen.onEventThread
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
@@ -50,9 +51,9 @@ class QrCodeViewTest {
         workshop.handle(ProgramEvent.ProgramEdited(noise))
         workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
-        onNodeWithTag("qr-too-long").assertExists()
-        onNodeWithTag("qr-code").assertDoesNotExist()
-        onNodeWithTag("link-copy").assertExists()
+        onNodeWithTag(DocumentTags.QR_TOO_LONG).assertExists()
+        onNodeWithTag(DocumentTags.QR_CODE).assertDoesNotExist()
+        onNodeWithTag(DocumentTags.LINK_COPY).assertExists()
     }
 
     private fun photograph(workshop: Workshop, dark: Boolean): Image {

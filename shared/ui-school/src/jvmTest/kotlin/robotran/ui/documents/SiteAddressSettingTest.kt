@@ -9,9 +9,11 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.performTextReplacement
 import kotlinx.coroutines.runBlocking
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.write
 import robotran.workshop.event.DocumentEvent
@@ -34,26 +36,33 @@ class SiteAddressSettingTest {
     fun `without an address of a site the file is offered and no link that leads nowhere`() = onPhone { workshop ->
         workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
-        onNodeWithTag("share-save-as").assertIsDisplayed()
-        for (tag in listOf("qr-code", "link-text", "link-copy", "link-share")) onNodeWithTag(tag).assertDoesNotExist()
-        onNodeWithTag("share-site").performClick()
+        onNodeWithTag(DocumentTags.SHARE_SAVE_AS).assertIsDisplayed()
+        for (tag in listOf(
+            DocumentTags.QR_CODE,
+            DocumentTags.LINK_TEXT,
+            DocumentTags.LINK_COPY,
+            DocumentTags.LINK_SHARE,
+        )) {
+            onNodeWithTag(tag).assertDoesNotExist()
+        }
+        onNodeWithTag(DocumentTags.SHARE_SITE).performClick()
         pass(200)
-        onNodeWithTag("site").assertIsDisplayed().assertIsFocused()
-        onNodeWithTag("site").performTextInput("school.example")
-        onNodeWithTag("site-wrong", useUnmergedTree = true).assertTextContains("https://", substring = true)
+        onNodeWithTag(ScreenTags.SITE).assertIsDisplayed().assertIsFocused()
+        onNodeWithTag(ScreenTags.SITE).performTextInput("school.example")
+        onNodeWithTag(ScreenTags.SITE_WRONG, useUnmergedTree = true).assertTextContains("https://", substring = true)
         assertEquals("", workshop.state.settings.site)
-        onNodeWithTag("site").performTextReplacement(" https://school.example/robotran/#p=a1 ")
-        onNodeWithTag("site-wrong", useUnmergedTree = true).assertDoesNotExist()
+        onNodeWithTag(ScreenTags.SITE).performTextReplacement(" https://school.example/robotran/#p=a1 ")
+        onNodeWithTag(ScreenTags.SITE_WRONG, useUnmergedTree = true).assertDoesNotExist()
         workshop.handle(SettingsEvent.SettingsShown(false))
         workshop.handle(DocumentEvent.LinkRequested)
         pass(200)
         val link = checkNotNull(assertIs<DocumentDialog.SharingLink>(workshop.state.document.dialog).link)
         assertTrue(link.startsWith("https://school.example/robotran/#p=a"), link)
-        onNodeWithTag("qr-code").assertExists()
+        onNodeWithTag(DocumentTags.QR_CODE).assertExists()
         workshop.handle(SettingsEvent.SettingsShown(true))
         workshop.handle(DocumentEvent.DialogClosed)
         pass(200)
-        onNodeWithTag("site").performTextReplacement("")
+        onNodeWithTag(ScreenTags.SITE).performTextReplacement("")
         assertEquals("", workshop.state.settings.site)
     }
 
@@ -65,9 +74,9 @@ class SiteAddressSettingTest {
                 workshop.handle(DocumentEvent.LinkRequested)
                 pass(200)
                 if (isLocal) {
-                    onNodeWithTag("link-local").assertTextContains("localhost:8282", substring = true)
+                    onNodeWithTag(DocumentTags.LINK_LOCAL).assertTextContains("localhost:8282", substring = true)
                 } else {
-                    onNodeWithTag("link-local").assertDoesNotExist()
+                    onNodeWithTag(DocumentTags.LINK_LOCAL).assertDoesNotExist()
                 }
             }
         }

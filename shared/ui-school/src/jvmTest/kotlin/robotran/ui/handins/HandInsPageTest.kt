@@ -20,15 +20,20 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
 import robotran.projects.AssignmentChecks
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.school.tags.HandInTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pageBackEvents
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.handins.AnyClass
+import robotran.workshop.state.HandInOrder
 import robotran.workshop.state.HandInVerdict
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
@@ -47,12 +52,12 @@ class HandInsPageTest {
         val workshop = gradedClass(AnyClass.few)
         workshop.handle(HandInsEvent.Closed)
         onScreenOf(workshop, 1280, 800) {
-            tap("work-menu")
-            tap("work-hand-ins")
+            tap(DocumentTags.WORK_MENU)
+            tap(DocumentTags.menuItem(HandInTags.HAND_INS))
             workshop.awaiting { handIns?.rows?.size == 6 }
             settle()
-            onNodeWithTag("hand-in-row-0").assertIsDisplayed()
-            onNodeWithTag("hand-ins").performKeyInput { pressKey(Key.Escape) }
+            onNodeWithTag(HandInTags.row(0)).assertIsDisplayed()
+            onNodeWithTag(HandInTags.HAND_INS).performKeyInput { pressKey(Key.Escape) }
             settle()
             assertNull(workshop.state.handIns)
         }
@@ -65,19 +70,19 @@ class HandInsPageTest {
             for (scale in listOf(1f, 2f)) {
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, textScale = scale)))
                 settle()
-                onNodeWithTag("hand-in-list").performSemanticsAction(SemanticsActions.ScrollToIndex) { it(0) }
+                onNodeWithTag(HandInTags.HAND_IN_LIST).performSemanticsAction(SemanticsActions.ScrollToIndex) { it(0) }
                 settle()
                 checkTargets(
-                    "hand-ins-choose",
-                    "hand-ins-paste",
-                    "hand-ins-csv",
-                    "hand-ins-html",
-                    "hand-ins-feedback",
-                    "hand-ins-remove",
-                    "hand-ins-close",
+                    HandInTags.HAND_INS_CHOOSE,
+                    HandInTags.HAND_INS_PASTE,
+                    HandInTags.HAND_INS_CSV,
+                    HandInTags.HAND_INS_HTML,
+                    HandInTags.HAND_INS_FEEDBACK,
+                    HandInTags.HAND_INS_REMOVE,
+                    KitTags.close(HandInTags.HAND_INS),
                 )
                 scrollToRow(1)
-                checkTargets("hand-in-row-1")
+                checkTargets(HandInTags.row(1))
             }
         }
     }
@@ -86,7 +91,7 @@ class HandInsPageTest {
     fun `a screen reader hears who it is, the verdict, and what is strange`() = onClass { workshop ->
         val index = workshop.indexOf("Dina")
         scrollToRow(index)
-        val spoken = spokenBy("hand-in-row-$index")
+        val spoken = spokenBy(HandInTags.row(index))
         for (part in listOf("Dina", "Has mistakes", "forwrd", "Tries: 3")) assertContains(spoken, part)
     }
 
@@ -94,17 +99,23 @@ class HandInsPageTest {
     fun `a hand-in opens with its goals, takes a comment, and leads to its neighbours`() = onClass { workshop ->
         val index = workshop.indexOf("Cleo")
         scrollToRow(index)
-        tap("hand-in-row-$index")
-        checkTargets("hand-in-replay", "hand-in-replay-own", "hand-in-feedback", "hand-in-previous", "hand-in-next")
-        onNodeWithTag("hand-in-comment").performTextInput("Nearly there.")
+        tap(HandInTags.row(index))
+        checkTargets(
+            HandInTags.HAND_IN_REPLAY,
+            HandInTags.HAND_IN_REPLAY_OWN,
+            HandInTags.HAND_IN_FEEDBACK,
+            HandInTags.HAND_IN_PREVIOUS,
+            HandInTags.HAND_IN_NEXT,
+        )
+        onNodeWithTag(HandInTags.HAND_IN_COMMENT).performTextInput("Nearly there.")
         settle()
         assertEquals("Nearly there.", workshop.row("Cleo").comment)
-        tap("hand-in-next")
+        tap(HandInTags.HAND_IN_NEXT)
         val next = workshop.state.handIns?.openedRow?.name
         assertEquals(workshop.state.handIns?.rows?.get(index + 1)?.name, next)
-        tap("hand-in-previous")
+        tap(HandInTags.HAND_IN_PREVIOUS)
         assertEquals("Cleo", workshop.state.handIns?.openedRow?.name)
-        tap("hand-ins-close")
+        tap(KitTags.close(HandInTags.HAND_INS))
         assertNull(workshop.state.handIns?.opened)
         assertNotNull(workshop.state.handIns)
     }
@@ -113,45 +124,45 @@ class HandInsPageTest {
     fun `the solution stands beside the program`() = onClass { workshop ->
         workshop.handle(HandInsEvent.HandInChosen("Ben"))
         settle()
-        tap("hand-in-beside-1")
-        onNodeWithTag("hand-in-beside").assertExists()
-        tap("hand-in-beside-0")
-        onNodeWithTag("hand-in-beside").assertDoesNotExist()
+        tap(HandInTags.beside(1))
+        onNodeWithTag(HandInTags.HAND_IN_BESIDE).assertExists()
+        tap(HandInTags.beside(0))
+        onNodeWithTag(HandInTags.HAND_IN_BESIDE).assertDoesNotExist()
     }
 
     @Test
     fun `a replay needs one touch, and the notice leads back`() = onClass { workshop ->
         val index = workshop.indexOf("Ben")
         scrollToRow(index)
-        tap("hand-in-row-replay-$index")
+        tap(HandInTags.rowReplay(index))
         workshop.awaiting { handIns == null && notice != null }
         settle()
         assertEquals("pen down\nforward 8\n", workshop.state.programText)
-        onNodeWithTag("notice-text").assertTextContains("Ben: As given, seed ", substring = true)
-        tap("notice-close")
+        onNodeWithTag(ScreenTags.NOTICE_TEXT).assertTextContains("Ben: As given, seed ", substring = true)
+        tap(ScreenTags.NOTICE_CLOSE)
         // The way back stays, and hides less of the world.
-        assertTrue(placeOf("notice").width < 240f && placeOf("notice-action").height >= 48f)
-        tap("notice-action")
+        assertTrue(placeOf(ScreenTags.NOTICE).width < 240f && placeOf(ScreenTags.NOTICE_ACTION).height >= 48f)
+        tap(ScreenTags.NOTICE_ACTION)
         workshop.awaiting { handIns != null }
         settle()
-        onNodeWithTag("hand-ins").assertIsDisplayed()
+        onNodeWithTag(HandInTags.HAND_INS).assertIsDisplayed()
     }
 
     @Test
     fun `removing everything is asked for first`() = onClass { workshop ->
-        tap("hand-ins-remove")
-        tap("hand-ins-remove-done")
+        tap(HandInTags.HAND_INS_REMOVE)
+        tap(HandInTags.HAND_INS_REMOVE_DONE)
         workshop.awaiting { handIns?.rows?.isEmpty() == true }
         settle()
-        onNodeWithTag("hand-ins-empty").assertExists()
+        onNodeWithTag(HandInTags.HAND_INS_EMPTY).assertExists()
     }
 
     @Test
     fun `links are pasted in a field of several lines`() = onClass {
-        tap("hand-ins-paste")
-        onNodeWithTag("hand-ins-links").performTextInput("nothing\nat all")
+        tap(HandInTags.HAND_INS_PASTE)
+        onNodeWithTag(HandInTags.HAND_INS_LINKS).performTextInput("nothing\nat all")
         settle()
-        tap("hand-ins-paste-done")
+        tap(HandInTags.HAND_INS_PASTE_DONE)
         it.awaiting { handIns?.isReading == false && handIns?.dialog == null && handIns?.message != null }
     }
 
@@ -163,8 +174,8 @@ class HandInsPageTest {
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, language = language)))
                 settle()
                 assertEquals(2, workshop.state.handIns?.counts?.get(HandInVerdict.MISSED))
-                onNodeWithTag("hand-ins-counts").assertIsDisplayed()
-                assertEquals(1, onAllNodesWithTag("hand-ins-order-verdict").fetchSemanticsNodes().size)
+                onNodeWithTag(HandInTags.HAND_INS_COUNTS).assertIsDisplayed()
+                assertEquals(1, onAllNodesWithTag(HandInTags.order(HandInOrder.VERDICT)).fetchSemanticsNodes().size)
             }
         }
     }
@@ -182,7 +193,7 @@ class HandInsPageTest {
         onScreenOf(workshop, 1440, 900) {
             assertEquals(2, workshop.state.handIns?.counts?.get(HandInVerdict.PASSED))
             assertEquals(1, onAllNodesWithText("Resueltas").fetchSemanticsNodes().size)
-            assertContains(spokenBy("hand-in-row-0"), "1 de 1 meta.")
+            assertContains(spokenBy(HandInTags.row(0)), "1 de 1 meta.")
         }
     }
 
@@ -190,16 +201,16 @@ class HandInsPageTest {
     fun `a row is removed by a touch, and Undo brings it back`() = onClass { workshop ->
         val index = workshop.indexOf("Cleo")
         scrollToRow(index)
-        tap("hand-in-row-remove-$index")
+        tap(HandInTags.rowRemove(index))
         assertEquals(5, workshop.state.handIns?.rows?.size)
         // Also if the head of the table is out of sight.
-        onNodeWithTag("hand-ins-undo").assertIsDisplayed()
-        tap("hand-ins-undo")
+        onNodeWithTag(HandInTags.HAND_INS_UNDO).assertIsDisplayed()
+        tap(HandInTags.HAND_INS_UNDO)
         assertEquals(HandInVerdict.PARTLY, workshop.row("Cleo").verdict)
         workshop.handle(HandInsEvent.HandInChosen("Cleo"))
         settle()
-        scrollAndTap("hand-in-remove")
-        onNodeWithTag("hand-in-list").assertIsDisplayed()
+        scrollAndTap(HandInTags.HAND_IN_REMOVE)
+        onNodeWithTag(HandInTags.HAND_IN_LIST).assertIsDisplayed()
         assertEquals(5, workshop.state.handIns?.rows?.size)
     }
 
@@ -207,11 +218,11 @@ class HandInsPageTest {
     fun `a run that succeeded is replayed by one touch, and says which it is`() = onClass { workshop ->
         workshop.handle(HandInsEvent.HandInChosen("Ada"))
         settle()
-        assertEquals("As given, seed 3: all goals met. Replay", spokenBy("hand-in-run--3"))
-        assertContains(spokenBy("hand-in-run-A worn robot-3"), "A worn robot, seed 3: all goals met")
-        checkTargets("hand-in-run--1", "hand-in-run--2")
-        assertEquals("Back to the hand-ins", spokenBy("hand-ins-close"))
-        tap("hand-in-run--3")
+        assertEquals("As given, seed 3: all goals met. Replay", spokenBy(HandInTags.run("", 3)))
+        assertContains(spokenBy(HandInTags.run("A worn robot", 3)), "A worn robot, seed 3: all goals met")
+        checkTargets(HandInTags.run("", 1), HandInTags.run("", 2))
+        assertEquals("Back to the hand-ins", spokenBy(KitTags.close(HandInTags.HAND_INS)))
+        tap(HandInTags.run("", 3))
         workshop.awaiting { handIns == null && notice != null }
         assertEquals(3, workshop.state.world.seed)
     }
@@ -222,7 +233,7 @@ class HandInsPageTest {
         settle()
         val index = workshop.indexOf("Cleo")
         scrollToRow(index)
-        val spoken = spokenBy("hand-in-row-$index")
+        val spoken = spokenBy(HandInTags.row(index))
         for (part in listOf(
             "Comment: Nearly there",
             "s on average. As given: ",
@@ -236,11 +247,11 @@ class HandInsPageTest {
     fun `any other hand-in stands beside the program`() = onClass { workshop ->
         workshop.handle(HandInsEvent.HandInChosen("Ben"))
         settle()
-        scrollAndTap("hand-in-beside-other")
-        assertTrue(placeOf("hand-in-beside-choice-0").height >= 48f)
-        tap("hand-in-beside-choice-1")
+        scrollAndTap(HandInTags.HAND_IN_BESIDE_OTHER)
+        assertTrue(placeOf(HandInTags.besideChoice(0)).height >= 48f)
+        tap(HandInTags.besideChoice(1))
         assertEquals("Cleo", workshop.state.handIns?.opened?.beside)
-        onNodeWithTag("hand-in-beside").assertExists()
+        onNodeWithTag(HandInTags.HAND_IN_BESIDE).assertExists()
         assertNull(workshop.state.handIns?.dialog)
     }
 
@@ -250,24 +261,24 @@ class HandInsPageTest {
         workshop.handle(HandInsEvent.MessageDismissed)
         onScreenOf(workshop, 1024, 768) {
             scrollToRow(14)
-            onNodeWithTag("hand-in-row-14").assertIsDisplayed()
-            val before = placeOf("hand-in-row-15")
-            tap("hand-in-row-15")
-            tap("hand-ins-close")
-            assertEquals(before, placeOf("hand-in-row-15"))
-            onNodeWithTag("hand-in-row-15").assertIsFocused()
+            onNodeWithTag(HandInTags.row(14)).assertIsDisplayed()
+            val before = placeOf(HandInTags.row(15))
+            tap(HandInTags.row(15))
+            tap(KitTags.close(HandInTags.HAND_INS))
+            assertEquals(before, placeOf(HandInTags.row(15)))
+            onNodeWithTag(HandInTags.row(15)).assertIsFocused()
             // The one that was open last is in sight, although it is far from the first.
-            tap("hand-in-row-15")
-            repeat(8) { tap("hand-in-next") }
-            tap("hand-ins-close")
-            onNodeWithTag("hand-in-row-23").assertIsDisplayed()
-            tap("hand-in-row-replay-15".takeIf { isThere(it) } ?: "hand-in-row-replay-23")
+            tap(HandInTags.row(15))
+            repeat(8) { tap(HandInTags.HAND_IN_NEXT) }
+            tap(KitTags.close(HandInTags.HAND_INS))
+            onNodeWithTag(HandInTags.row(23)).assertIsDisplayed()
+            tap(HandInTags.rowReplay(15).takeIf { isThere(it) } ?: HandInTags.rowReplay(23))
             workshop.awaiting { handIns == null && notice != null }
             settle()
-            tap("notice-action")
+            tap(ScreenTags.NOTICE_ACTION)
             workshop.awaiting { handIns != null }
             settle()
-            onNodeWithTag("hand-in-row-${workshop.indexOf(workshop.lastName)}").assertIsDisplayed()
+            onNodeWithTag(HandInTags.row(workshop.indexOf(workshop.lastName))).assertIsDisplayed()
         }
     }
 
@@ -277,7 +288,7 @@ class HandInsPageTest {
         onScreenOf(workshop, 360, 740) {
             for (index in 0..24) {
                 scrollToRow(index)
-                val parts = listOf("hand-in-row-$index", "hand-in-row-replay-$index", "hand-in-row-remove-$index")
+                val parts = listOf(HandInTags.row(index), HandInTags.rowReplay(index), HandInTags.rowRemove(index))
                     .filter { isThere(it) }
                 val places = parts.map { onNodeWithTag(it).fetchSemanticsNode().boundsInRoot }
                 for ((part, place) in parts.zip(places)) {
@@ -292,24 +303,24 @@ class HandInsPageTest {
     fun `the keyboard alone opens rows, writes comments and replays`() {
         val workshop = gradedClass(AnyClass.whole)
         onScreenOf(workshop, 1280, 800) {
-            goTo("hand-in-row-0")
+            goTo(HandInTags.row(0))
             // To the last row, also those that were out of sight.
-            goTo("hand-in-row-24", most = 120)
-            onNodeWithTag("hand-in-row-24").assertIsDisplayed()
+            goTo(HandInTags.row(24), most = 120)
+            onNodeWithTag(HandInTags.row(24)).assertIsDisplayed()
             press(Key.Enter)
             assertEquals(workshop.state.handIns?.rows?.get(24)?.id, workshop.state.handIns?.opened?.id)
-            goTo("hand-in-run--1")
-            goTo("hand-in-comment")
-            onNodeWithTag("hand-in-comment").performTextInput("Go on")
+            goTo(HandInTags.run("", 1))
+            goTo(HandInTags.HAND_IN_COMMENT)
+            onNodeWithTag(HandInTags.HAND_IN_COMMENT).performTextInput("Go on")
             settle()
             // Tab leaves the field and is no letter in it.
             press(Key.Tab)
-            onNodeWithTag("hand-in-comment").assertIsNotFocused()
+            onNodeWithTag(HandInTags.HAND_IN_COMMENT).assertIsNotFocused()
             assertEquals("Go on", workshop.state.handIns?.openedRow?.comment)
             press(Key.Escape)
-            onNodeWithTag("hand-in-row-24").assertIsFocused()
+            onNodeWithTag(HandInTags.row(24)).assertIsFocused()
             press(Key.Tab)
-            onNodeWithTag("hand-in-row-replay-24").assertIsFocused()
+            onNodeWithTag(HandInTags.rowReplay(24)).assertIsFocused()
             press(Key.Enter)
             workshop.awaiting { handIns == null && notice != null }
         }
@@ -365,7 +376,7 @@ class HandInsPageTest {
 
     /** Above the rows are the head, the summary and, in a table, the titles of columns. */
     private fun ComposeUiTest.scrollToRow(index: Int) {
-        onNodeWithTag("hand-in-list").performSemanticsAction(SemanticsActions.ScrollToIndex) { it(index + 2) }
+        onNodeWithTag(HandInTags.HAND_IN_LIST).performSemanticsAction(SemanticsActions.ScrollToIndex) { it(index + 2) }
         settle()
     }
 

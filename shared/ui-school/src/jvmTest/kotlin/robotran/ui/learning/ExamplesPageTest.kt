@@ -11,9 +11,12 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.programlanguages.ExampleSet
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
 import robotran.workshop.event.DocumentEvent
@@ -33,25 +36,25 @@ import kotlin.test.assertTrue
 class ExamplesPageTest {
     @Test
     fun `an example is found in the menu and comes into a tab of its own`() = onTablet { workshop ->
-        onNodeWithTag("menu").performClick()
+        onNodeWithTag(ScreenTags.MENU).performClick()
         pass(300)
-        onNodeWithTag("menu-examples").performClick()
+        onNodeWithTag(ScreenTags.MENU_EXAMPLES).performClick()
         pass(300)
-        onNodeWithTag("example-countdown.robo").performClick()
+        onNodeWithTag(LearningTags.example("countdown.robo")).performClick()
         pass(300)
         assertNull(workshop.state.learning.page)
         assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.programs.map { it.name })
-        onNodeWithTag("program").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.PROGRAM).assertIsDisplayed()
     }
 
     @Test
     fun `who works in Java finds the examples in Java first`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(300)
-        onNodeWithTag("examples").performClick()
+        onNodeWithTag(ProgramTags.EXAMPLES).performClick()
         pass(300)
-        onNodeWithTag("example-Countdown.java").assertIsDisplayed().performClick()
+        onNodeWithTag(LearningTags.example("Countdown.java")).assertIsDisplayed().performClick()
         pass(300)
         assertEquals("Countdown.java", workshop.state.programName)
     }
@@ -61,7 +64,7 @@ class ExamplesPageTest {
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.NQC))
         workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
         pass(300)
-        onNodeWithTag("example-countdown.nqc").assertIsDisplayed().performClick()
+        onNodeWithTag(LearningTags.example("countdown.nqc")).assertIsDisplayed().performClick()
         pass(300)
         assertEquals("countdown.nqc", workshop.state.programName)
         assertEquals(emptyList(), workshop.state.programs.diagnostics)
@@ -73,7 +76,7 @@ class ExamplesPageTest {
         workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA))
         workshop.handle(LearningEvent.PageRequested(LearningPage.EXAMPLES))
         pass(300)
-        onNodeWithTag("example-nxj/Hello.java").assertIsDisplayed().performClick()
+        onNodeWithTag(LearningTags.example("nxj/Hello.java")).assertIsDisplayed().performClick()
         pass(300)
         assertEquals("Hello.java", workshop.state.programName)
         runBlocking { workshop.compilePrograms() }

@@ -18,17 +18,25 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
+import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
+import robotran.language.ProgramLanguage
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Pane
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -47,23 +55,23 @@ class LearningScreenTest {
         workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
         for (tag in listOf(
-            "try-square",
-            "try-tutorial",
-            "try-worlds",
+            LearningTags.TRY_SQUARE,
+            LearningTags.TRY_TUTORIAL,
+            LearningTags.TRY_WORLDS,
         )) {
             onNodeWithTag(tag).assertIsDisplayed().assertLargeEnough()
         }
-        onNodeWithTag("try-square").performClick()
+        onNodeWithTag(LearningTags.TRY_SQUARE).performClick()
         pass(2000)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
-        onNodeWithTag("first-run").assertDoesNotExist()
+        onNodeWithTag(LearningTags.FIRST_RUN).assertDoesNotExist()
     }
 
     @Test
     fun `the first page can be gone through with keys alone, and Escape leaves it`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
-        goTo("try-tutorial")
+        goTo(LearningTags.TRY_TUTORIAL)
         onRoot().performKeyInput { pressKey(Key.Enter) }
         pass(200)
         assertTrue(workshop.state.learning.tutorial?.isLoaded == true)
@@ -78,18 +86,18 @@ class LearningScreenTest {
     fun `a step is read, tried, solved and done`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
         pass(100)
-        onNodeWithTag("step-title").assertTextContains("A first drive")
-        press("try-step", workshop)
+        onNodeWithTag(LearningTags.STEP_TITLE).assertTextContains("A first drive")
+        press(LearningTags.TRY_STEP, workshop)
         workshop.handle(ProgramEvent.ProgramEdited(Lessons.all[0].solution.text))
         unfold(workshop)
-        press("run-step", workshop)
+        press(LearningTags.RUN_STEP, workshop)
         pass(4500)
         assertTrue(workshop.state.learning.isStepDone)
         unfold(workshop)
-        onNodeWithTag("task-status").assertTextContains("Your task: done")
-        onNodeWithTag("next-step").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.TASK_STATUS).assertTextContains("Your task: done")
+        onNodeWithTag(LearningTags.NEXT_STEP).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("step-title").assertTextContains("A line on the paper")
+        onNodeWithTag(LearningTags.STEP_TITLE).assertTextContains("A line on the paper")
     }
 
     @Test
@@ -97,18 +105,18 @@ class LearningScreenTest {
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         for (text in Lessons.all[0].text(Language.ENGLISH).run { listOf(nudge, part, solution) }) {
-            press("hint-wanted", workshop)
-            onNodeWithTag("hint").assertExists()
+            press(LearningTags.HINT_WANTED, workshop)
+            onNodeWithTag(LearningTags.HINT).assertExists()
             assertTrue(workshop.state.learning.tutorial?.hints?.last()?.text == text)
         }
-        press("hint-wanted", workshop)
-        onNodeWithTag("hint").assertDoesNotExist()
-        press("solution-wanted", workshop)
+        press(LearningTags.HINT_WANTED, workshop)
+        onNodeWithTag(LearningTags.HINT).assertDoesNotExist()
+        press(LearningTags.SOLUTION_WANTED, workshop)
         assertTrue(workshop.state.running)
         unfold(workshop)
         assertEquals(Lessons.all[0].solution.text, workshop.state.programText)
-        onNodeWithTag("solution-note").assertExists()
-        press("solution-wanted", workshop)
+        onNodeWithTag(LearningTags.SOLUTION_NOTE).assertExists()
+        press(LearningTags.SOLUTION_WANTED, workshop)
         assertEquals(Lessons.all[0].program.text, workshop.state.programText)
     }
 
@@ -117,47 +125,46 @@ class LearningScreenTest {
         workshop.handle(LearningEvent.TutorialStarted)
         workshop.handle(ProgramEvent.ProgramEdited("forward 30\nturn right 90\nforward 25\n"))
         pass(100)
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(5000)
-        onNodeWithTag("folded-hint").assertIsDisplayed().performClick()
+        onNodeWithTag(LearningTags.FOLDED_HINT).assertIsDisplayed().performClick()
         pass(500)
-        onNodeWithTag("hint").assertIsDisplayed()
+        onNodeWithTag(LearningTags.HINT).assertIsDisplayed()
     }
 
     @Test
     fun `any step can be chosen from the list`() = onEither { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        onNodeWithTag("tutorial-steps").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.TUTORIAL_STEPS).assertLargeEnough().performClick()
         pass(300)
-        onNodeWithTag("tutorial-step-6").performClick()
+        onNodeWithTag(LearningTags.tutorialStep(6)).performClick()
         pass(300)
-        onNodeWithTag("step-title").assertTextContains("A star")
+        onNodeWithTag(LearningTags.STEP_TITLE).assertTextContains("A star")
     }
 
     @Test
     fun `the tutorial folds to one line that tells the step`() = onEither { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        onNodeWithTag("fold-tutorial").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.FOLD_TUTORIAL).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("tutorial").assertDoesNotExist()
-        onNodeWithTag(
-            "tutorial-steps",
-        ).assertIsDisplayed().assertTextContains("Drive and draw: 1 of 10 · A first drive")
-        onNodeWithTag("fold-tutorial").performClick()
+        onNodeWithTag(LearningTags.TUTORIAL).assertDoesNotExist()
+        onNodeWithTag(LearningTags.TUTORIAL_STEPS)
+            .assertIsDisplayed().assertTextContains("Drive and draw: 1 of 10 · A first drive")
+        onNodeWithTag(LearningTags.FOLD_TUTORIAL).performClick()
         pass(100)
-        onNodeWithTag("tutorial").assertIsDisplayed()
+        onNodeWithTag(LearningTags.TUTORIAL).assertIsDisplayed()
     }
 
     @Test
     fun `on a phone a touch on a pane or on Run folds the tutorial`() = onPhone { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        onNodeWithTag("tab-world").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.WORLD)).performClick()
         pass(100)
         assertTrue(workshop.state.learning.tutorial?.isFolded == true)
-        onNodeWithTag("world").assertIsDisplayed()
+        onNodeWithTag(WorldTags.WORLD).assertIsDisplayed()
     }
 
     @Test
@@ -165,12 +172,12 @@ class LearningScreenTest {
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
         for (tag in listOf(
-            "tutorial",
-            "program",
-            "world",
-            "lcd",
-            "brick-run",
-            "run",
+            LearningTags.TUTORIAL,
+            ProgramTags.PROGRAM,
+            WorldTags.WORLD,
+            RunTags.LCD,
+            RunTags.button(BrickButton.RUN),
+            RunTags.RUN,
         )) {
             onNodeWithTag(tag).assertIsDisplayed()
         }
@@ -181,41 +188,41 @@ class LearningScreenTest {
         workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        press("leave-tutorial", workshop)
+        press(LearningTags.LEAVE_TUTORIAL, workshop)
         assertEquals("forward 3\n", workshop.state.programText)
-        onNodeWithTag("tutorial").assertDoesNotExist()
+        onNodeWithTag(LearningTags.TUTORIAL).assertDoesNotExist()
     }
 
     @Test
     fun `a world is found by typing and opened by a touch`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
-        onNodeWithTag("world-plain").assertIsDisplayed().assertLargeEnough()
-        onNodeWithTag("world-search").performTextInput("slalom")
+        onNodeWithTag(LearningTags.world("plain")).assertIsDisplayed().assertLargeEnough()
+        onNodeWithTag(LearningTags.WORLD_SEARCH).performTextInput("slalom")
         pass(100)
-        onNodeWithTag("world-plain").assertDoesNotExist()
-        onNodeWithTag("world-slalom").performClick()
+        onNodeWithTag(LearningTags.world("plain")).assertDoesNotExist()
+        onNodeWithTag(LearningTags.world("slalom")).performClick()
         pass(200)
         assertEquals("Slalom", workshop.state.world.title)
-        onNodeWithTag("worlds-page").assertDoesNotExist()
+        onNodeWithTag(LearningTags.WORLDS_PAGE).assertDoesNotExist()
     }
 
     @Test
     fun `worlds are shown by the brick of their robot, and found by its name`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
-        onNodeWithTag("worlds-nxt").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.worlds(BrickKind.NXT)).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("world-plain").assertDoesNotExist()
+        onNodeWithTag(LearningTags.world("plain")).assertDoesNotExist()
         val nxt = WorldGallery.worlds.first { it.plainWorld.robots.first().description.brick == BrickKind.NXT }
-        onNodeWithTag("world-${nxt.name}").assertExists()
-        onNodeWithTag("world-search").performTextInput("rcx")
+        onNodeWithTag(LearningTags.world(nxt.name)).assertExists()
+        onNodeWithTag(LearningTags.WORLD_SEARCH).performTextInput("rcx")
         pass(100)
-        onNodeWithTag("worlds-none").assertIsDisplayed()
-        onNodeWithTag("worlds-all").performClick()
+        onNodeWithTag(LearningTags.WORLDS_NONE).assertIsDisplayed()
+        onNodeWithTag(LearningTags.worlds(null)).performClick()
         pass(100)
-        onNodeWithTag("worlds-none").assertDoesNotExist()
-        onNodeWithTag("world-${nxt.name}").assertDoesNotExist()
+        onNodeWithTag(LearningTags.WORLDS_NONE).assertDoesNotExist()
+        onNodeWithTag(LearningTags.world(nxt.name)).assertDoesNotExist()
     }
 
     @Test
@@ -223,18 +230,18 @@ class LearningScreenTest {
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         workshop.handle(LearningEvent.WorldSearchChanged("submarine"))
         pass(200)
-        onNodeWithTag("worlds-none").assertIsDisplayed()
-        onNodeWithTag("world-search-clear").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.WORLDS_NONE).assertIsDisplayed()
+        onNodeWithTag(LearningTags.WORLD_SEARCH_CLEAR).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("world-search").assertIsFocused()
-        onNodeWithTag("world-plain").assertIsDisplayed()
+        onNodeWithTag(LearningTags.WORLD_SEARCH).assertIsFocused()
+        onNodeWithTag(LearningTags.world("plain")).assertIsDisplayed()
     }
 
     @Test
     fun `a world can be chosen with keys alone`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
         pass(200)
-        goTo("world-square")
+        goTo(LearningTags.world("square"))
         onRoot().performKeyInput { pressKey(Key.Enter) }
         pass(200)
         assertEquals("A square", workshop.state.world.title)
@@ -244,28 +251,28 @@ class LearningScreenTest {
     fun `help explains a word and lets its example be tried`() = onEither { workshop ->
         workshop.handle(LearningEvent.HelpRequested("repeat 4 times", 2))
         pass(200)
-        onNodeWithTag("help-title").assertTextContains("repeat")
-        onNodeWithTag("help-sentence").assertTextContains("again and again", substring = true)
-        press("help-try", workshop)
+        onNodeWithTag(LearningTags.HELP_TITLE).assertTextContains("repeat")
+        onNodeWithTag(LearningTags.HELP_SENTENCE).assertTextContains("again and again", substring = true)
+        press(LearningTags.HELP_TRY, workshop)
         assertEquals("try.robo", workshop.state.programName)
-        onNodeWithTag("help").assertDoesNotExist()
+        onNodeWithTag(LearningTags.HELP).assertDoesNotExist()
     }
 
     @Test
     fun `a word without help leads to the list of all words, in either language`() = onEither { workshop ->
         workshop.handle(LearningEvent.HelpRequested("side", 2))
         pass(200)
-        onNodeWithTag("help-none").assertTextContains("side", substring = true)
-        onNodeWithTag("word-forward").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.HELP_NONE).assertTextContains("side", substring = true)
+        onNodeWithTag(LearningTags.word("forward")).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("help-title").assertTextContains("forward")
-        press("help-all", workshop)
-        onNodeWithTag("help-java").performClick()
+        onNodeWithTag(LearningTags.HELP_TITLE).assertTextContains("forward")
+        press(LearningTags.HELP_ALL, workshop)
+        onNodeWithTag(LearningTags.help(ProgramLanguage.JAVA)).performClick()
         pass(100)
-        onNodeWithTag("word-Motor").assertIsDisplayed()
-        onNodeWithTag("help-close").assertLargeEnough().performClick()
+        onNodeWithTag(LearningTags.word("Motor")).assertIsDisplayed()
+        onNodeWithTag(LearningTags.HELP_CLOSE).assertLargeEnough().performClick()
         pass(100)
-        onNodeWithTag("help").assertDoesNotExist()
+        onNodeWithTag(LearningTags.HELP).assertDoesNotExist()
     }
 
     @Test

@@ -15,6 +15,7 @@ import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.pressKey
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -34,7 +35,7 @@ class LessonMapPageTest {
     }
 
     private fun ComposeUiTest.assertStation(lesson: String, condition: String) {
-        onNodeWithTag("lesson-$lesson").assert(
+        onNodeWithTag(LearningTags.lesson(lesson)).assert(
             SemanticsMatcher.expectValue(SemanticsProperties.StateDescription, condition),
         )
     }
@@ -56,9 +57,9 @@ class LessonMapPageTest {
     fun `a touch on a station opens its lesson`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
         pass(100)
-        onNodeWithTag("lesson-star").assertIsDisplayed().performClick()
+        onNodeWithTag(LearningTags.lesson("star")).assertIsDisplayed().performClick()
         pass(100)
-        onNodeWithTag("map-page").assertDoesNotExist()
+        onNodeWithTag(LearningTags.MAP_PAGE).assertDoesNotExist()
         assertEquals("star", workshop.state.learning.tutorial?.current?.name)
         assertEquals(Lessons.named("star")?.program?.text, workshop.state.programText)
     }
@@ -80,8 +81,8 @@ class LessonMapPageTest {
     fun `from a lesson the map is one touch away`() = onTablet { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
-        onNodeWithTag("lesson-map").performClick()
+        onNodeWithTag(LearningTags.LESSON_MAP).performClick()
         pass(100)
-        onNodeWithTag("map-page").assertIsDisplayed()
+        onNodeWithTag(LearningTags.MAP_PAGE).assertIsDisplayed()
     }
 }

@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -32,7 +33,7 @@ class TutorialFootTest {
     fun `the text shows that there is more of it`() {
         for ((width, height) in SIZES) {
             onStep(width, height, Settings(textScale = 2f)) {
-                assertTrue(saysThereIsMore("tutorial-text"), "$width x $height")
+                assertTrue(saysThereIsMore(LearningTags.TUTORIAL_TEXT), "$width x $height")
             }
         }
     }
@@ -40,15 +41,15 @@ class TutorialFootTest {
     @Test
     fun `on a phone and a tablet all buttons are there, and where there is little room a menu has the seldom ones`() {
         for ((width, height) in listOf(412 to 915, 1280 to 800, 820 to 1180)) {
-            onStep(width, height) { assertFalse(isThere("step-more"), "$width x $height") }
+            onStep(width, height) { assertFalse(isThere(LearningTags.STEP_MORE), "$width x $height") }
         }
         onStep(1024, 768) { workshop ->
             workshop.handle(ProgramEvent.ProgramEdited("beep"))
-            press("step-more")
-            press("begin-again")
+            press(LearningTags.STEP_MORE)
+            press(LearningTags.BEGIN_AGAIN)
             assertEquals(Lessons.all[0].program.text, workshop.state.programText)
-            press("step-more")
-            press("leave-tutorial")
+            press(LearningTags.STEP_MORE)
+            press(LearningTags.LEAVE_TUTORIAL)
             assertNull(workshop.state.learning.tutorial)
         }
     }
@@ -57,10 +58,14 @@ class TutorialFootTest {
     fun `a hint comes under its button, which stays for whoever touches twice where there is room`() =
         onStep(1366, 1200) { workshop ->
             val before = placesByTag()
-            press("hint-wanted")
+            press(LearningTags.HINT_WANTED)
             assertTrue(workshop.state.learning.tutorial?.hints?.isNotEmpty() == true)
-            assertWhole("hint", "the hint")
-            assertUnmoved(before, listOf("hint-wanted", "solution-wanted", "run-step"), "with the hint")
+            assertWhole(LearningTags.HINT, "the hint")
+            assertUnmoved(
+                before,
+                listOf(LearningTags.HINT_WANTED, LearningTags.SOLUTION_WANTED, LearningTags.RUN_STEP),
+                "with the hint",
+            )
         }
 
     @Test
@@ -68,10 +73,15 @@ class TutorialFootTest {
         for ((width, height) in listOf(412 to 915, 1180 to 820, 1366 to 768)) {
             onStep(width, height) {
                 for (number in 1..3) {
-                    scrollTo("hint-wanted")
-                    press("hint-wanted")
+                    scrollTo(LearningTags.HINT_WANTED)
+                    press(LearningTags.HINT_WANTED)
                     pass(1_000)
-                    for (tag in listOf("hint", "hint-wanted")) assertWhole(tag, "$width x $height, hint $number")
+                    for (tag in listOf(
+                        LearningTags.HINT,
+                        LearningTags.HINT_WANTED,
+                    )) {
+                        assertWhole(tag, "$width x $height, hint $number")
+                    }
                 }
             }
         }
@@ -88,17 +98,17 @@ class TutorialFootTest {
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
-                assertFalse(isThere("step-dots"), "$described: the steps of another world are told")
-                press("tutorial-return")
+                assertFalse(isThere(LearningTags.STEP_DOTS), "$described: the steps of another world are told")
+                press(LearningTags.TUTORIAL_RETURN)
                 assertTrue(workshop.state.learning.tutorial.let { it?.isLoaded == true && !it.isFolded }, described)
                 assertEquals("forward 11\n", workshop.state.programText, described)
                 workshop.handle(LearningEvent.TutorialClosed)
                 workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
                 workshop.handle(LearningEvent.TutorialFolded(true))
                 pass(500)
-                press("leave-tutorial")
+                press(LearningTags.LEAVE_TUTORIAL)
                 assertNull(workshop.state.learning.tutorial, described)
-                assertFalse(isThere("tutorial-return"), described)
+                assertFalse(isThere(LearningTags.TUTORIAL_RETURN), described)
             }
         }
     }

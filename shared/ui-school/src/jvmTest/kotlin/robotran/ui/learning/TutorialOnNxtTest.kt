@@ -7,6 +7,7 @@ import androidx.compose.ui.test.onNodeWithText
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -35,7 +36,7 @@ class TutorialOnNxtTest {
                 onNodeWithText("the right one. Each gets a name", substring = true).assertExists()
                 workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(language = Language.GERMAN)))
                 pass(300)
-                onNodeWithTag("step-title").assertTextEquals("Stoßfühler in Java")
+                onNodeWithTag(LearningTags.STEP_TITLE).assertTextEquals("Stoßfühler in Java")
                 onNodeWithText("der rechte. Jeder bekommt einen Namen", substring = true).assertExists()
             }
         }

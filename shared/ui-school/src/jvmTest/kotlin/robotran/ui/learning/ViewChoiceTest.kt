@@ -10,6 +10,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.projects.ProgramView
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onScreenOf
@@ -41,16 +42,16 @@ class ViewChoiceTest {
     fun `the first page lets a pupil choose blocks, and text again`() = onEither { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
         pass(100)
-        onNodeWithTag("first-text").assertIsDisplayed().assertIsSelected()
-        checkTargets("first-blocks", "first-text")
-        touch("first-blocks")
-        onNodeWithTag("first-blocks").assertIsSelected()
-        onNodeWithTag("first-text").assertIsNotSelected()
+        onNodeWithTag(LearningTags.FIRST_TEXT).assertIsDisplayed().assertIsSelected()
+        checkTargets(LearningTags.FIRST_BLOCKS, LearningTags.FIRST_TEXT)
+        touch(LearningTags.FIRST_BLOCKS)
+        onNodeWithTag(LearningTags.FIRST_BLOCKS).assertIsSelected()
+        onNodeWithTag(LearningTags.FIRST_TEXT).assertIsNotSelected()
         assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
-        touch("first-text")
+        touch(LearningTags.FIRST_TEXT)
         assertEquals(ProgramView.TEXT, workshop.state.programs.view)
-        touch("first-blocks")
-        touch("try-square")
+        touch(LearningTags.FIRST_BLOCKS)
+        touch(LearningTags.TRY_SQUARE)
         assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
     }
 
@@ -59,8 +60,8 @@ class ViewChoiceTest {
         val platform = MemoryPlatform(isForFingers = true)
         val workshop = runBlocking { openWorkshop(platform = platform, welcoming = true) }
         onScreenOf(workshop, 411, 891) {
-            onNodeWithTag("first-blocks").assertIsSelected()
-            touch("try-tutorial")
+            onNodeWithTag(LearningTags.FIRST_BLOCKS).assertIsSelected()
+            touch(LearningTags.TRY_TUTORIAL)
             assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
         }
     }
@@ -72,9 +73,9 @@ class ViewChoiceTest {
         // A nudge, a part of the solution, and how to write it.
         repeat(3) { workshop.handle(LearningEvent.HintRequested(true)) }
         pass(300)
-        onNodeWithTag("hint").assertTextContains("from the group Drive", substring = true)
+        onNodeWithTag(LearningTags.HINT).assertTextContains("from the group Drive", substring = true)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.TEXT))
         pass(300)
-        onNodeWithTag("hint").assertTextContains("write one more line", substring = true)
+        onNodeWithTag(LearningTags.HINT).assertTextContains("write one more line", substring = true)
     }
 }

@@ -18,8 +18,12 @@ import robotran.tower.Remains
 import robotran.tower.TowerError
 import robotran.tower.TransferProgress
 import robotran.tower.port.TowerKind
+import robotran.ui.common.tags.CommonTags
 import robotran.ui.language.InLanguage
 import robotran.ui.program.pressTool
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.school.tags.SendTags
 import robotran.ui.screen.Undrawn
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.isThere
@@ -28,6 +32,7 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.placesByTag
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.event.LearningEvent
@@ -56,7 +61,7 @@ class SendDialogTest {
                 onSheet(width, height, Settings(language = Language.GERMAN, textScale = textScale)) {
                     val places = SEND_STEPS.map { (name, next) ->
                         show(next)
-                        assertWhole("send-cancel", "$width x $height, $textScale: $name")
+                        assertWhole(SendTags.SEND_CANCEL, "$width x $height, $textScale: $name")
                     }
                     assertEquals(1, places.toSet().size, "$width x $height, $textScale: ${places.toSet()}")
                 }
@@ -97,9 +102,9 @@ class SendDialogTest {
     @Test
     fun `a tower in the list is chosen by a touch, and a kind of tower is looked for`() = onSheet(411, 891) {
         show(SendStep.ChoosingTower(listOf(USB_TOWER), TowerKind.entries))
-        onNodeWithTag("send-tower-0").performClick()
-        onNodeWithTag("send-look-serial").performClick()
-        onNodeWithTag("send-look-usb").performClick()
+        onNodeWithTag(SendTags.tower(0)).performClick()
+        onNodeWithTag(SendTags.look(TowerKind.SERIAL)).performClick()
+        onNodeWithTag(SendTags.look(TowerKind.USB)).performClick()
         assertEquals(
             listOf(
                 SendEvent.TowerChosen(USB_TOWER),
@@ -116,8 +121,8 @@ class SendDialogTest {
         onNodeWithContentDescription("Slot 2, as last time").assertExists()
         onNodeWithContentDescription("Slot 5").assertExists()
         for (slot in 1..5) {
-            assertWhole("send-slot-$slot", "a phone")
-            onNodeWithTag("send-slot-$slot").performClick()
+            assertWhole(SendTags.slot(slot), "a phone")
+            onNodeWithTag(SendTags.slot(slot)).performClick()
         }
         assertEquals((1..5).map { SendEvent.SlotChosen(it) }, events.toList<SendEvent>())
     }
@@ -137,7 +142,7 @@ class SendDialogTest {
         )
         for (line in lines) onNodeWithText(line).assertExists()
         show(SEND_STEPS.getValue("datalog-reading"))
-        onNodeWithTag("send-block").assertTextContains("50 of 123 values, about 5 s left")
+        onNodeWithTag(SendTags.SEND_BLOCK).assertTextContains("50 of 123 values, about 5 s left")
     }
 
     @Test
@@ -151,15 +156,15 @@ class SendDialogTest {
     @Test
     fun `progress tells blocks and time left, and that tower and brick see each other badly`() = onSheet(411, 891) {
         show(sending(confirmed = 7, secondsLeft = 33))
-        onNodeWithTag("send-block").assertTextContains("Block 7 of 28, about 35 s left")
+        onNodeWithTag(SendTags.SEND_BLOCK).assertTextContains("Block 7 of 28, about 35 s left")
         assertEquals(
             ProgressBarRangeInfo(0.25f, 0f..1f),
-            onNodeWithTag("send-progress").fetchSemanticsNode().config[SemanticsProperties.ProgressBarRangeInfo],
+            onNodeWithTag(SendTags.SEND_PROGRESS).fetchSemanticsNode().config[SemanticsProperties.ProgressBarRangeInfo],
         )
-        assertTrue(!isThere("send-weak"))
+        assertTrue(!isThere(SendTags.SEND_WEAK))
         show(sending(confirmed = 7, secondsLeft = 133, repeats = 6))
-        onNodeWithTag("send-block").assertTextContains("Block 7 of 28, about 3 min left")
-        onNodeWithTag("send-weak").assertIsDisplayed()
+        onNodeWithTag(SendTags.SEND_BLOCK).assertTextContains("Block 7 of 28, about 3 min left")
+        onNodeWithTag(SendTags.SEND_WEAK).assertIsDisplayed()
     }
 
     @Test
@@ -167,9 +172,8 @@ class SendDialogTest {
         val heard = mutableListOf<String>()
         for (next in listOf(SendStep.Checking) + (0..28).map { sending(it, 40) } + SendStep.Done(100)) {
             show(next)
-            val said = onNodeWithTag(
-                "send-announcer",
-            ).fetchSemanticsNode().config[SemanticsProperties.ContentDescription]
+            val said = onNodeWithTag(SendTags.SEND_ANNOUNCER)
+                .fetchSemanticsNode().config[SemanticsProperties.ContentDescription]
             if (said.single() != heard.lastOrNull()) heard += said.single()
         }
         assertEquals(
@@ -197,29 +201,29 @@ class SendDialogTest {
 
     @Test
     fun `the sheet opens from the program's tools and says where towers can be reached`() = onTablet {
-        pressTool("send-robot")
+        pressTool(CommonTags.SEND_ROBOT)
         pass(5_000)
-        onNodeWithTag("send-sheet").assertIsDisplayed()
-        onNodeWithTag("send-cancel").performClick()
+        onNodeWithTag(SendTags.SEND_SHEET).assertIsDisplayed()
+        onNodeWithTag(SendTags.SEND_CANCEL).performClick()
         pass(500)
-        assertTrue(!isThere("send-sheet"))
+        assertTrue(!isThere(SendTags.SEND_SHEET))
     }
 
     @Test
     fun `on a phone the sheet opens from the program and from the menu`() = onPhone { workshop ->
         workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
-        pressTool("send-robot")
+        pressTool(CommonTags.SEND_ROBOT)
         pass(1_000)
-        onNodeWithTag("send-cancel").performClick()
+        onNodeWithTag(SendTags.SEND_CANCEL).performClick()
         pass(500)
-        onNodeWithTag("menu").performClick()
+        onNodeWithTag(ScreenTags.MENU).performClick()
         pass(500)
-        onNodeWithTag("work-menu").performClick()
+        onNodeWithTag(DocumentTags.WORK_MENU).performClick()
         pass(500)
-        onNodeWithTag("work-send-robot").performClick()
+        onNodeWithTag(DocumentTags.menuItem(CommonTags.SEND_ROBOT)).performClick()
         pass(1_000)
-        onNodeWithTag("send-sheet").assertIsDisplayed()
+        onNodeWithTag(SendTags.SEND_SHEET).assertIsDisplayed()
     }
 
     @Test
@@ -227,13 +231,13 @@ class SendDialogTest {
         onScreen(1180, 820) { workshop ->
             workshop.handle(LearningEvent.TutorialStarted)
             pass(1_000)
-            assertWhole("editor-more", "a tablet across with the tutorial")
-            assertTrue(!isThere("send-robot"))
-            onNodeWithTag("editor-more").performClick()
+            assertWhole(ProgramTags.EDITOR_MORE, "a tablet across with the tutorial")
+            assertTrue(!isThere(CommonTags.SEND_ROBOT))
+            onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
             pass(500)
-            onNodeWithTag("send-robot").performClick()
+            onNodeWithTag(CommonTags.SEND_ROBOT).performClick()
             pass(1_000)
-            onNodeWithTag("send-sheet").assertIsDisplayed()
+            onNodeWithTag(SendTags.SEND_SHEET).assertIsDisplayed()
         }
 
     private fun sending(confirmed: Int, secondsLeft: Int, repeats: Int = 0) =
@@ -265,16 +269,16 @@ class SendDialogTest {
     private companion object {
         val SIZES = listOf(411 to 891, 891 to 411, 1280 to 800)
         val ACTIONS = setOf(
-            "send-again",
-            "send-other-tower",
-            "send-show-mistake",
-            "send-choose-firmware",
-            "send-firmware",
-            "send-watch",
-            "send-empty-slots",
-            "send-read-datalog",
-            "send-save-datalog",
-            "send-to-slots",
+            SendTags.SEND_AGAIN,
+            SendTags.SEND_OTHER_TOWER,
+            SendTags.SEND_SHOW_MISTAKE,
+            SendTags.SEND_CHOOSE_FIRMWARE,
+            SendTags.SEND_FIRMWARE,
+            SendTags.SEND_WATCH,
+            SendTags.SEND_EMPTY_SLOTS,
+            SendTags.SEND_READ_DATALOG,
+            SendTags.SEND_SAVE_DATALOG,
+            SendTags.SEND_TO_SLOTS,
         )
     }
 }

@@ -16,6 +16,7 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import kotlin.math.roundToInt
 
@@ -37,7 +38,7 @@ internal fun CarriedSign(item: CarriedItem, corner: Offset) {
         Modifier
             .offset { IntOffset((place.x - radius).roundToInt(), (place.y - radius).roundToInt()) }
             .size(CARRIED)
-            .testTag("carried")
+            .testTag(WorldTags.CARRIED)
             .background(colours.pane.copy(alpha = 0.9f), CircleShape)
             .border(2.dp, colours.focus, CircleShape),
         Alignment.Center,

@@ -18,6 +18,7 @@ import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.language.history.History
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 
 /**
@@ -44,10 +45,10 @@ internal fun <T : Any> EditorBar(
             Modifier.weight(1f).horizontalScroll(rememberScrollState()),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            Step(EditIcons.UNDO, WorldEditorTexts.undo(spoken), "$tag-undo", history.canUndo, withWords) {
+            Step(EditIcons.UNDO, WorldEditorTexts.undo(spoken), WorldTags.undo(tag), history.canUndo, withWords) {
                 scope.make(scope.edits.undo)
             }
-            Step(EditIcons.REDO, WorldEditorTexts.redo(spoken), "$tag-redo", history.canRedo, withWords) {
+            Step(EditIcons.REDO, WorldEditorTexts.redo(spoken), WorldTags.redo(tag), history.canRedo, withWords) {
                 scope.make(scope.edits.redo)
             }
             tools()
@@ -55,7 +56,7 @@ internal fun <T : Any> EditorBar(
         beforeDone()
         Button(
             WorldEditorTexts.done(spoken),
-            "$tag-done",
+            WorldTags.done(tag),
             ButtonKind.EDITOR_BAR,
             Modifier.padding(start = 4.dp),
             style = TextStyles.body.strong,

@@ -59,7 +59,7 @@ internal fun EditorHints(
             for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
             if (show != null) WordButton(WorldEditorTexts.showErrors(spoken), show.tag, show.onClick)
         }
-        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "$tag-close", onClick = onClose)
+        IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), KitTags.close(tag), onClick = onClose)
     }
 }
 

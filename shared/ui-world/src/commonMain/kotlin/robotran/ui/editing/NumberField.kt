@@ -18,6 +18,7 @@ import robotran.editing.Field
 import robotran.editing.WorldEditorTexts
 import robotran.editing.parseDecimal
 import robotran.editing.written
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import kotlin.math.round
 
@@ -43,7 +44,7 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
             Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
-            IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), "${field.tag}-less") {
+            IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), WorldTags.less(field.tag)) {
                 stepBy(-spec.step)
             }
             EditFieldBox(wrong != null, Modifier.width(figureWidth())) {
@@ -61,7 +62,7 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
                     },
                 )
             }
-            IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), "${field.tag}-more") {
+            IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), WorldTags.more(field.tag)) {
                 stepBy(spec.step)
             }
         }
@@ -70,7 +71,7 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
             val usual = slider.start.toFloat()..slider.endInclusive.toFloat()
             Slider(
                 value.toFloat().coerceIn(usual),
-                SliderWords(label, written(value), "${field.tag}-slider"),
+                SliderWords(label, written(value), WorldTags.slider(field.tag)),
                 Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
                 usual,
                 onSettle = scope::settle,

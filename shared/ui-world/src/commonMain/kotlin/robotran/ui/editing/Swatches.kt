@@ -47,7 +47,7 @@ internal fun <T> Swatches(
                 val isChosen = value == chosen
                 Column(
                     Modifier
-                        .testTag("$tag-$place")
+                        .testTag(KitTags.at(tag, place))
                         .defaultMinSize(64.dp, Dimensions.TARGET)
                         .focusRing()
                         .clip(Shapes.MEDIUM)

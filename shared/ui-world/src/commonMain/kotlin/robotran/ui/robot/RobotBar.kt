@@ -5,22 +5,23 @@ import robotran.editing.RobotTexts
 import robotran.ui.editing.BarToggle
 import robotran.ui.editing.BarTool
 import robotran.ui.editing.EditorBar
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
 
 /** The top of the workbench. */
 @Composable
 internal fun RobotBar(scope: RobotScope, view: PlanView, isOnSheet: Boolean, withWords: Boolean) = EditorBar(
-    "robot",
+    WorldTags.ROBOT,
     scope,
     scope.editing.history,
     withWords,
     onDone = { scope.perform(RobotEditEvent.BenchClosed) },
 ) {
-    BarToggle(ON_SHEET, RobotTexts.onSheet(spoken), "robot-on-sheet", isOnSheet, withWords) {
+    BarToggle(ON_SHEET, RobotTexts.onSheet(spoken), WorldTags.ROBOT_ON_SHEET, isOnSheet, withWords) {
         scope.perform(RobotEditEvent.SheetShown(!isOnSheet))
     }
-    BarTool(EditIcons.GROUP, RobotTexts.fit(spoken), "robot-fit", withWords) { view.fit(scope.robot) }
+    BarTool(EditIcons.GROUP, RobotTexts.fit(spoken), WorldTags.ROBOT_FIT, withWords) { view.fit(scope.robot) }
 }
 
 /** A robot on a sheet of paper. */

@@ -18,6 +18,7 @@ import robotran.ui.common.AutosaveBanner
 import robotran.ui.editing.EditorFrame
 import robotran.ui.editing.EditorParts
 import robotran.ui.editing.editForCommand
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
@@ -65,7 +66,7 @@ fun RobotEditPane(
         panel = { tab, onTab, place -> RobotPanel(scope, tab, onTab, place) },
     )
     EditorFrame(
-        "robot-bench",
+        WorldTags.ROBOT_BENCH,
         RobotTexts.bench(spoken),
         parts,
         view.carried,

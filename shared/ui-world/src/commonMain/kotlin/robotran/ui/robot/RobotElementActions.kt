@@ -5,6 +5,7 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotSnapping
 import robotran.ui.editing.EditorAction
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.world.BumperPart
 import robotran.world.Chassis
@@ -21,12 +22,12 @@ internal fun actionsOf(robot: RobotDescription, element: RobotElement): List<Edi
     val stays = element == RobotElement.Wheels || element == RobotElement.Brick || element == RobotElement.Mass ||
         element == RobotElement.Chassis
     val turn = RobotSnapping.DEGREES
-    if (!stays) add(EditIcons.DELETE, WorldEditorTexts::delete, "robot-remove", RobotEdit.Remove)
+    if (!stays) add(EditIcons.DELETE, WorldEditorTexts::delete, WorldTags.ROBOT_REMOVE, RobotEdit.Remove)
     if (turns) {
-        add(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "robot-turn-left", RobotEdit.TurnBy(turn))
-        add(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "robot-turn-right", RobotEdit.TurnBy(-turn))
+        add(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, WorldTags.ROBOT_TURN_LEFT, RobotEdit.TurnBy(turn))
+        add(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, WorldTags.ROBOT_TURN_RIGHT, RobotEdit.TurnBy(-turn))
     }
     if (element is RobotElement.Corner) {
-        add(EditIcons.LARGER, WorldEditorTexts::addCorner, "robot-add-corner", RobotEdit.AddCorner)
+        add(EditIcons.LARGER, WorldEditorTexts::addCorner, WorldTags.ROBOT_ADD_CORNER, RobotEdit.AddCorner)
     }
 }

@@ -12,6 +12,7 @@ import robotran.robotediting.portsOf
 import robotran.ui.editing.EditorHints
 import robotran.ui.editing.HintAction
 import robotran.ui.editing.MAX_HINTS
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.worldedit.validationErrorText
 import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
@@ -47,10 +48,10 @@ internal fun RobotHints(
     if ((sentences.isEmpty() && warnings.isEmpty()) || !state.hintsShown || editing.gesture != null) return
     val element = editing.errors.firstOrNull()?.let(editing.robot::elementOf)?.takeIf { it != editing.chosen }
     EditorHints(
-        "robot-hints",
+        WorldTags.ROBOT_HINTS,
         sentences + warnings,
         if (sentences.isEmpty()) colours.pane else colours.errorPane,
-        element?.let { HintAction("robot-show-trouble") { scope.make(RobotEdit.Choose(it)) } },
+        element?.let { HintAction(WorldTags.ROBOT_SHOW_TROUBLE) { scope.make(RobotEdit.Choose(it)) } },
         { scope.perform(RobotEditEvent.HintsClosed) },
         modifier,
     )

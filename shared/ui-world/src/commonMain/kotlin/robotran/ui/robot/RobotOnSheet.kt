@@ -19,6 +19,7 @@ import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
 import robotran.ui.sheet.transform
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.worldedit.initialStateOf
 import robotran.uikit.*
 import robotran.workshop.state.RobotEditState
@@ -45,7 +46,7 @@ internal fun RobotOnSheet(state: RobotEditState, world: World, session: SessionS
     val labels = rememberTextMeasurer()
     val name = RobotTexts.onSheet(spoken)
     Canvas(
-        modifier.fillMaxSize().testTag("robot-sheet").named(name).clipToBounds(),
+        modifier.fillMaxSize().testTag(WorldTags.ROBOT_SHEET).named(name).clipToBounds(),
     ) {
         if (size.isEmpty()) return@Canvas
         val start = shown.robots.getOrNull(state.robot)?.start ?: return@Canvas

@@ -14,6 +14,7 @@ import robotran.ui.editing.EditorPalette
 import robotran.ui.editing.PaletteButton
 import robotran.ui.editing.PaletteLook
 import robotran.ui.editing.stretched
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 
 /** The palette of the robot's brick. */
@@ -28,7 +29,7 @@ internal fun RobotPalette(
     val items: List<@Composable () -> Unit> = RobotItem.of(scope.robot.brick).map { item ->
         @Composable { ItemButton(scope, view, item, columns != null, onPut) }
     }
-    EditorPalette("robot-palette", columns, items, modifier)
+    EditorPalette(WorldTags.ROBOT_PALETTE, columns, items, modifier)
 }
 
 @Composable
@@ -36,7 +37,7 @@ private fun ItemButton(scope: RobotScope, view: PlanView, item: RobotItem, uprig
     val word = itemWord(item)(spoken)
     val width = stretched(ITEM_WIDTH)
     val lettering = letteringOf(word, width - SIGN_PADDING * 2)
-    val look = PaletteLook(word, "robot-item-${item.name.lowercase()}", width, lettering) { drawRobotItem(item, it) }
+    val look = PaletteLook(word, WorldTags.robotItem(item), width, lettering) { drawRobotItem(item, it) }
     PaletteButton(look, view, upright) { place ->
         scope.make(RobotEdit.Add(item, place?.let(view.transform::toRobot)))
         onPut()

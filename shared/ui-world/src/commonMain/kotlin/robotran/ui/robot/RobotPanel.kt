@@ -22,6 +22,7 @@ import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
 import robotran.ui.parts.readyRobotWithBrick
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
 import robotran.world.ReadyRobots
@@ -34,7 +35,7 @@ internal enum class RobotTab(override val title: Label) : EditorTab {
     ROBOT(RobotTexts::tabRobot),
     ;
 
-    override val tag get() = "tab-robot-${name.lowercase()}"
+    override val tag get() = WorldTags.robotTab(this)
 }
 
 @Composable
@@ -43,7 +44,14 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
     val language = LocalLanguage.current
     val errors = scope.editing.errors.filter { tab == RobotTab.CHOSEN && scope.robot.elementOf(it) == chosen }
     key(tab, if (tab == RobotTab.CHOSEN) chosen else null) {
-        FieldPanel("robot-panel", errors.map { it.sentence(language) }, "robot-chosen-trouble", modifier) {
+        FieldPanel(
+            WorldTags.ROBOT_PANEL,
+            errors.map {
+                it.sentence(language)
+            },
+            WorldTags.ROBOT_CHOSEN_TROUBLE,
+            modifier,
+        ) {
             when (tab) {
                 RobotTab.CHOSEN -> if (chosen == null) {
                     HelpText(RobotTexts.chooseFirst(spoken))
@@ -60,7 +68,7 @@ internal fun RobotPanel(scope: RobotScope, tab: RobotTab, onTab: (RobotTab) -> U
 
 @Composable
 private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
-    ChosenName(robotElementText(scope.robot, chosen), "robot-chosen-name")
+    ChosenName(robotElementText(scope.robot, chosen), WorldTags.ROBOT_CHOSEN_NAME)
     EditorActions(scope, actionsOf(scope.robot, chosen))
     HorizontalDivider()
     Form(scope.robot.fieldsOf(chosen), scope)
@@ -73,7 +81,7 @@ private fun PartsPanel(scope: RobotScope, onChosen: () -> Unit) {
     scope.robot.elements().forEachIndexed { row, element ->
         ChoosingRow(
             robotElementText(scope.robot, element),
-            "robot-element-$row",
+            WorldTags.robotElement(row),
             isChosen = element == scope.editing.chosen,
             isWrong = scope.editing.errors.any { scope.robot.elementOf(it) == element },
         ) {
@@ -92,7 +100,7 @@ private fun WholeRobotPanel(scope: RobotScope) {
     for ((name, ready) in ReadyRobots.all) {
         WordButton(
             readyRobotWithBrick(name),
-            "robot-ready-$name",
+            WorldTags.robotReady(name),
             { scope.make(RobotEdit.Replace(ready)) },
             Modifier.fillMaxWidth(),
         )
@@ -100,13 +108,13 @@ private fun WholeRobotPanel(scope: RobotScope) {
     HorizontalDivider(Modifier.padding(vertical = 8.dp))
     WordButton(
         RobotTexts.open(spoken),
-        "robot-open",
+        WorldTags.ROBOT_OPEN,
         { scope.perform(RobotEditEvent.OpenRequested) },
         Modifier.fillMaxWidth(),
     )
     WordButton(
         RobotTexts.save(spoken),
-        "robot-save",
+        WorldTags.ROBOT_SAVE,
         { scope.perform(RobotEditEvent.SaveRequested) },
         Modifier.fillMaxWidth(),
     )

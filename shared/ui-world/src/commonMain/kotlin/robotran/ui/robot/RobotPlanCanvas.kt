@@ -8,6 +8,7 @@ import robotran.editing.RobotTexts
 import robotran.ui.editing.CanvasWords
 import robotran.ui.editing.EditorCanvas
 import robotran.ui.sheet.RobotPlan
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.world.RobotColour
 
@@ -17,7 +18,8 @@ internal fun RobotPlanCanvas(scope: RobotScope, view: PlanView, colour: RobotCol
     val colours = LocalRobotranColours.current
     val plan = remember(scope.robot) { RobotPlan(scope.robot) }
     val measurer = rememberTextMeasurer()
-    val words = CanvasWords("robot-plan", RobotTexts.plan(spoken), chosenText(scope.editing), hasRingInside = true)
+    val words =
+        CanvasWords(WorldTags.ROBOT_PLAN, RobotTexts.plan(spoken), chosenText(scope.editing), hasRingInside = true)
     EditorCanvas(
         words,
         scope,

@@ -19,6 +19,7 @@ import robotran.brick.sensors.SensorKind
 import robotran.simulation.SessionInput
 import robotran.simulation.state.AmbientConditions
 import robotran.ui.sheet.has
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.world.World
@@ -43,7 +44,7 @@ internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions
         IconButton(
             SheetIcons.SURROUNDINGS,
             SheetTexts.surroundings(spoken),
-            "sheet-surroundings",
+            WorldTags.SHEET_SURROUNDINGS,
             IconButtonKind.FLOATING,
         ) {
             open = true
@@ -54,7 +55,7 @@ internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions
                     SurroundingsSlider(
                         SheetTexts.light(spoken),
                         lightWords(surroundings.light)(spoken),
-                        "light",
+                        WorldTags.LIGHT,
                         surroundings.light.toFloat(),
                         0f..max(MAX_LIGHT, world.ambientLight.toFloat()),
                         inputs,
@@ -64,7 +65,7 @@ internal fun AmbientConditionsMenu(world: World, surroundings: AmbientConditions
                     SurroundingsSlider(
                         SheetTexts.temperature(spoken),
                         SheetTexts.celsius(spoken, surroundings.celsius.roundToInt()),
-                        "temperature",
+                        WorldTags.TEMPERATURE,
                         surroundings.celsius.toFloat(),
                         TEMPERATURES,
                         inputs,
@@ -88,7 +89,7 @@ private fun SurroundingsSlider(
     Text("$title: $valueWords", style = TextStyles.body)
     Slider(
         value.coerceIn(range),
-        SliderWords(title, valueWords, "slider-$tag"),
+        SliderWords(title, valueWords, WorldTags.surroundings(tag)),
         range = range,
         onSettle = inputs::flush,
     ) { inputs.send(inputOf(it)) }

@@ -15,6 +15,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.world.TouchKind
@@ -33,7 +34,7 @@ internal fun BumpAnnouncement(world: World, session: SessionState) {
     }
     val words = bump?.let { bumpWords(it) }.orEmpty()
     Box(
-        Modifier.size(1.dp).testTag("bump").semantics {
+        Modifier.size(1.dp).testTag(WorldTags.BUMP).semantics {
             liveRegion = LiveRegionMode.Polite
             contentDescription = words
         },

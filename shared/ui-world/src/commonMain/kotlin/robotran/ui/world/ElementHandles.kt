@@ -29,6 +29,7 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.max
 import robotran.simulation.SessionInput
 import robotran.simulation.state.SessionState
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.state.SheetElement
@@ -95,7 +96,7 @@ private fun ElementHandle(
         Modifier
             .absoluteOffset { IntOffset((middle.x - size.toPx() / 2).toInt(), (middle.y - size.toPx() / 2).toInt()) }
             .size(size)
-            .testTag("thing-${thing.kind.name.lowercase()}-${thing.number}")
+            .testTag(WorldTags.thing(thing.kind, thing.number))
             .onFocusChanged { if (it.isFocused) onChosen(thing) }
             .focusRing(size / 2)
             .onKeyEvent(mover::key)

@@ -30,6 +30,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.SheetTransform
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.measuring.Measuring
@@ -53,7 +54,7 @@ internal fun MeasuringHandles(
 ) {
     val words = measuringWords(measuring)
     Box(
-        Modifier.size(1.dp).testTag("measured").semantics {
+        Modifier.size(1.dp).testTag(WorldTags.MEASURED).semantics {
             liveRegion = LiveRegionMode.Polite
             contentDescription = words
         },
@@ -94,7 +95,7 @@ private fun MeasuringHandle(
                 IntOffset((pixels.x - half).toInt(), (pixels.y - half).toInt())
             }
             .size(Dimensions.TARGET)
-            .testTag("measure-${end.name.lowercase()}")
+            .testTag(WorldTags.measure(end))
             .focusRing(Dimensions.TARGET / 2)
             .onKeyEvent { event ->
                 if (event.type != KeyEventType.KeyDown || event.hasModifier) return@onKeyEvent false

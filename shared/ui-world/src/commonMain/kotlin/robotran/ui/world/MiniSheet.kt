@@ -17,6 +17,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawSheet
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.world.World
@@ -34,7 +35,7 @@ fun MiniSheet(world: World, session: SessionState, preview: SheetPreview, height
             .size(width, height)
             .clip(shape)
             .border(1.dp, colours.quiet, shape)
-            .clearAndSetSemantics { testTag = "mini-sheet" },
+            .clearAndSetSemantics { testTag = WorldTags.MINI_SHEET },
     ) {
         val drawing = fit.into(size)
         drawSheet(drawing, session, SheetColours.of(colours))

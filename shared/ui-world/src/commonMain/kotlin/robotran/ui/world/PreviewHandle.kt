@@ -26,6 +26,7 @@ import androidx.compose.ui.semantics.testTag
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import robotran.ui.sheet.SheetColours
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.blocks.numberFor
@@ -61,8 +62,8 @@ internal fun PreviewHandle(
             }
             .size(Dimensions.TARGET)
             .onGloballyPositioned { coordinates = it }
-            .testTag("preview-end")
-            .clearAndSetSemantics { testTag = "preview-end" }
+            .testTag(WorldTags.PREVIEW_END)
+            .clearAndSetSemantics { testTag = WorldTags.PREVIEW_END }
             .pointerInput(Unit) {
                 awaitEachGesture {
                     val down = awaitFirstDown()

@@ -12,6 +12,7 @@ import robotran.simulation.state.SessionState
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet3d.leastZoom
 import robotran.ui.texts.CommonTexts
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
@@ -50,24 +51,24 @@ internal fun SheetControls(
         if (withZoom) {
             if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
         }
-        IconButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), "sheet-whole", IconButtonKind.FLOATING) {
+        IconButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), WorldTags.SHEET_WHOLE, IconButtonKind.FLOATING) {
             onEvent(SheetEvent.WholeSheetRequested)
         }
         ViewMenu(view, robotToFollow(view), onEvent)
         val isMeasuring = view.measuring != null
-        IconSwitch(SheetIcons.MEASURE, SheetTexts.measure(spoken), "sheet-measure", isMeasuring) {
+        IconSwitch(SheetIcons.MEASURE, SheetTexts.measure(spoken), WorldTags.SHEET_MEASURE, isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
             onEvent(SheetEvent.MeasuringChanged(ruler))
         }
         if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
-        IconSwitch(SheetIcons.SPACE, SheetTexts.spaceView(spoken), "sheet-3d", view.isIn3D) {
+        IconSwitch(SheetIcons.SPACE, SheetTexts.spaceView(spoken), WorldTags.SHEET_3D, view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }
         if (canShow) {
             IconButton(
                 SheetIcons.SHOW,
                 CommonTexts.showWork(spoken),
-                "show",
+                WorldTags.SHOW,
                 IconButtonKind.FLOATING,
             ) { onEvent(ExportEvent.Requested) }
         }
@@ -101,7 +102,7 @@ private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Doub
     IconButton(
         SheetIcons.NEARER,
         SheetTexts.nearer(spoken),
-        "sheet-nearer",
+        WorldTags.SHEET_NEARER,
         IconButtonKind.FLOATING,
         enabled = canGoNearer,
     ) {
@@ -110,7 +111,7 @@ private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Doub
     IconButton(
         SheetIcons.FURTHER,
         SheetTexts.further(spoken),
-        "sheet-further",
+        WorldTags.SHEET_FURTHER,
         IconButtonKind.FLOATING,
         enabled = canGoFurther,
     ) {

@@ -27,6 +27,7 @@ import robotran.ui.sheet3d.drawHandleLine
 import robotran.ui.sheet3d.drawPreview3D
 import robotran.ui.sheet3d.previewEnd3D
 import robotran.ui.sheet3d.toOffset
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.event.BlockEvent
@@ -73,7 +74,7 @@ internal fun TouchableSpace(
         view,
         { onEvent(SheetEvent.SpaceCameraMoved(it)) },
         aside,
-        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {
+        Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {
             contentDescription = description
             stateDescription = camera
         },

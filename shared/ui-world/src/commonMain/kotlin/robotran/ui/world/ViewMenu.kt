@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.SheetEvent
@@ -35,7 +36,10 @@ import robotran.workshop.state.SheetViewState
 internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
-        IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), "sheet-show", IconButtonKind.FLOATING) { open = true }
+        IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), WorldTags.SHEET_SHOW, IconButtonKind.FLOATING) {
+            open =
+                true
+        }
         AppMenu(open, { open = false }) {
             if (view.isIn3D) {
                 for (kind in CameraKind.entries) {
@@ -46,7 +50,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
                 }
             } else {
                 val follows = view.followed != null
-                SwitchItem(SheetTexts.follow(spoken), "sheet-follow", follows) {
+                SwitchItem(SheetTexts.follow(spoken), WorldTags.SHEET_FOLLOW, follows) {
                     open = false
                     onEvent(SheetEvent.FollowChosen(if (follows) null else robot))
                 }
@@ -54,7 +58,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
             HorizontalDivider()
             for (layer in SheetLayer.entries) {
                 val on = layer in view.shown
-                SwitchItem(layer.words(spoken), "layer-${layer.name.lowercase()}", on) {
+                SwitchItem(layer.words(spoken), WorldTags.layer(layer), on) {
                     onEvent(SheetEvent.LayerSwitched(layer, !on))
                 }
             }
@@ -65,7 +69,7 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
 @Composable
 private fun CameraItem(kind: CameraKind, isChosen: Boolean, onClick: () -> Unit) = MenuItem(
     kind.words(spoken),
-    "camera-${kind.name.lowercase()}",
+    WorldTags.camera(kind),
     Modifier.semantics {
         role = Role.RadioButton
         selected = isChosen

@@ -21,6 +21,7 @@ import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
 import robotran.ui.sheet.drawStrayed
 import robotran.ui.sheet.previewEnd
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.event.BlockEvent
@@ -120,7 +121,7 @@ private fun TouchableSheet(
         drawn,
         cameraNow(view, session),
         { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
-        Modifier.fillMaxSize().testTag("world").focusRing(0.dp).focusable().semantics {
+        Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {
             contentDescription = description
         },
         view.shown,

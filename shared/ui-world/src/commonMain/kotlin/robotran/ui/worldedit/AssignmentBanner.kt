@@ -15,6 +15,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
@@ -31,7 +32,7 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
         Modifier
             .fillMaxWidth()
             .background(colours.runningLine)
-            .testTag("edit-of-assignment")
+            .testTag(WorldTags.EDIT_OF_ASSIGNMENT)
             .padding(horizontal = 12.dp, vertical = 4.dp),
         Arrangement.spacedBy(12.dp),
         Arrangement.spacedBy(4.dp),
@@ -40,11 +41,11 @@ internal fun AssignmentBanner(origin: EditOrigin, onEvent: (WorkshopEvent) -> Un
             words,
             Modifier
                 .align(Alignment.CenterVertically)
-                .testTag("edit-of-assignment-words")
+                .testTag(WorldTags.EDIT_OF_ASSIGNMENT_WORDS)
                 .announced(),
             TextStyles.smallLines,
         )
-        Button(WorldEditorTexts.toAssignment(spoken), "edit-to-assignment", ButtonKind.SECOND) {
+        Button(WorldEditorTexts.toAssignment(spoken), WorldTags.EDIT_TO_ASSIGNMENT, ButtonKind.SECOND) {
             onEvent(WorldEditEvent.EditorClosed)
         }
     }

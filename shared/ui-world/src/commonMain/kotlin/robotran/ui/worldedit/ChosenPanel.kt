@@ -16,6 +16,7 @@ import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
 import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.words
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.RobotEditEvent
 import robotran.worldediting.AlignSide
@@ -39,7 +40,7 @@ internal fun ChosenPanel(editor: EditorScope) {
         return
     }
     val only = editing.only
-    ChosenName(chosenTitle(editing), "chosen-name")
+    ChosenName(chosenTitle(editing), WorldTags.CHOSEN_NAME)
     EditorActions(editor, actionsOf(editing))
     HorizontalDivider()
     val piece = only?.let { editing.world.piece(it) }
@@ -58,7 +59,7 @@ private fun BuildButton(editor: EditorScope, robot: Int) {
     if (robot == 0) HelpText(WorldEditorTexts.ownRobot(spoken))
     WordButton(
         RobotTexts.build(spoken),
-        "build-robot",
+        WorldTags.BUILD_ROBOT,
         { editor.perform(RobotEditEvent.BenchOpened(robot)) },
         Modifier.fillMaxWidth().padding(top = 8.dp),
     )
@@ -79,30 +80,30 @@ private fun actionsOf(editing: WorldEditing): List<EditorAction<WorldEdit>> = bu
     fun add(icon: Icon, label: Label, tag: String, edit: WorldEdit) = add(EditorAction(icon, label, tag, edit))
     val turn = editing.turnStep
     val grows = editing.selection.any { it.kind != ElementKind.ROBOT && it.kind != ElementKind.LAMP }
-    add(EditIcons.DELETE, WorldEditorTexts::delete, "delete", WorldEdit.Delete)
-    add(EditIcons.COPY, WorldEditorTexts::duplicate, "duplicate", WorldEdit.Duplicate)
+    add(EditIcons.DELETE, WorldEditorTexts::delete, WorldTags.DELETE, WorldEdit.Delete)
+    add(EditIcons.COPY, WorldEditorTexts::duplicate, WorldTags.DUPLICATE, WorldEdit.Duplicate)
     if (editing.canRotate) {
-        add(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, "turn-left", WorldEdit.TurnBy(turn))
-        add(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, "turn-right", WorldEdit.TurnBy(-turn))
+        add(EditIcons.TURN_LEFT, WorldEditorTexts::turnLeft, WorldTags.TURN_LEFT, WorldEdit.TurnBy(turn))
+        add(EditIcons.TURN_RIGHT, WorldEditorTexts::turnRight, WorldTags.TURN_RIGHT, WorldEdit.TurnBy(-turn))
     }
     if (grows && editing.hasPlace) {
-        add(EditIcons.LARGER, WorldEditorTexts::larger, "larger", WorldEdit.ScaleBy(GROWTH))
-        add(EditIcons.SMALLER, WorldEditorTexts::smaller, "smaller", WorldEdit.ScaleBy(1 / GROWTH))
+        add(EditIcons.LARGER, WorldEditorTexts::larger, WorldTags.LARGER, WorldEdit.ScaleBy(GROWTH))
+        add(EditIcons.SMALLER, WorldEditorTexts::smaller, WorldTags.SMALLER, WorldEdit.ScaleBy(1 / GROWTH))
     }
     if (editing.selection.any { it.kind == ElementKind.MARK }) {
-        add(EditIcons.FRONT, WorldEditorTexts::toFront, "to-front", WorldEdit.Restack(StackOrder.TO_FRONT))
-        add(EditIcons.UP, WorldEditorTexts::forward, "forward", WorldEdit.Restack(StackOrder.FORWARD))
-        add(EditIcons.DOWN, WorldEditorTexts::backward, "backward", WorldEdit.Restack(StackOrder.BACK))
-        add(EditIcons.BACK, WorldEditorTexts::toBack, "to-back", WorldEdit.Restack(StackOrder.TO_BACK))
+        add(EditIcons.FRONT, WorldEditorTexts::toFront, WorldTags.TO_FRONT, WorldEdit.Restack(StackOrder.TO_FRONT))
+        add(EditIcons.UP, WorldEditorTexts::forward, WorldTags.FORWARD, WorldEdit.Restack(StackOrder.FORWARD))
+        add(EditIcons.DOWN, WorldEditorTexts::backward, WorldTags.BACKWARD, WorldEdit.Restack(StackOrder.BACK))
+        add(EditIcons.BACK, WorldEditorTexts::toBack, WorldTags.TO_BACK, WorldEdit.Restack(StackOrder.TO_BACK))
     }
-    if (editing.selection.size > 1) add(EditIcons.GROUP, WorldEditorTexts::group, "group", WorldEdit.Group)
+    if (editing.selection.size > 1) add(EditIcons.GROUP, WorldEditorTexts::group, WorldTags.GROUP, WorldEdit.Group)
     if (editing.groups.any { group -> group.any { it in editing.selection } }) {
-        add(EditIcons.UNGROUP, WorldEditorTexts::ungroup, "ungroup", WorldEdit.Ungroup)
+        add(EditIcons.UNGROUP, WorldEditorTexts::ungroup, WorldTags.UNGROUP, WorldEdit.Ungroup)
     }
 }
 
 private val ALIGNING: List<EditorAction<WorldEdit>> = AlignSide.entries.map {
-    EditorAction(alignIcon(it), alignWord(it), "align-${it.name.lowercase()}", WorldEdit.Align(it))
+    EditorAction(alignIcon(it), alignWord(it), WorldTags.align(it), WorldEdit.Align(it))
 }
 
 /** Whether a selected element has a place on the sheet. */

@@ -14,6 +14,7 @@ import robotran.editing.written
 import robotran.ui.editing.BarToggle
 import robotran.ui.editing.BarTool
 import robotran.ui.editing.EditorBar
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
@@ -29,7 +30,7 @@ import robotran.worldediting.WorldEdit
 internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, canTry: Boolean) {
     val editing = editor.editing
     EditorBar(
-        "edit",
+        WorldTags.EDIT,
         editor,
         editing.history,
         withWords,
@@ -37,7 +38,7 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
         beforeDone = { if (canTry) TryButton(editor, withWords) },
     ) {
         val several = WorldEditorTexts.several(spoken)
-        BarToggle(EditIcons.SEVERAL, several, "edit-several", editing.isMultiSelect, withWords) {
+        BarToggle(EditIcons.SEVERAL, several, WorldTags.EDIT_SEVERAL, editing.isMultiSelect, withWords) {
             editor.make(WorldEdit.SetMultiSelect(!editing.isMultiSelect))
         }
         EditMenu(editor, view, withWords)
@@ -48,7 +49,7 @@ internal fun EditBar(editor: EditorScope, view: EditView, withWords: Boolean, ca
 private fun TryButton(editor: EditorScope, withWords: Boolean) = IconButton(
     EditIcons.PLAY,
     WorldEditorTexts.tryHelp(spoken),
-    "edit-try",
+    WorldTags.EDIT_TRY,
     label = WorldEditorTexts.worldeditTry(spoken).takeIf { withWords },
 ) { editor.perform(WorldEditEvent.TriedOut) }
 
@@ -62,22 +63,22 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
     }
     val snapping = editor.editing.snapping
     Box {
-        BarTool(Icon.MORE, WorldEditorTexts.moreMenu(spoken), "edit-menu", withWords) { open = true }
+        BarTool(Icon.MORE, WorldEditorTexts.moreMenu(spoken), WorldTags.EDIT_MENU, withWords) { open = true }
         AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp)) {
-            MenuItem(WorldEditorTexts.chooseAll(spoken), "menu-all") {
+            MenuItem(WorldEditorTexts.chooseAll(spoken), WorldTags.MENU_ALL) {
                 choose { editor.make(WorldEdit.SelectAll) }
             }
-            MenuItem(WorldEditorTexts.copy(spoken), "menu-copy") { choose { editor.make(WorldEdit.Copy) } }
-            MenuItem(WorldEditorTexts.paste(spoken), "menu-paste") {
+            MenuItem(WorldEditorTexts.copy(spoken), WorldTags.MENU_COPY) { choose { editor.make(WorldEdit.Copy) } }
+            MenuItem(WorldEditorTexts.paste(spoken), WorldTags.MENU_PASTE) {
                 choose { editor.make(WorldEdit.Paste(view.middle)) }
             }
-            MenuItem(WorldEditorTexts.wholeSheet(spoken), "menu-fit") {
+            MenuItem(WorldEditorTexts.wholeSheet(spoken), WorldTags.MENU_FIT) {
                 choose { view.camera = SheetCamera.FITTING }
             }
-            MenuItem(WorldEditorTexts.zoomIn(spoken), "menu-zoom-in") {
+            MenuItem(WorldEditorTexts.zoomIn(spoken), WorldTags.MENU_ZOOM_IN) {
                 choose { view.zoomBy(ZOOM, view.pane.center) }
             }
-            MenuItem(WorldEditorTexts.zoomOut(spoken), "menu-zoom-out") {
+            MenuItem(WorldEditorTexts.zoomOut(spoken), WorldTags.MENU_ZOOM_OUT) {
                 choose { view.zoomBy(1 / ZOOM, view.pane.center) }
             }
             MenuDivider()
@@ -87,19 +88,19 @@ private fun EditMenu(editor: EditorScope, view: EditView, withWords: Boolean) {
                 } else {
                     WorldEditorTexts.gridOff(spoken)
                 }
-                MenuItem(checked(words, snapping.grid == grid), "menu-grid-${written(grid)}") {
+                MenuItem(checked(words, snapping.grid == grid), WorldTags.menuGrid(written(grid))) {
                     choose { editor.make(WorldEdit.Snap(snapping.copy(grid = grid))) }
                 }
             }
-            MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), "menu-angle") {
+            MenuItem(checked(WorldEditorTexts.snapAngle(spoken), snapping.angle > 0), WorldTags.MENU_ANGLE) {
                 val angle = if (snapping.angle > 0) 0.0 else Snapping().angle
                 choose { editor.make(WorldEdit.Snap(snapping.copy(angle = angle))) }
             }
-            MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), "menu-others") {
+            MenuItem(checked(WorldEditorTexts.snapOthers(spoken), snapping.toOthers), WorldTags.MENU_OTHERS) {
                 choose { editor.make(WorldEdit.Snap(snapping.copy(toOthers = !snapping.toOthers))) }
             }
             MenuDivider()
-            MenuItem(WorldEditorTexts.discard(spoken), "menu-discard") {
+            MenuItem(WorldEditorTexts.discard(spoken), WorldTags.MENU_DISCARD) {
                 choose { editor.perform(WorldEditEvent.EditsDiscarded) }
             }
         }

@@ -6,6 +6,7 @@ import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.EditorHints
 import robotran.ui.editing.HintAction
 import robotran.ui.editing.MAX_HINTS
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.WorldEditState
@@ -22,10 +23,10 @@ internal fun EditHints(state: WorldEditState, editor: EditorScope, modifier: Mod
     if (sentences.isEmpty() || !state.hintsShown) return
     val thing = editing.errors.firstOrNull()?.thing?.takeIf { it !in editing.selection }
     EditorHints(
-        "edit-hints",
+        WorldTags.EDIT_HINTS,
         sentences,
         LocalRobotranColours.current.errorPane,
-        thing?.let { HintAction("show-trouble") { editor.make(WorldEdit.Select(it)) } },
+        thing?.let { HintAction(WorldTags.SHOW_TROUBLE) { editor.make(WorldEdit.Select(it)) } },
         { editor.perform(WorldEditEvent.HintsClosed) },
         modifier,
     )

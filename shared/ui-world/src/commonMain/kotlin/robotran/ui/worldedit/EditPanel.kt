@@ -6,6 +6,7 @@ import androidx.compose.ui.Modifier
 import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.EditorTab
 import robotran.ui.editing.FieldPanel
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 
 /** The tabs of the editor's panel. */
@@ -16,7 +17,7 @@ internal enum class EditTab(override val title: Label) : EditorTab {
     WORLD(WorldEditorTexts::tabWorld),
     ;
 
-    override val tag get() = "tab-edit-${name.lowercase()}"
+    override val tag get() = WorldTags.editTab(this)
 }
 
 @Composable
@@ -25,7 +26,7 @@ internal fun EditPanel(editor: EditorScope, tab: EditTab, onTab: (EditTab) -> Un
     val errors = editing.errors.filter { tab == EditTab.CHOSEN && it.thing in editing.selection }
         .map { validationErrorText(editing.world, it) }
     key(tab, if (tab == EditTab.CHOSEN) editor.editing.selection else null) {
-        FieldPanel("edit-panel", errors, "chosen-trouble", modifier) {
+        FieldPanel(WorldTags.EDIT_PANEL, errors, WorldTags.CHOSEN_TROUBLE, modifier) {
             when (tab) {
                 EditTab.CHOSEN -> ChosenPanel(editor)
                 EditTab.THINGS -> ElementsPanel(editor) { onTab(EditTab.CHOSEN) }

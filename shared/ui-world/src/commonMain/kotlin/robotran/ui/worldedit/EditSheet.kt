@@ -12,6 +12,7 @@ import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetZoom
 import robotran.ui.sheet.drawSheet
 import robotran.ui.sheet.drawSights
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.workshop.state.SheetLayer
 import robotran.worldediting.ElementKind
@@ -27,7 +28,7 @@ internal fun EditSheet(editor: EditorScope, view: EditView, session: SessionStat
     val labels = rememberTextMeasurer()
     val shown = if (editor.editing.snapping.grid > 0) setOf(SheetLayer.GOALS, SheetLayer.GRID) else SheetLayer.DEFAULT
     val isRobotChosen = editor.editing.selection.any { it.kind == ElementKind.ROBOT }
-    val words = CanvasWords("edit-sheet", WorldEditorTexts.sheet(spoken), selectionText(editor.editing), false)
+    val words = CanvasWords(WorldTags.EDIT_SHEET, WorldEditorTexts.sheet(spoken), selectionText(editor.editing), false)
     EditorCanvas(
         words,
         editor,

@@ -6,6 +6,7 @@ import androidx.compose.ui.unit.dp
 import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.ChoosingRow
 import robotran.ui.editing.HelpText
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.worldediting.ElementKind
 import robotran.worldediting.ElementRef
@@ -23,7 +24,7 @@ internal fun ElementsPanel(editor: EditorScope, onChosen: () -> Unit) {
 @Composable
 internal fun ElementRow(editor: EditorScope, ref: ElementRef, indent: Dp, onChosen: () -> Unit) = ChoosingRow(
     elementText(editor.world, ref),
-    "thing-${ref.kind.name.lowercase()}-${ref.number}",
+    WorldTags.thing(ref.kind, ref.number),
     isChosen = ref in editor.editing.selection,
     isWrong = editor.editing.errors.any { it.thing == ref },
     indent,

@@ -6,6 +6,7 @@ import robotran.editing.WorldEditorTexts
 import robotran.ui.editing.EditorAction
 import robotran.ui.editing.EditorActions
 import robotran.ui.editing.HelpText
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.world.Goal
 import robotran.world.HasLine
@@ -39,26 +40,36 @@ internal fun GoalsPanel(editor: EditorScope, onChosen: () -> Unit) {
 @Composable
 private fun ChosenGoal(editor: EditorScope, number: Int, goal: Goal, onChosen: () -> Unit) {
     EditorActions(editor, actionsOf(goal, number)) {
-        IconWord(EditIcons.PENCIL, WorldEditorTexts.goalChange(spoken), "goal-change", onChosen)
+        IconWord(EditIcons.PENCIL, WorldEditorTexts.goalChange(spoken), WorldTags.GOAL_CHANGE, onChosen)
     }
     val groups = GoalGroup.entries.map { it to (goalTitle(it.around(goal)))(spoken) }
     MenuRow(
         WorldEditorTexts.goalWrap(spoken),
         groups,
         WorldEditorTexts.choose(spoken),
-        "goal-wrap",
+        WorldTags.GOAL_WRAP,
     ) {
         editor.make(WorldEdit.WrapGoal(number, it))
     }
 }
 
 private fun actionsOf(goal: Goal, number: Int): List<EditorAction<WorldEdit>> = listOfNotNull(
-    EditorAction(EditIcons.DELETE, WorldEditorTexts::delete, "goal-delete", WorldEdit.Delete),
-    EditorAction(EditIcons.UP, WorldEditorTexts::goalUp, "goal-up", WorldEdit.MoveGoal(number, GoalMove.UP)),
-    EditorAction(EditIcons.DOWN, WorldEditorTexts::goalDown, "goal-down", WorldEdit.MoveGoal(number, GoalMove.DOWN)),
-    EditorAction(EditIcons.IN, WorldEditorTexts::goalIn, "goal-in", WorldEdit.MoveGoal(number, GoalMove.IN)),
-    EditorAction(EditIcons.OUT, WorldEditorTexts::goalOut, "goal-out", WorldEdit.MoveGoal(number, GoalMove.OUT)),
-    EditorAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, "goal-unwrap", WorldEdit.UnwrapGoal(number))
+    EditorAction(EditIcons.DELETE, WorldEditorTexts::delete, WorldTags.GOAL_DELETE, WorldEdit.Delete),
+    EditorAction(EditIcons.UP, WorldEditorTexts::goalUp, WorldTags.GOAL_UP, WorldEdit.MoveGoal(number, GoalMove.UP)),
+    EditorAction(
+        EditIcons.DOWN,
+        WorldEditorTexts::goalDown,
+        WorldTags.GOAL_DOWN,
+        WorldEdit.MoveGoal(number, GoalMove.DOWN),
+    ),
+    EditorAction(EditIcons.IN, WorldEditorTexts::goalIn, WorldTags.GOAL_IN, WorldEdit.MoveGoal(number, GoalMove.IN)),
+    EditorAction(
+        EditIcons.OUT,
+        WorldEditorTexts::goalOut,
+        WorldTags.GOAL_OUT,
+        WorldEdit.MoveGoal(number, GoalMove.OUT),
+    ),
+    EditorAction(EditIcons.UNGROUP, WorldEditorTexts::goalUnwrap, WorldTags.GOAL_UNWRAP, WorldEdit.UnwrapGoal(number))
         .takeIf { goal.isGroup },
 )
 
@@ -72,7 +83,7 @@ private fun AddGoal(editor: EditorScope, into: Int?) {
     } else {
         WorldEditorTexts.addGoalToGroup(spoken)
     }
-    MenuRow("", choices, title, "add-goal") { goal -> editor.make(addition(editor.world, goal, into, line)) }
+    MenuRow("", choices, title, WorldTags.ADD_GOAL) { goal -> editor.make(addition(editor.world, goal, into, line)) }
 }
 
 /** A goal for a line refers to it by name; an unnamed line gets one. */

@@ -9,6 +9,7 @@ import robotran.ui.editing.EditorPalette
 import robotran.ui.editing.PaletteButton
 import robotran.ui.editing.PaletteLook
 import robotran.ui.editing.stretched
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
@@ -31,14 +32,14 @@ internal fun PaletteStrip(
     val items: List<@Composable () -> Unit> =
         PaletteItem.entries.map { item -> @Composable { ItemButton(editor, view, item, columns != null, onPut) } } +
             HAND_TOOLS.map { (tool, word) -> @Composable { HandTool(editor, tool, word(spoken)) } }
-    EditorPalette("palette", columns, items, modifier)
+    EditorPalette(WorldTags.PALETTE, columns, items, modifier)
 }
 
 /** A pencil that draws on the sheet until it is deselected. */
 @Composable
 private fun HandTool(editor: EditorScope, tool: Tool, word: String) {
     val isTaken = editor.editing.tool == tool
-    IconWord(EditIcons.PENCIL, word, "tool-${tool.name.lowercase()}", {
+    IconWord(EditIcons.PENCIL, word, WorldTags.tool(tool), {
         editor.make(WorldEdit.SelectTool(if (isTaken) Tool.SELECT else tool))
     }, Modifier.width(stretched(ITEM_WIDTH)), chosen = isTaken)
 }
@@ -46,7 +47,7 @@ private fun HandTool(editor: EditorScope, tool: Tool, word: String) {
 @Composable
 private fun ItemButton(editor: EditorScope, view: EditView, item: PaletteItem, upright: Boolean, onPut: () -> Unit) {
     val robotName = colourWord(editor.world.nextRobotColour)(spoken)
-    val look = PaletteLook(itemWord(item)(spoken), "palette-${item.name.lowercase()}", stretched(ITEM_WIDTH)) {
+    val look = PaletteLook(itemWord(item)(spoken), WorldTags.palette(item), stretched(ITEM_WIDTH)) {
         drawPaletteItem(item, it)
     }
     PaletteButton(look, view, upright) { place ->

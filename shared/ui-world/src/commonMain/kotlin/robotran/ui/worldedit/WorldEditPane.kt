@@ -15,6 +15,7 @@ import robotran.ui.common.AutosaveBanner
 import robotran.ui.editing.EditorFrame
 import robotran.ui.editing.EditorParts
 import robotran.ui.editing.editForCommand
+import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -54,7 +55,7 @@ fun WorldEditPane(
         panel = { tab, onTab, place -> EditPanel(editor, tab, onTab, place) },
     )
     EditorFrame(
-        "world-edit",
+        WorldTags.WORLD_EDIT,
         SheetTexts.editWorld(spoken),
         parts,
         view.carried,

@@ -6,6 +6,7 @@ import robotran.editing.making
 import robotran.ui.editing.Form
 import robotran.ui.editing.HelpText
 import robotran.ui.editing.RowHeading
+import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.fieldsOf
@@ -17,6 +18,8 @@ internal fun WorldPanel(editor: EditorScope) {
     Form(fieldsOf(editor.world.parameters).making { WorldEdit.ChangeSheet(it) }, editor)
     val newTitle = WorldEditorTexts.newTitle(spoken)
     RowHeading(WorldEditorTexts.startOver(spoken))
-    WordButton(WorldEditorTexts.newWorld(spoken), "new-world", { editor.makeAtOnce(WorldEdit.NewWorld(newTitle)) })
+    WordButton(WorldEditorTexts.newWorld(spoken), WorldTags.NEW_WORLD, {
+        editor.makeAtOnce(WorldEdit.NewWorld(newTitle))
+    })
     HelpText(WorldEditorTexts.newWorldHelp(spoken))
 }

@@ -20,10 +20,13 @@ import androidx.compose.ui.test.withKeyDown
 import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
+import robotran.robotediting.RobotItem
 import robotran.ui.editing.moves
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.WorldEditEvent
@@ -49,19 +52,19 @@ class RobotBenchTest {
         workshop.handle(WorldEditEvent.EditorOpened)
         workshop.handle(WorldEditEvent.Edited(WorldEdit.Select(ElementRef(ElementKind.ROBOT, 0))))
         pass(200)
-        scrollAndTouch("build-robot")
+        scrollAndTouch(WorldTags.BUILD_ROBOT)
         pass(200)
-        onNodeWithTag("robot-done").performClick()
+        onNodeWithTag(ProgramTags.robot("done")).performClick()
         pass(200)
         assertNull(workshop.state.robotEdit)
-        assertTrue(isThere("world-edit"))
+        assertTrue(isThere(WorldTags.WORLD_EDIT))
     }
 
     @Test
     fun `a tap on the palette adds a part, and a drag puts it anywhere`() = onBench {
-        tap("robot-item-colour")
+        tap(WorldTags.robotItem(RobotItem.COLOUR))
         assertEquals(4, robot.things.size)
-        val item = screen.onNodeWithTag("robot-item-sound").fetchSemanticsNode().boundsInRoot
+        val item = screen.onNodeWithTag(WorldTags.robotItem(RobotItem.SOUND)).fetchSemanticsNode().boundsInRoot
         val target = place(2.0, 3.0) + plan.topLeft
         screen.onRoot().performTouchInput {
             down(item.center)
@@ -75,10 +78,10 @@ class RobotBenchTest {
     @Test
     fun `a mistake moves no button of the panel`() = onBench {
         make(RobotEdit.Choose(RobotElement.Part(2)))
-        val before = placeOf("robot-turn-left")
+        val before = placeOf(WorldTags.ROBOT_TURN_LEFT)
         make(RobotEdit.SetPort(1))
-        assertTrue(isThere("robot-chosen-trouble"))
-        assertEquals(before, placeOf("robot-turn-left"))
+        assertTrue(isThere(WorldTags.ROBOT_CHOSEN_TROUBLE))
+        assertEquals(before, placeOf(WorldTags.ROBOT_TURN_LEFT))
     }
 
     @Test
@@ -95,8 +98,8 @@ class RobotBenchTest {
     fun `a robot that was rebuilt is no ready one any more`() {
         for (isRebuilt in listOf(false, true)) {
             onBench {
-                if (isRebuilt) tap("robot-item-colour")
-                tap("robot-done")
+                if (isRebuilt) tap(WorldTags.robotItem(RobotItem.COLOUR))
+                tap(ProgramTags.robot("done"))
                 select(ElementRef(ElementKind.ROBOT, 0))
                 val chosen = (0..<ReadyRobots.all.size).filter { isChosen("robot-kind-$it") }
                 assertEquals(if (isRebuilt) emptyList() else listOf(SUMO), chosen)
@@ -112,11 +115,11 @@ class RobotBenchTest {
 
     @Test
     fun `the plan stays where it is while parts are changed`() = onBench {
-        val before = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().boundsInRoot
-        tap("robot-item-colour")
+        val before = screen.onNodeWithTag(WorldTags.ROBOT_PLAN).fetchSemanticsNode().boundsInRoot
+        tap(WorldTags.robotItem(RobotItem.COLOUR))
         make(RobotEdit.Choose(RobotElement.Part(1)), RobotEdit.SetPort(4))
-        assertTrue(isThere("robot-hints"))
-        assertEquals(before, screen.onNodeWithTag("robot-plan").fetchSemanticsNode().boundsInRoot)
+        assertTrue(isThere(WorldTags.ROBOT_HINTS))
+        assertEquals(before, screen.onNodeWithTag(WorldTags.ROBOT_PLAN).fetchSemanticsNode().boundsInRoot)
     }
 
     @Test
@@ -140,15 +143,14 @@ class RobotBenchTest {
     @Test
     fun `an impossible robot is told at its part, and to screen readers`() = onBench {
         make(RobotEdit.Choose(RobotElement.Part(1)))
-        tap("robot-port-4")
-        screen.onNodeWithTag("robot-port-4").assertTextEquals("4 (Ultrasonic sensor)")
+        tap(ProgramTags.robot("port-4"))
+        screen.onNodeWithTag(ProgramTags.robot("port-4")).assertTextEquals("4 (Ultrasonic sensor)")
         assertFalse(editing.isPossible)
-        assertTrue(isThere("robot-hints"))
-        tap("robot-show-trouble")
-        assertTrue(isThere("robot-chosen-trouble"))
-        val described = screen.onNodeWithTag(
-            "robot-plan",
-        ).fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+        assertTrue(isThere(WorldTags.ROBOT_HINTS))
+        tap(WorldTags.ROBOT_SHOW_TROUBLE)
+        assertTrue(isThere(WorldTags.ROBOT_CHOSEN_TROUBLE))
+        val described = screen.onNodeWithTag(WorldTags.ROBOT_PLAN)
+            .fetchSemanticsNode().config[SemanticsProperties.StateDescription]
         assertContains(described, "port 4")
         assertContains(described, "Two things")
     }
@@ -157,36 +159,42 @@ class RobotBenchTest {
     fun `what has no cable says so, also after the hint was closed once`() = onBench {
         make(RobotEdit.Replace(ReadyRobots.NXT_PENBOT))
         repeat(2) {
-            tap("robot-item-light")
-            assertTrue(isThere("robot-hints"))
-            tap("robot-hints-close")
-            assertFalse(isThere("robot-hints"))
+            tap(WorldTags.robotItem(RobotItem.LIGHT))
+            assertTrue(isThere(WorldTags.ROBOT_HINTS))
+            tap(ProgramTags.robot("hints-close"))
+            assertFalse(isThere(WorldTags.ROBOT_HINTS))
         }
     }
 
     @Test
     fun `screen readers hear where a sensor looks`() = onBench {
         make(RobotEdit.Choose(RobotElement.Part(2)), RobotEdit.TurnBy(-30.0))
-        val described = screen.onNodeWithTag(
-            "robot-plan",
-        ).fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+        val described = screen.onNodeWithTag(WorldTags.ROBOT_PLAN)
+            .fetchSemanticsNode().config[SemanticsProperties.StateDescription]
         assertContains(described, "Looks 30° to the right.")
     }
 
     @Test
     fun `a ready robot is taken, and the robot is shown on the sheet`() = onBench {
-        tap("tab-robot-robot")
-        tap("robot-ready-both-sides")
+        tap(WorldTags.robotTab(RobotTab.ROBOT))
+        tap(WorldTags.robotReady("both-sides"))
         assertEquals(ReadyRobots.BOTH_SIDES, robot)
-        tap("robot-on-sheet")
-        assertTrue(isThere("robot-sheet"))
+        tap(WorldTags.ROBOT_ON_SHEET)
+        assertTrue(isThere(WorldTags.ROBOT_SHEET))
     }
 
     @Test
     fun `what is touched is as large as a finger on a phone`() = onBench(411, 891) {
-        tap("tab-robot-parts")
+        tap(WorldTags.robotTab(RobotTab.PARTS))
         val tags =
-            listOf("robot-undo", "robot-on-sheet", "robot-fit", "robot-done", "robot-item-bumper", "robot-element-0")
+            listOf(
+                ProgramTags.robot("undo"),
+                WorldTags.ROBOT_ON_SHEET,
+                WorldTags.ROBOT_FIT,
+                ProgramTags.robot("done"),
+                WorldTags.robotItem(RobotItem.BUMPER),
+                WorldTags.robotElement(0),
+            )
         for (tag in tags) {
             val box = screen.onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
             assertTrue(box.width >= 48 && box.height >= 40, "$tag is $box")
@@ -207,7 +215,7 @@ class RobotBenchTest {
     private inner class BenchTest(val screen: ComposeUiTest, private val workshop: Workshop) {
         val editing: RobotEditing get() = checkNotNull(workshop.state.robotEdit).editing
         val robot get() = editing.robot
-        val plan: Rect get() = screen.onNodeWithTag("robot-plan").fetchSemanticsNode().boundsInRoot
+        val plan: Rect get() = screen.onNodeWithTag(WorldTags.ROBOT_PLAN).fetchSemanticsNode().boundsInRoot
 
         private val view = PlanView(ReadyRobots.SUMO)
 
@@ -245,7 +253,7 @@ class RobotBenchTest {
         }
 
         fun drag(from: Offset, to: Offset) {
-            screen.onNodeWithTag("robot-plan").performTouchInput {
+            screen.onNodeWithTag(WorldTags.ROBOT_PLAN).performTouchInput {
                 down(from)
                 for (step in 1..STEPS) moveTo(from + (to - from) * (step / STEPS.toFloat()))
                 up()

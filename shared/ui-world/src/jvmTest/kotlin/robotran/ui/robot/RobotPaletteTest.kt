@@ -15,6 +15,7 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotItem
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
@@ -61,7 +62,7 @@ class RobotPaletteTest {
 
     private fun ComposeUiTest.wordsOfPalette(): List<TextLayoutResult> {
         val isWord = SemanticsMatcher.keyIsDefined(SemanticsActions.GetTextLayoutResult)
-        val words = onAllNodes(isWord and hasAnyAncestor(hasTestTag("robot-palette")), useUnmergedTree = true)
+        val words = onAllNodes(isWord and hasAnyAncestor(hasTestTag(WorldTags.ROBOT_PALETTE)), useUnmergedTree = true)
         return words.fetchSemanticsNodes().flatMap { node ->
             buildList { node.config.getOrNull(SemanticsActions.GetTextLayoutResult)?.action?.invoke(this) }
         }

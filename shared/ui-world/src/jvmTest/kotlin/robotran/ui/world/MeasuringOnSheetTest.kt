@@ -19,8 +19,10 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.measuring.Measuring
 import robotran.workshop.measuring.MeasuringBase
+import robotran.workshop.measuring.MeasuringEnd
 import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -33,15 +35,15 @@ class MeasuringOnSheetTest {
     @Test
     fun `one touch shows how far the goal is and how the robot turns to it, another puts all away`() = onSheet {
         measure()
-        onNodeWithTag("sheet-measure").assertIsOn()
+        onNodeWithTag(WorldTags.SHEET_MEASURE).assertIsOn()
         assertEquals(Point(30.0, 40.0), ruler.from)
         assertEquals(Point(90.0, 20.0), ruler.to)
-        onNodeWithTag("measured").assertContentDescriptionEquals("63.2 cm, turn right 18.4 degrees")
-        onNodeWithTag("sheet-measure").performClick()
+        onNodeWithTag(WorldTags.MEASURED).assertContentDescriptionEquals("63.2 cm, turn right 18.4 degrees")
+        onNodeWithTag(WorldTags.SHEET_MEASURE).performClick()
         settle()
-        onNodeWithTag("sheet-measure").assertIsOff()
+        onNodeWithTag(WorldTags.SHEET_MEASURE).assertIsOff()
         assertNull(workshop.state.sheet.measuring)
-        onNodeWithTag("measured").assertDoesNotExist()
+        onNodeWithTag(WorldTags.MEASURED).assertDoesNotExist()
     }
 
     @Test
@@ -106,7 +108,7 @@ class MeasuringOnSheetTest {
     @Test
     fun `keys move an end by a centimetre or a millimetre, put it onto things, and put all away`() = onSheet {
         measure()
-        val end = onNodeWithTag("measure-to")
+        val end = onNodeWithTag(WorldTags.measure(MeasuringEnd.TO))
         end.requestFocus()
         end.performKeyInput {
             pressKey(Key.DirectionUp)
@@ -131,16 +133,17 @@ class MeasuringOnSheetTest {
     @Test
     fun `a screen reader hears what is measured, and moves the ends`() = onSheet {
         measure()
-        val described = onNodeWithTag("measured").fetchSemanticsNode().config
+        val described = onNodeWithTag(WorldTags.MEASURED).fetchSemanticsNode().config
         assertEquals(LiveRegionMode.Polite, described[SemanticsProperties.LiveRegion])
-        onNodeWithTag("measure-from").assertContentDescriptionContains("Measured from: a robot", substring = true)
-        onNodeWithTag(
-            "measure-base",
-        ).assertContentDescriptionContains("50.0 cm across and 40.0 cm up", substring = true)
-        onNodeWithTag("measure-to").performSemanticsAction(SemanticsActions.OnClick)
+        onNodeWithTag(WorldTags.measure(MeasuringEnd.FROM))
+            .assertContentDescriptionContains("Measured from: a robot", substring = true)
+        onNodeWithTag(WorldTags.measure(MeasuringEnd.BASE))
+            .assertContentDescriptionContains("50.0 cm across and 40.0 cm up", substring = true)
+        onNodeWithTag(WorldTags.measure(MeasuringEnd.TO)).performSemanticsAction(SemanticsActions.OnClick)
         settle()
-        onNodeWithTag("measured").assertContentDescriptionEquals("31.6 cm, turn left 108.4 degrees")
-        val moves = onNodeWithTag("measure-to").fetchSemanticsNode().config[SemanticsActions.CustomActions]
+        onNodeWithTag(WorldTags.MEASURED).assertContentDescriptionEquals("31.6 cm, turn left 108.4 degrees")
+        val moves = onNodeWithTag(WorldTags.measure(MeasuringEnd.TO))
+            .fetchSemanticsNode().config[SemanticsActions.CustomActions]
         assertTrue(moves.first { it.label == "Move right" }.action())
         settle()
         assertEquals(21.0, ruler.to.x, 1e-9)
@@ -149,7 +152,7 @@ class MeasuringOnSheetTest {
     @Test
     fun `the robot is dragged again once all is put away`() = onSheet {
         measure()
-        onNodeWithTag("sheet-measure").performClick()
+        onNodeWithTag(WorldTags.SHEET_MEASURE).performClick()
         settle()
         sheet.performTouchInput { swipe(at(32.0, 40.0), at(52.0, 60.0), 160) }
         settle()
@@ -159,7 +162,7 @@ class MeasuringOnSheetTest {
     private val SheetOnScreen.ruler: Measuring get() = assertNotNull(workshop.state.sheet.measuring)
 
     private fun SheetOnScreen.measure() {
-        onNodeWithTag("sheet-measure").performClick()
+        onNodeWithTag(WorldTags.SHEET_MEASURE).performClick()
         settle()
     }
 

@@ -13,6 +13,7 @@ import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.transform
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.state.SheetCamera
 import robotran.world.Barrier
@@ -61,7 +62,7 @@ internal fun onSheet(world: World = handyWorld, width: Int = 1280, height: Int =
 
 @OptIn(ExperimentalTestApi::class)
 internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Workshop) {
-    val sheet: SemanticsNodeInteraction get() = onNodeWithTag("world")
+    val sheet: SemanticsNodeInteraction get() = onNodeWithTag(WorldTags.WORLD)
     val camera: SheetCamera get() = workshop.state.sheet.camera
 
     /** The current transform of the sheet, in pixels of its pane. */

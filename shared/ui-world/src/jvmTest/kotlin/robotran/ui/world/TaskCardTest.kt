@@ -5,9 +5,12 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
@@ -30,19 +33,19 @@ class TaskCardTest {
             onScreen(width, height) { workshop ->
                 workshop.services.editor.changeWorld(workshop.withTask(TASK), isAnother = true)
                 pass(300)
-                onNodeWithTag("task-title").assertTextContains("Corner")
-                onNodeWithTag("task-text").assertTextContains(TASK)
-                onNodeWithTag("world").assertIsDisplayed()
-                checkTargets("task-hide", "task-chip", "run")
-                onNodeWithTag("task-hide").performClick()
+                onNodeWithTag(AssignmentTags.TASK_TITLE).assertTextContains("Corner")
+                onNodeWithTag(AssignmentTags.TASK_TEXT).assertTextContains(TASK)
+                onNodeWithTag(WorldTags.WORLD).assertIsDisplayed()
+                checkTargets(AssignmentTags.TASK_HIDE, RunTags.TASK_CHIP, RunTags.RUN)
+                onNodeWithTag(AssignmentTags.TASK_HIDE).performClick()
                 pass(300)
-                onNodeWithTag("task-card").assertDoesNotExist()
-                onNodeWithTag("task-chip").performClick()
+                onNodeWithTag(AssignmentTags.TASK_CARD).assertDoesNotExist()
+                onNodeWithTag(RunTags.TASK_CHIP).performClick()
                 pass(300)
-                onNodeWithTag("task-card").assertIsDisplayed()
-                onNodeWithTag("run").performClick()
+                onNodeWithTag(AssignmentTags.TASK_CARD).assertIsDisplayed()
+                onNodeWithTag(RunTags.RUN).performClick()
                 pass(300)
-                onNodeWithTag("task-card").assertDoesNotExist()
+                onNodeWithTag(AssignmentTags.TASK_CARD).assertDoesNotExist()
             }
         }
     }
@@ -54,14 +57,14 @@ class TaskCardTest {
                 workshop.handle(LearningEvent.WorldChosen("nxt-square"))
                 pass(300)
 
-                fun height() = onNodeWithTag("task-card").fetchSemanticsNode().size.height
+                fun height() = onNodeWithTag(AssignmentTags.TASK_CARD).fetchSemanticsNode().size.height
                 val whole = height()
-                checkTargets("task-fold", "task-hide")
-                onNodeWithTag("task-fold").performClick()
+                checkTargets(AssignmentTags.TASK_FOLD, AssignmentTags.TASK_HIDE)
+                onNodeWithTag(AssignmentTags.TASK_FOLD).performClick()
                 pass(300)
                 assertTrue(height() <= 64, "${height()} of $whole")
-                onNodeWithTag("task-text").assertDoesNotExist()
-                onNodeWithTag("task-title").performClick()
+                onNodeWithTag(AssignmentTags.TASK_TEXT).assertDoesNotExist()
+                onNodeWithTag(AssignmentTags.TASK_TITLE).performClick()
                 pass(300)
                 assertEquals(whole, height())
             }
@@ -78,9 +81,9 @@ class TaskCardTest {
                     isAnother = true,
                 )
                 pass(300)
-                onNodeWithTag("task-text").assertExists()
-                checkTargets("task-hide", "run")
-                val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
+                onNodeWithTag(AssignmentTags.TASK_TEXT).assertExists()
+                checkTargets(AssignmentTags.TASK_HIDE, RunTags.RUN)
+                val sheet = onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().boundsInRoot
                 assertTrue(sheet.width >= 100 && sheet.height >= 60, "The sheet has only $sheet of $width × $height")
             }
         }
@@ -91,15 +94,15 @@ class TaskCardTest {
         workshop.handle(LearningEvent.WorldChosen("square"))
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
         pass(500)
-        onNodeWithTag("goals-task").assertTextContains("dotted", substring = true)
+        onNodeWithTag(RunTags.GOALS_TASK).assertTextContains("dotted", substring = true)
     }
 
     @Test
     fun `a step of the tutorial tells its task itself`() = onScreen(1280, 800) { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(300)
-        onNodeWithTag("task-chip").assertDoesNotExist()
-        onNodeWithTag("task-card").assertDoesNotExist()
+        onNodeWithTag(RunTags.TASK_CHIP).assertDoesNotExist()
+        onNodeWithTag(AssignmentTags.TASK_CARD).assertDoesNotExist()
     }
 
     private fun Workshop.withTask(task: String): World = state.world.copy(title = "Corner", task = task)

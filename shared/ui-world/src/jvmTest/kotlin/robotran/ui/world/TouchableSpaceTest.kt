@@ -19,12 +19,14 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import robotran.scene3d.model.Heights
 import robotran.simulation.SessionInput
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SpaceCamera
+import robotran.worldediting.ElementKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -38,12 +40,12 @@ class TouchableSpaceTest {
         workshop.handle(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, 1)))
         workshop.handle(SheetEvent.LayerSwitched(SheetLayer.NAMES, true))
         val before = workshop.state.sheet
-        onNodeWithTag("sheet-3d").assertIsOff()
-        onNodeWithTag("sheet-3d").performClick()
+        onNodeWithTag(WorldTags.SHEET_3D).assertIsOff()
+        onNodeWithTag(WorldTags.SHEET_3D).performClick()
         settle()
-        onNodeWithTag("sheet-3d").assertIsOn()
+        onNodeWithTag(WorldTags.SHEET_3D).assertIsOn()
         assertTrue(workshop.state.sheet.isIn3D)
-        onNodeWithTag("sheet-3d").performClick()
+        onNodeWithTag(WorldTags.SHEET_3D).performClick()
         settle()
         assertEquals(before, workshop.state.sheet)
     }
@@ -85,7 +87,7 @@ class TouchableSpaceTest {
         }
         settle()
         assertTrue(camera.zoom > 1.2, "zoomed to ${camera.zoom}")
-        onNodeWithTag("sheet-whole").performClick()
+        onNodeWithTag(WorldTags.SHEET_WHOLE).performClick()
         settle()
         assertEquals(SpaceCamera(), camera)
         sheet.performTouchInput { doubleClick(at(50.0, 60.0)) }
@@ -163,9 +165,9 @@ class TouchableSpaceTest {
 
     @Test
     fun `keys move and turn what has the focus, and readers hear the same as on the sheet`() = onSpace {
-        onNodeWithTag("thing-robot-0").requestFocus()
+        onNodeWithTag(WorldTags.thing(ElementKind.ROBOT, 0)).requestFocus()
         settle()
-        onNodeWithTag("thing-robot-0").performKeyInput {
+        onNodeWithTag(WorldTags.thing(ElementKind.ROBOT, 0)).performKeyInput {
             pressKey(Key.DirectionRight)
             pressKey(Key.LeftBracket)
         }
@@ -174,16 +176,17 @@ class TouchableSpaceTest {
         assertEquals(31.0, pose.x, 1e-6)
         assertEquals(15.0, pose.heading, 1e-6)
         sheet.assertContentDescriptionContains("Place to reach: 90.0 cm across and 20.0 cm up", substring = true)
-        onNodeWithTag("thing-block-0").assertContentDescriptionContains("Block 1, 60.0 cm across", substring = true)
+        onNodeWithTag(WorldTags.thing(ElementKind.BLOCK, 0))
+            .assertContentDescriptionContains("Block 1, 60.0 cm across", substring = true)
     }
 
     @Test
     fun `the camera is chosen from a list, which a reader hears`() = onSpace {
         workshop.handle(SheetEvent.ElementChosen(SheetElement(SheetElementKind.ROBOT, 1)))
         for (kind in listOf(CameraKind.FOLLOW, CameraKind.ROBOT_EYE, CameraKind.ORBIT)) {
-            onNodeWithTag("sheet-show").performClick()
+            onNodeWithTag(WorldTags.SHEET_SHOW).performClick()
             settle()
-            onNodeWithTag("camera-${kind.name.lowercase()}").performClick()
+            onNodeWithTag(WorldTags.camera(kind)).performClick()
             settle()
             assertEquals(kind, workshop.state.sheet.cameraKind)
             assertEquals(1, camera.robot)

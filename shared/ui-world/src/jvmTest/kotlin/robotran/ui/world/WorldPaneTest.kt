@@ -20,10 +20,12 @@ import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
 import androidx.compose.ui.test.withKeyDown
 import robotran.simulation.SessionInput
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetLayer
 import robotran.world.geometry.Pose
+import robotran.worldediting.ElementKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotNull
@@ -74,19 +76,19 @@ class WorldPaneTest {
         settle()
         assertTrue(camera.zoom > 1.2, "zoomed to ${camera.zoom}")
         assertEquals(70.0, view.toCentimetres(place).x, 0.1)
-        onNodeWithTag("sheet-whole").performClick()
+        onNodeWithTag(WorldTags.SHEET_WHOLE).performClick()
         settle()
         assertEquals(1.0, camera.zoom)
     }
 
     @Test
     fun `the buttons zoom in and out as far as it goes`() = onSheet {
-        onNodeWithTag("sheet-further").assertIsNotEnabled()
-        repeat(3) { onNodeWithTag("sheet-nearer").performClick() }
+        onNodeWithTag(WorldTags.SHEET_FURTHER).assertIsNotEnabled()
+        repeat(3) { onNodeWithTag(WorldTags.SHEET_NEARER).performClick() }
         settle()
         assertEquals(2.197, camera.zoom, 1e-6)
         repeat(3) {
-            onNodeWithTag("sheet-further").performClick()
+            onNodeWithTag(WorldTags.SHEET_FURTHER).performClick()
             settle()
         }
         assertEquals(1.0, camera.zoom, 1e-6)
@@ -112,14 +114,14 @@ class WorldPaneTest {
 
     @Test
     fun `a robot that is followed stays in the middle until the sheet is pushed`() = onSheet {
-        onNodeWithTag("sheet-show").performClick()
+        onNodeWithTag(WorldTags.SHEET_SHOW).performClick()
         settle()
-        onNodeWithTag("sheet-follow").performClick()
+        onNodeWithTag(WorldTags.SHEET_FOLLOW).performClick()
         settle()
-        onNodeWithTag("sheet-show").performClick()
+        onNodeWithTag(WorldTags.SHEET_SHOW).performClick()
         settle()
-        onNodeWithTag("sheet-follow").assertIsOn()
-        onNodeWithTag("sheet-follow").performKeyInput { pressKey(Key.Escape) }
+        onNodeWithTag(WorldTags.SHEET_FOLLOW).assertIsOn()
+        onNodeWithTag(WorldTags.SHEET_FOLLOW).performKeyInput { pressKey(Key.Escape) }
         settle()
         assertEquals(0, workshop.state.sheet.followed)
         assertEquals(2.5, camera.zoom)
@@ -212,10 +214,10 @@ class WorldPaneTest {
 
     @Test
     fun `keys move and turn what has the focus`() = onSheet {
-        onNodeWithTag("thing-robot-0").requestFocus()
+        onNodeWithTag(WorldTags.thing(ElementKind.ROBOT, 0)).requestFocus()
         settle()
         assertEquals(SheetElement(SheetElementKind.ROBOT, 0), workshop.state.sheet.chosen)
-        onNodeWithTag("thing-robot-0").performKeyInput {
+        onNodeWithTag(WorldTags.thing(ElementKind.ROBOT, 0)).performKeyInput {
             pressKey(Key.DirectionRight)
             pressKey(Key.DirectionUp)
             withKeyDown(Key.ShiftLeft) { pressKey(Key.DirectionLeft) }
@@ -223,37 +225,43 @@ class WorldPaneTest {
         }
         settle()
         assertEquals(Pose(30.9, 41.0, 15.0), workshop.state.session.robot.pose.rounded())
-        onNodeWithTag("thing-block-0").requestFocus()
-        onNodeWithTag("thing-block-0").performKeyInput { pressKey(Key.RightBracket) }
+        onNodeWithTag(WorldTags.thing(ElementKind.BLOCK, 0)).requestFocus()
+        onNodeWithTag(WorldTags.thing(ElementKind.BLOCK, 0)).performKeyInput { pressKey(Key.RightBracket) }
         settle()
         assertEquals(Pose(0.0, 0.0, -15.0), workshop.state.session.blocks.single().rounded())
-        onNodeWithTag("thing-lamp-0").requestFocus()
-        onNodeWithTag("thing-lamp-0").performKeyInput { pressKey(Key.Enter) }
+        onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0)).requestFocus()
+        onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0)).performKeyInput { pressKey(Key.Enter) }
         settle()
         assertEquals(false, workshop.state.session.lamps.single().on)
     }
 
     @Test
     fun `what is drawn over the sheet is chosen from a list`() = onSheet {
-        onNodeWithTag("sheet-show").performClick()
+        onNodeWithTag(WorldTags.SHEET_SHOW).performClick()
         settle()
         for (layer in SheetLayer.entries - SheetLayer.GOALS) {
-            onNodeWithTag("layer-${layer.name.lowercase()}").performClick()
+            onNodeWithTag(WorldTags.layer(layer)).performClick()
         }
         settle()
         assertEquals(SheetLayer.entries.toSet(), workshop.state.sheet.shown)
-        onNodeWithTag("layer-goals").performClick()
+        onNodeWithTag(WorldTags.layer(SheetLayer.GOALS)).performClick()
         settle()
         assertEquals(SheetLayer.entries.toSet() - SheetLayer.GOALS, workshop.state.sheet.shown)
     }
 
     @Test
     fun `light and warmth are changed by sliders and recorded`() = onSheet {
-        onNodeWithTag("sheet-surroundings").performClick()
+        onNodeWithTag(WorldTags.SHEET_SURROUNDINGS).performClick()
         settle()
-        onNodeWithTag("slider-light").performSemanticsAction(SemanticsActions.SetProgress) { it(2f) }
+        onNodeWithTag(WorldTags.surroundings(WorldTags.LIGHT)).performSemanticsAction(SemanticsActions.SetProgress) {
+            it(2f)
+        }
         settle()
-        onNodeWithTag("slider-temperature").performSemanticsAction(SemanticsActions.SetProgress) { it(35f) }
+        onNodeWithTag(
+            WorldTags.surroundings(WorldTags.TEMPERATURE),
+        ).performSemanticsAction(SemanticsActions.SetProgress) {
+            it(35f)
+        }
         settle()
         assertEquals(2.0, workshop.state.session.surroundings.light)
         assertEquals(35.0, workshop.state.session.surroundings.celsius)
@@ -264,20 +272,22 @@ class WorldPaneTest {
     fun `who cannot see the sheet hears what is where`() = onSheet {
         sheet.assertContentDescriptionContains("yellow: Robot at 30.0 cm across and 40.0 cm up", substring = true)
         sheet.assertContentDescriptionContains("Place to reach: 90.0 cm across and 20.0 cm up", substring = true)
-        onNodeWithTag(
-            "thing-robot-1",
-        ).assertContentDescriptionContains("Robot red, 80.0 cm across and 60.0 cm up, looking 90.0 degrees")
-        onNodeWithTag("thing-block-0").assertContentDescriptionContains("Block 1, 60.0 cm across", substring = true)
-        onNodeWithTag("thing-lamp-0").assertContentDescriptionContains("Lamp 1, 20.0 cm across and 70.0 cm up, on")
-        onNodeWithTag("thing-lamp-0").performSemanticsAction(SemanticsActions.OnClick)
+        onNodeWithTag(WorldTags.thing(ElementKind.ROBOT, 1))
+            .assertContentDescriptionContains("Robot red, 80.0 cm across and 60.0 cm up, looking 90.0 degrees")
+        onNodeWithTag(WorldTags.thing(ElementKind.BLOCK, 0))
+            .assertContentDescriptionContains("Block 1, 60.0 cm across", substring = true)
+        onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0))
+            .assertContentDescriptionContains("Lamp 1, 20.0 cm across and 70.0 cm up, on")
+        onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0)).performSemanticsAction(SemanticsActions.OnClick)
         settle()
-        onNodeWithTag("thing-lamp-0").assertContentDescriptionContains("off", substring = true)
+        onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0)).assertContentDescriptionContains("off", substring = true)
     }
 
     @Test
     fun `who cannot see the sheet hears which lamp sends infrared light`() =
         onSheet(handyWorld.copy(lamps = handyWorld.lamps.map { it.copy(infrared = true) })) {
-            onNodeWithTag("thing-lamp-0").assertContentDescriptionContains("infrared light, on", substring = true)
+            onNodeWithTag(WorldTags.thing(ElementKind.LAMP, 0))
+                .assertContentDescriptionContains("infrared light, on", substring = true)
         }
 
     @Test
@@ -289,21 +299,21 @@ class WorldPaneTest {
         )
             .withStart(Pose(45.0, 10.0, 0.0))
         onSheet(facing) {
-            onNodeWithTag("bump").assertContentDescriptionContains("")
+            onNodeWithTag(WorldTags.BUMP).assertContentDescriptionContains("")
             workshop.handle(robotran.workshop.event.RunEvent.RunPressed)
             pass(2_000)
-            onNodeWithTag("bump").assertContentDescriptionContains("Bump 1: yellow ran into a barrier")
+            onNodeWithTag(WorldTags.BUMP).assertContentDescriptionContains("Bump 1: yellow ran into a barrier")
         }
     }
 
     @Test
     fun `on a phone there are the buttons that fingers cannot do without`() = onSheet(width = 411, height = 891) {
-        for (tag in listOf("sheet-whole", "sheet-show", "sheet-3d")) {
+        for (tag in listOf(WorldTags.SHEET_WHOLE, WorldTags.SHEET_SHOW, WorldTags.SHEET_3D)) {
             val place = onNodeWithTag(tag).fetchSemanticsNode().boundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
         }
-        onNodeWithTag("sheet-nearer").assertDoesNotExist()
-        val buttons = onNodeWithTag("sheet-whole").fetchSemanticsNode().boundsInRoot
+        onNodeWithTag(WorldTags.SHEET_NEARER).assertDoesNotExist()
+        val buttons = onNodeWithTag(WorldTags.SHEET_WHOLE).fetchSemanticsNode().boundsInRoot
         val pane = sheet.fetchSemanticsNode().boundsInRoot
         assertTrue(buttons.top > pane.top + view.paper.bottom, "the buttons are over the paper")
     }

@@ -6,8 +6,11 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.learning.Lesson
 import robotran.learning.WorldGallery
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -28,11 +31,11 @@ class WorldTaskCardTest {
             onScreen(width, height) { workshop ->
                 workshop.handle(LearningEvent.WorldChosen("square"))
                 pass(300)
-                touch("hint-wanted")
-                onNodeWithTag("hint").assertExists()
-                touch("world-program")
+                touch(LearningTags.HINT_WANTED)
+                onNodeWithTag(LearningTags.HINT).assertExists()
+                touch(AssignmentTags.WORLD_PROGRAM)
                 assertEquals(task.program.text, workshop.state.programText)
-                onNodeWithTag("world-program").assertDoesNotExist()
+                onNodeWithTag(AssignmentTags.WORLD_PROGRAM).assertDoesNotExist()
             }
         }
     }
@@ -42,8 +45,8 @@ class WorldTaskCardTest {
         workshop.handle(LearningEvent.WorldChosen("square"))
         workshop.tries(task.solution.text.replace("left", "right"))
         pass(300)
-        touch("missing-hint")
-        onNodeWithTag("hint").assertExists()
+        touch(ScreenTags.MISSING_HINT)
+        onNodeWithTag(LearningTags.HINT).assertExists()
     }
 
     @Test
@@ -51,9 +54,9 @@ class WorldTaskCardTest {
         workshop.handle(LearningEvent.WorldChosen("square"))
         workshop.tries(task.solution.text)
         pass(300)
-        touch("solved-square/harder-1")
+        touch(ScreenTags.solved("square/harder-1"))
         assertEquals(square.harder.first(), workshop.state.learning.worldTask?.world)
-        onNodeWithTag("task-card").assertExists()
+        onNodeWithTag(AssignmentTags.TASK_CARD).assertExists()
     }
 
     private fun Workshop.tries(program: String) {

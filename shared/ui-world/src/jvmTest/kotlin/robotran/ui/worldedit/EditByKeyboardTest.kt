@@ -5,6 +5,7 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
+import robotran.ui.world.tags.WorldTags
 import robotran.world.MarkFigure
 import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
@@ -83,20 +84,20 @@ class EditByKeyboardTest {
         key(Key.Tab)
         key(Key.Delete)
         assertEquals(1, world.robots.size)
-        assertTrue(isThere("edit-hints"))
+        assertTrue(isThere(WorldTags.EDIT_HINTS))
     }
 
     @Test
     fun `a screen reader is told what is chosen`() = onEditor {
         key(Key.Tab)
-        val described = screen.onNodeWithTag(
-            "edit-sheet",
-        ).fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
+        val described = screen.onNodeWithTag(WorldTags.EDIT_SHEET)
+            .fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
         assertEquals("Chosen: Robot yellow", described)
     }
 
     private fun EditorTest.sheetFocused(): Boolean =
-        screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused) == true
+        screen.onNodeWithTag(WorldTags.EDIT_SHEET).fetchSemanticsNode().config.getOrNull(SemanticsProperties.Focused) ==
+            true
 
     private fun EditorTest.radius(): Double =
         ((world.marks.first().figure as MarkFigure.Area).shape as Shape.Circle).radius

@@ -9,6 +9,8 @@ import robotran.ui.editing.moves
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.LearningPage
@@ -36,9 +38,9 @@ class EditByTouchTest {
     @Test
     fun `the editor opens from the strip and Done puts the robots into the new world`() = onTablet { workshop ->
         val editor = EditorTest(this, workshop)
-        editor.tap("edit-world")
-        editor.tap("palette-lamp")
-        editor.tap("edit-done")
+        editor.tap(ScreenTags.EDIT_WORLD)
+        editor.tap(WorldTags.palette(PaletteItem.LAMP))
+        editor.tap(WorldTags.done(WorldTags.EDIT))
         assertEquals(null, workshop.state.worldEdit)
         assertEquals(1, workshop.state.world.lamps.size)
         assertEquals(1, workshop.project.world.lamps.size)
@@ -48,7 +50,7 @@ class EditByTouchTest {
     fun `help on words does not lie over the editor`() = onTablet { workshop ->
         workshop.handle(LearningEvent.PageRequested(LearningPage.HELP))
         pass(300)
-        EditorTest(this, workshop).tap("edit-world")
+        EditorTest(this, workshop).tap(ScreenTags.EDIT_WORLD)
         assertEquals(null, workshop.state.learning.page)
         assertNotEquals(null, workshop.state.worldEdit)
     }
@@ -57,7 +59,7 @@ class EditByTouchTest {
     fun `a tap on the palette puts each thing into the middle of what is seen`() = onEditor {
         for (item in PaletteItem.entries.take(6)) {
             val before = editing.world.things().size
-            tap("palette-${item.name.lowercase()}")
+            tap(WorldTags.palette(item))
             assertEquals(before + 1, editing.world.things().size, "$item is not put")
             assertEquals(1, editing.selection.size)
         }
@@ -65,10 +67,10 @@ class EditByTouchTest {
 
     @Test
     fun `a thing can be dragged from the palette to its place`() = onEditor {
-        val sheet = screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().boundsInRoot
-        val strip = screen.onNodeWithTag("palette-lamp").fetchSemanticsNode().boundsInRoot
+        val sheet = screen.onNodeWithTag(WorldTags.EDIT_SHEET).fetchSemanticsNode().boundsInRoot
+        val strip = screen.onNodeWithTag(WorldTags.palette(PaletteItem.LAMP)).fetchSemanticsNode().boundsInRoot
         val to = sheet.topLeft + place(80.0, 60.0) - strip.topLeft
-        screen.onNodeWithTag("palette-lamp").performTouchInput {
+        screen.onNodeWithTag(WorldTags.palette(PaletteItem.LAMP)).performTouchInput {
             down(center)
             for (step in 1..10) moveTo(center + (to - center) * (step / 10f))
             up()
@@ -83,17 +85,17 @@ class EditByTouchTest {
 
     @Test
     fun `what is dragged from the palette is seen under the finger`() = onEditor {
-        screen.onNodeWithTag("palette-lamp").performTouchInput {
+        screen.onNodeWithTag(WorldTags.palette(PaletteItem.LAMP)).performTouchInput {
             down(center)
             for (step in 1..10) moveBy(Offset(30f, 0f))
         }
         screen.pass(100)
-        val carried = screen.pixelsOf("carried")
+        val carried = screen.pixelsOf(WorldTags.CARRIED)
         val middle = (carried.width / 3..carried.width * 2 / 3).flatMap { x ->
             (carried.height / 3..carried.height * 2 / 3).map { y -> carried[x, y] }
         }
         assertTrue(middle.distinct().size > 1, "It is only a ring.")
-        screen.onNodeWithTag("palette-lamp").performTouchInput { up() }
+        screen.onNodeWithTag(WorldTags.palette(PaletteItem.LAMP)).performTouchInput { up() }
     }
 
     @Test
@@ -111,9 +113,9 @@ class EditByTouchTest {
         val handle = place(top.x, top.y) - Offset(0f, 40f)
         drag(handle, place(70.0, 50.0) + Offset(-200f, 0f))
         assertEquals(90.0, rectangle().angle)
-        tap("edit-undo")
+        tap(WorldTags.undo(WorldTags.EDIT))
         assertEquals(0.0, rectangle().angle)
-        tap("edit-redo")
+        tap(WorldTags.redo(WorldTags.EDIT))
         assertEquals(90.0, rectangle().angle)
     }
 
@@ -129,11 +131,11 @@ class EditByTouchTest {
         put(PaletteItem.DOT, 70.0, 60.0)
         put(PaletteItem.DOT, 86.0, 60.0)
         make(WorldEdit.Select(null))
-        tap("edit-several")
+        tap(WorldTags.EDIT_SEVERAL)
         drag(place(60.0, 70.0), place(95.0, 50.0))
         assertEquals(setOf(ElementRef(ElementKind.MARK, 0), ElementRef(ElementKind.MARK, 1)), editing.selection)
-        tap("group")
-        tap("edit-several")
+        tap(WorldTags.GROUP)
+        tap(WorldTags.EDIT_SEVERAL)
         make(WorldEdit.Select(null))
         drag(place(70.0, 60.0), place(70.0, 55.0))
         assertEquals(
@@ -142,9 +144,9 @@ class EditByTouchTest {
                 ((it.figure as MarkFigure.Area).shape as Shape.Circle).centre.y
             },
         )
-        tap("duplicate")
+        tap(WorldTags.DUPLICATE)
         assertEquals(4, world.marks.size)
-        tap("delete")
+        tap(WorldTags.DELETE)
         assertEquals(2, world.marks.size)
     }
 
@@ -154,7 +156,7 @@ class EditByTouchTest {
         drag(place(80.0, 60.0), place(60.0, 60.0))
         assertEquals(before, world)
         val from = place(60.0, 60.0)
-        screen.onNodeWithTag("edit-sheet").performTouchInput {
+        screen.onNodeWithTag(WorldTags.EDIT_SHEET).performTouchInput {
             down(0, from)
             down(1, from + Offset(40f, 0f))
             for (step in 1..5) {
@@ -181,15 +183,15 @@ class EditByTouchTest {
     fun `what has to be mended is told and Done waits for it`() = onEditor {
         put(PaletteItem.WALL, 80.0, 60.0)
         make(WorldEdit.Nudge(-40.0, -30.0))
-        assertTrue(isThere("edit-hints"))
-        tap("edit-done")
+        assertTrue(isThere(WorldTags.EDIT_HINTS))
+        tap(WorldTags.done(WorldTags.EDIT))
         assertNotEquals(null, workshop.state.worldEdit)
         assertTrue(checkNotNull(workshop.state.worldEdit).hasFailedToClose)
         assertEquals(ElementRef(ElementKind.ROBOT, 0), editing.only)
-        assertTrue(isThere("chosen-trouble"))
+        assertTrue(isThere(WorldTags.CHOSEN_TROUBLE))
         make(WorldEdit.Nudge(0.0, 20.0))
-        assertFalse(isThere("edit-hints"))
-        tap("edit-done")
+        assertFalse(isThere(WorldTags.EDIT_HINTS))
+        tap(WorldTags.done(WorldTags.EDIT))
         assertEquals(null, workshop.state.worldEdit)
     }
 
@@ -199,8 +201,8 @@ class EditByTouchTest {
         assertEquals(1, workshop.project.world.lamps.size)
         make(WorldEdit.Undo)
         put(PaletteItem.LAMP, 70.0, 60.0)
-        tap("edit-menu")
-        tap("menu-discard")
+        tap(WorldTags.EDIT_MENU)
+        tap(WorldTags.MENU_DISCARD)
         assertEquals(null, workshop.state.worldEdit)
         assertEquals(BuiltInWorlds.plain, workshop.project.world)
     }
@@ -208,7 +210,7 @@ class EditByTouchTest {
     @Test
     fun `Try it closes the editor and the program runs in the new world`() = onEditor {
         put(PaletteItem.DOT, 80.0, 60.0)
-        tap("edit-try")
+        tap(WorldTags.EDIT_TRY)
         screen.pass(1500)
         assertEquals(null, workshop.state.worldEdit)
         assertTrue(workshop.state.running)
@@ -218,10 +220,10 @@ class EditByTouchTest {
     @Test
     fun `who comes back can still undo`() = onEditor {
         put(PaletteItem.DOT, 80.0, 60.0)
-        tap("edit-done")
+        tap(WorldTags.done(WorldTags.EDIT))
         workshop.handle(WorldEditEvent.EditorOpened)
         screen.pass(100)
-        tap("edit-undo")
+        tap(WorldTags.undo(WorldTags.EDIT))
         assertEquals(0, world.marks.size)
     }
 
@@ -230,16 +232,16 @@ class EditByTouchTest {
         put(PaletteItem.DOT, 80.0, 60.0)
         val tags =
             listOf(
-                "edit-undo",
-                "edit-redo",
-                "edit-several",
-                "edit-menu",
-                "edit-try",
-                "edit-done",
-                "palette-wall",
-                "delete",
+                WorldTags.undo(WorldTags.EDIT),
+                WorldTags.redo(WorldTags.EDIT),
+                WorldTags.EDIT_SEVERAL,
+                WorldTags.EDIT_MENU,
+                WorldTags.EDIT_TRY,
+                WorldTags.done(WorldTags.EDIT),
+                WorldTags.palette(PaletteItem.WALL),
+                WorldTags.DELETE,
             )
-        for (tag in tags + listOf("tab-edit-chosen", "tab-edit-world")) {
+        for (tag in tags + listOf(WorldTags.editTab(EditTab.CHOSEN), WorldTags.editTab(EditTab.WORLD))) {
             val size = screen.onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
             assertTrue(size.width >= 48f && size.height >= 48f, "$tag is only ${size.size}")
         }

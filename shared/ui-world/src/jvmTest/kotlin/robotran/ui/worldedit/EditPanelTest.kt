@@ -5,7 +5,10 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.text.TextLayoutResult
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
+import robotran.ui.world.tags.WorldTags
+import robotran.uikit.KitTags
 import robotran.world.Goal
 import robotran.world.GoalCondition.InOrder
 import robotran.world.GoalCondition.Reach
@@ -30,11 +33,11 @@ class EditPanelTest {
     fun `on a tablet held upright the paper has the width of the screen, and the panel lies under it`() =
         onEditor(820, 1180) {
             put(PaletteItem.BLOCK, 75.0, 60.0)
-            val sheet = boundsOf("edit-sheet")
-            val panel = boundsOf("edit-panel")
+            val sheet = boundsOf(WorldTags.EDIT_SHEET)
+            val panel = boundsOf(WorldTags.EDIT_PANEL)
             assertTrue(sheet.width > 650f && sheet.height > 500f, "$sheet")
             assertTrue(panel.top >= sheet.bottom && panel.width == 820f, "$panel under $sheet")
-            tap("delete")
+            tap(WorldTags.DELETE)
             assertEquals(emptyList(), world.blocks)
         }
 
@@ -70,9 +73,9 @@ class EditPanelTest {
 
     @Test
     fun `a robot gets a colour, a name, a light sensor that looks ahead, ports and a program`() = onEditor(1280, 2400) {
-        tap("palette-robot")
+        tap(WorldTags.palette(PaletteItem.ROBOT))
         assertEquals(RobotColour.RED, world.robots[1].colour)
-        tap("robot-colour-3")
+        tap(ProgramTags.robot("colour-3"))
         tap("facing-2")
         tap("port-2-0")
         tap("port-2-0-0")
@@ -103,7 +106,7 @@ class EditPanelTest {
         assertTrue((world.marks[1].figure as MarkFigure.Line).closed)
         tap("add-corner")
         assertEquals(4, (world.marks[1].figure as MarkFigure.Line).points.size)
-        tap("to-back")
+        tap(WorldTags.TO_BACK)
         assertTrue(world.marks[0].figure is MarkFigure.Line)
     }
 
@@ -121,7 +124,7 @@ class EditPanelTest {
 
     @Test
     fun `the world as a whole can be changed and begun anew`() = onEditor(1280, 2400) {
-        tap("tab-edit-world")
+        tap(WorldTags.editTab(EditTab.WORLD))
         type("field-title", "A yard")
         type("field-task", "Drive.")
         type("field-paper-width", "150")
@@ -136,7 +139,7 @@ class EditPanelTest {
                 listOf(title, task, paper.width, ambientLight, temperature, timeLimit, realism, seed)
             },
         )
-        tap("new-world")
+        tap(WorldTags.NEW_WORLD)
         assertEquals("My world", world.title)
         assertEquals(0, world.walls.size)
     }
@@ -147,21 +150,21 @@ class EditPanelTest {
         make(WorldEdit.SelectTool(Tool.DRAW_TEMPLATE))
         make(WorldEdit.Draw(listOf(Point(10.0, 10.0), Point(30.0, 10.0))))
         make(WorldEdit.SelectTool(Tool.SELECT))
-        tap("tab-edit-goals")
+        tap(WorldTags.editTab(EditTab.GOALS))
         for (kind in 0..12) {
             make(WorldEdit.Select(null))
-            tap("add-goal")
-            tap("add-goal-$kind")
+            tap(WorldTags.ADD_GOAL)
+            tap(KitTags.at(WorldTags.ADD_GOAL, kind))
         }
         assertEquals(13, world.goals.map { it.condition::class }.toSet().size)
         assertEquals(emptyList(), editing.errors)
-        tap("thing-goal-0")
-        tap("goal-down")
+        tap(WorldTags.thing(ElementKind.GOAL, 0))
+        tap(WorldTags.GOAL_DOWN)
         assertTrue(world.goals[1].condition is Reach)
-        tap("goal-wrap")
-        tap("goal-wrap-0")
+        tap(WorldTags.GOAL_WRAP)
+        tap(KitTags.at(WorldTags.GOAL_WRAP, 0))
         assertTrue(world.goals[1].condition is InOrder)
-        tap("goal-change")
+        tap(WorldTags.GOAL_CHANGE)
         tap("field-stays")
         tap("field-within")
         type("field-seconds", "12")
@@ -171,20 +174,20 @@ class EditPanelTest {
 
     @Test
     fun `everything on the sheet is in the list of things by its name`() = onEditor(1280, 2400) {
-        tap("tab-edit-things")
-        tap("thing-wall-2")
+        tap(WorldTags.editTab(EditTab.THINGS))
+        tap(WorldTags.thing(ElementKind.WALL, 2))
         assertEquals(ElementRef(ElementKind.WALL, 2), editing.only)
-        screen.onNodeWithTag("chosen-name").fetchSemanticsNode()
+        screen.onNodeWithTag(WorldTags.CHOSEN_NAME).fetchSemanticsNode()
     }
 
     @Test
     fun `on a phone the panel comes up under the sheet`() = onEditor(411, 891) {
-        tap("palette-wall")
-        tap("tab-edit-chosen")
-        assertTrue(isThere("edit-panel"))
-        tap("turn-left")
-        tap("tab-edit-chosen")
-        assertTrue(!isThere("edit-panel"))
+        tap(WorldTags.palette(PaletteItem.WALL))
+        tap(WorldTags.editTab(EditTab.CHOSEN))
+        assertTrue(isThere(WorldTags.EDIT_PANEL))
+        tap(WorldTags.TURN_LEFT)
+        tap(WorldTags.editTab(EditTab.CHOSEN))
+        assertTrue(!isThere(WorldTags.EDIT_PANEL))
     }
 
     private fun EditorTest.type(tag: String, text: String) {

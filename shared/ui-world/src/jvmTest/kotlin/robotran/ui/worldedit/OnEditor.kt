@@ -18,6 +18,7 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.sheet.SheetTransform
 import robotran.ui.sheet.transform
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.SheetCamera
@@ -66,7 +67,7 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
     fun place(x: Double, y: Double): Offset = transform().toPixels(x, y)
 
     fun transform(): SheetTransform {
-        val size = screen.onNodeWithTag("edit-sheet").fetchSemanticsNode().size
+        val size = screen.onNodeWithTag(WorldTags.EDIT_SHEET).fetchSemanticsNode().size
         val window = Rect(0f, 0f, size.width.toFloat(), size.height.toFloat())
         return SheetCamera.FITTING.transform(world.paper, window)
     }
@@ -75,7 +76,7 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
 
     fun tapAt(x: Double, y: Double) {
         val place = place(x, y)
-        screen.onNodeWithTag("edit-sheet").performTouchInput {
+        screen.onNodeWithTag(WorldTags.EDIT_SHEET).performTouchInput {
             down(place)
             up()
         }
@@ -83,7 +84,7 @@ internal class EditorTest(val screen: ComposeUiTest, val workshop: Workshop) {
     }
 
     fun drag(from: Offset, to: Offset) {
-        screen.onNodeWithTag("edit-sheet").performTouchInput {
+        screen.onNodeWithTag(WorldTags.EDIT_SHEET).performTouchInput {
             down(from)
             for (step in 1..STEPS) moveTo(from + (to - from) * (step / STEPS.toFloat()))
             up()

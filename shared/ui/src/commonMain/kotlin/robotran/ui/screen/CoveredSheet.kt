@@ -21,6 +21,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.common.AutosaveBanner
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.task.TaskCard
 import robotran.ui.world.SHEET_BUTTON_STEP
@@ -202,7 +203,7 @@ private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?, modifie
                 IconButton(
                     PaneIcons.BRICK_WHOLE,
                     ScreenTexts.brickWhole(spoken),
-                    "brick-hint-whole",
+                    ScreenTags.BRICK_HINT_WHOLE,
                     onClick = onWholeBrick,
                 )
             }

@@ -21,11 +21,13 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.MIN_BRICK_WIDTH
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.runbar.RunButton
 import robotran.ui.runbar.RunStatus
 import robotran.ui.runbar.StatusSpace
 import robotran.ui.runbar.StopButton
+import robotran.ui.school.tags.DocumentTags
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
@@ -42,7 +44,7 @@ internal fun EmbedScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit,
     Column(modifier.fillMaxSize().background(colours.desk)) {
         if (error != null) {
             Box(Modifier.weight(1f).fillMaxWidth().padding(MARGIN), Alignment.Center) {
-                val words = Modifier.testTag("document-trouble").announced()
+                val words = Modifier.testTag(DocumentTags.DOCUMENT_TROUBLE).announced()
                 Text(error, words, TextStyles.leadSentence)
             }
         } else {
@@ -91,7 +93,7 @@ private fun EmbedBar(run: RunPaneState, status: WorkshopStatus, onEvent: (Worksh
                 BarButton(
                     RunIcons.PREVIOUS,
                     BarWords(RunTexts.startOver(spoken), RunTexts.startOverHelp(spoken)),
-                    "start-over",
+                    RunTags.START_OVER,
                     enabled = !run.untouched,
                     room = room >= STATUS_BESIDE,
                 ) { onEvent(RunEvent.StartedOver) }

@@ -16,6 +16,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.ScreenEvent
@@ -29,12 +30,12 @@ internal fun FullPaneButtons(full: Pane?, onEvent: (WorkshopEvent) -> Unit) {
     FullPaneButton(
         PaneIcons.PROGRAM_FULL,
         ScreenTexts.fullProgram(spoken),
-        "full-program",
+        ScreenTags.FULL_PROGRAM,
         full == Pane.PROGRAM,
     ) {
         put(Pane.PROGRAM, it)
     }
-    FullPaneButton(PaneIcons.WORLD_FULL, ScreenTexts.fullWorld(spoken), "full-world", full == Pane.WORLD) {
+    FullPaneButton(PaneIcons.WORLD_FULL, ScreenTexts.fullWorld(spoken), ScreenTags.FULL_WORLD, full == Pane.WORLD) {
         put(Pane.WORLD, it)
     }
 }

@@ -20,6 +20,7 @@ import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
 import robotran.ui.school.texts.LearningTexts
 import robotran.ui.school.texts.SchoolTexts
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
@@ -52,7 +53,9 @@ internal fun MainMenu(
             showsProject = false
             open = true
         }
-        AppMenu(open, { open = false }, Modifier.widthIn(min = 260.dp).testTag("menu-items"), page = showsProject) {
+        AppMenu(open, {
+            open = false
+        }, Modifier.widthIn(min = 260.dp).testTag(ScreenTags.MENU_ITEMS), page = showsProject) {
             if (showsProject) {
                 // First, so that a double tap returns instead of changing the project.
                 BackItem { showsProject = false }
@@ -71,35 +74,35 @@ internal fun MainMenu(
 
 @Composable
 private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(ScreenTexts.learn(spoken), "menu-learn") {
+    MenuItem(ScreenTexts.learn(spoken), ScreenTags.MENU_LEARN) {
         choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
     }
-    MenuItem(LearningTexts.map(spoken), "menu-map") {
+    MenuItem(LearningTexts.map(spoken), ScreenTags.MENU_MAP) {
         choose(LearningEvent.PageRequested(LearningPage.MAP))
     }
-    MenuItem(ScreenTexts.worlds(spoken), "menu-worlds") {
+    MenuItem(ScreenTexts.worlds(spoken), ScreenTags.MENU_WORLDS) {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))
     }
-    MenuItem(SchoolTexts.courseList(spoken), "menu-courses") { choose(CourseEvent.ListRequested) }
-    MenuItem(LearningTexts.examples(spoken), "menu-examples") {
+    MenuItem(SchoolTexts.courseList(spoken), ScreenTags.MENU_COURSES) { choose(CourseEvent.ListRequested) }
+    MenuItem(LearningTexts.examples(spoken), ScreenTags.MENU_EXAMPLES) {
         choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }
-    MenuItem(LearningTexts.help(spoken), "menu-words") {
+    MenuItem(LearningTexts.help(spoken), ScreenTags.MENU_WORDS) {
         choose(LearningEvent.PageRequested(LearningPage.HELP))
     }
     if (!isEditingWorld) {
-        MenuItem(SheetTexts.editWorld(spoken), "menu-edit-world") { choose(WorldEditEvent.EditorOpened) }
-        MenuItem(RobotTexts.buildMenu(spoken), "menu-build-robot") {
+        MenuItem(SheetTexts.editWorld(spoken), ScreenTags.MENU_EDIT_WORLD) { choose(WorldEditEvent.EditorOpened) }
+        MenuItem(RobotTexts.buildMenu(spoken), ScreenTags.MENU_BUILD_ROBOT) {
             choose(RobotEditEvent.BenchOpened())
         }
     }
-    MenuItem(ScreenTexts.firstPage(spoken), "menu-first-page") {
+    MenuItem(ScreenTexts.firstPage(spoken), ScreenTags.MENU_FIRST_PAGE) {
         choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
     }
     MenuDivider()
     val sound = if (soundOn) ScreenTexts::soundSwitchOff else ScreenTexts::soundSwitchOn
-    MenuItem(sound(spoken), "menu-sound") { choose(SettingsEvent.SoundSwitched(!soundOn)) }
-    MenuItem(ScreenTexts.settingsTitle(spoken), "menu-settings") { choose(SettingsEvent.SettingsShown(true)) }
+    MenuItem(sound(spoken), ScreenTags.MENU_SOUND) { choose(SettingsEvent.SoundSwitched(!soundOn)) }
+    MenuItem(ScreenTexts.settingsTitle(spoken), ScreenTags.MENU_SETTINGS) { choose(SettingsEvent.SettingsShown(true)) }
 }
 
 /** Marked if the menu contains the project and autosave fails. */
@@ -115,14 +118,14 @@ private fun MenuButton(document: DocumentState, withProject: Boolean, onClick: (
             drawCircle(sign, SIGN.toPx() / 2, Offset(size.width - SIGN.toPx(), SIGN.toPx()))
         }
     }
-    IconButton(Icon.MENU, ScreenTexts.menu(spoken), "menu", modifier = modifier, onClick = onClick)
+    IconButton(Icon.MENU, ScreenTexts.menu(spoken), ScreenTags.MENU, modifier = modifier, onClick = onClick)
 }
 
 /** Returns from a submenu to the main list. */
 @Composable
 private fun BackItem(onClick: () -> Unit) = MenuItem(
     ScreenTexts.menu(spoken),
-    "menu-back",
+    ScreenTags.MENU_BACK,
     leading = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
     onClick = onClick,
 )

@@ -36,6 +36,7 @@ import robotran.ui.learning.TutorialStrip
 import robotran.ui.program.ProgramPane
 import robotran.ui.program.blocks.LocalSheetPicture
 import robotran.ui.runbar.RunBar
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.world.MiniSheet
 import robotran.uikit.*
@@ -209,7 +210,7 @@ private fun WorldTaskAndGoals(
 private fun StripWithSize(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit, onWholeBrick: () -> Unit) {
     Row(Modifier.padding(start = 12.dp, top = 8.dp, bottom = 8.dp), verticalAlignment = Alignment.CenterVertically) {
         Strip(run, onEvent, isLow = true)
-        IconButton(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), "brick-size", onClick = onWholeBrick)
+        IconButton(PaneIcons.BRICK_WHOLE, ScreenTexts.brickWhole(spoken), ScreenTags.BRICK_SIZE, onClick = onWholeBrick)
     }
 }
 

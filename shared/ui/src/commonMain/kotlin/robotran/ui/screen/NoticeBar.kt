@@ -20,6 +20,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
@@ -41,7 +42,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
             .border(1.dp, colours.line, SHAPE)
             // Blocks touches on the content below.
             .pointerInput(Unit) { }
-            .testTag("notice"),
+            .testTag(ScreenTags.NOTICE),
     ) {
         val isBeside = maxWidth >= BESIDE * LocalDensity.current.fontScale
         Column {
@@ -51,7 +52,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
             ) {
                 Text(
                     text,
-                    Modifier.weight(1f).padding(vertical = 8.dp).testTag("notice-text").semantics {
+                    Modifier.weight(1f).padding(vertical = 8.dp).testTag(ScreenTags.NOTICE_TEXT).semantics {
                         liveRegion = if (notice.isError) LiveRegionMode.Assertive else LiveRegionMode.Polite
                     },
                     TextStyles.body,
@@ -61,7 +62,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
                 IconButton(
                     Icon.CLOSE,
                     CommonTexts.noticeClose(spoken),
-                    "notice-close",
+                    ScreenTags.NOTICE_CLOSE,
                     if (notice.isError) IconButtonKind.ERROR else IconButtonKind.PLAIN,
                 ) {
                     onEvent(WorkshopEvent.NoticeDismissed)
@@ -76,7 +77,7 @@ internal fun NoticeBar(notice: Notice, onEvent: (WorkshopEvent) -> Unit, modifie
 @Composable
 private fun ActionAlone(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier) {
     val colours = LocalRobotranColours.current
-    Box(modifier.background(colours.pane, SHAPE).border(1.dp, colours.line, SHAPE).testTag("notice")) {
+    Box(modifier.background(colours.pane, SHAPE).border(1.dp, colours.line, SHAPE).testTag(ScreenTags.NOTICE)) {
         ActionButton(action, onEvent)
     }
 }
@@ -84,7 +85,7 @@ private fun ActionAlone(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit, 
 @Composable
 private fun ActionButton(action: NoticeAction, onEvent: (WorkshopEvent) -> Unit) = Button(
     noticeActionText(action)(spoken),
-    "notice-action",
+    ScreenTags.NOTICE_ACTION,
     ButtonKind.LINK,
 ) { onEvent(WorkshopEvent.NoticeTaken) }
 

@@ -39,6 +39,7 @@ import robotran.ui.course.NextInCourse
 import robotran.ui.drawer.ShortfallRow
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.school.texts.LearningTexts
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.sheet.SheetColours
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
@@ -73,23 +74,25 @@ internal fun OutcomeCard(
     val missing = state.run.shortfalls.filterNot { it.shortfall == GoalShortfall.NotBegun }.take(MAX_SHOWN)
     val isTimeUp = state.run.isTimeUp
     when {
-        solved != null -> Card(RobotranColours.RUN_GREEN, { isClosed = true }, modifier.testTag("solved-card")) {
+        solved != null -> Card(RobotranColours.RUN_GREEN, {
+            isClosed = true
+        }, modifier.testTag(ScreenTags.SOLVED_CARD)) {
             Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, tellsTries, onEvent)
         }
 
         missing.isNotEmpty() || isTimeUp -> Card(
             SheetColours.SHORTFALL,
             { isClosed = true },
-            modifier.testTag("missing-card"),
+            modifier.testTag(ScreenTags.MISSING_CARD),
         ) {
             Heading(RunTexts.outcomeMissing(spoken))
-            if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), "missing-time-up")
+            if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), ScreenTags.MISSING_TIME_UP)
             for (mark in missing) ShortfallRow(mark, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
             val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
             if (!state.taskShown && hints.isNotEmpty()) {
                 // The hint that fits is in the card of the task.
-                Button(LearningTexts.hint(spoken), "missing-hint", ButtonKind.SECOND) {
+                Button(LearningTexts.hint(spoken), ScreenTags.MISSING_HINT, ButtonKind.SECOND) {
                     onEvent(ScreenEvent.TaskShown(true))
                 }
             }
@@ -116,7 +119,7 @@ private fun Solved(
 
         else -> {
             Tries(assignment, canHandIn = false, tellsTries, onEvent)
-            NextInCourse(course, onEvent) { HandInButton(assignment, "solved-hand-in", onEvent) }
+            NextInCourse(course, onEvent) { HandInButton(assignment, ScreenTags.SOLVED_HAND_IN, onEvent) }
         }
     }
 }
@@ -130,8 +133,8 @@ private fun Tries(
     onEvent: (WorkshopEvent) -> Unit,
 ) {
     if (!assignment.isOpenForTries) return
-    if (tellsTries) Line(triesText(assignment.tries), "outcome-tries")
-    if (canHandIn) HandInButton(assignment, "solved-hand-in", onEvent)
+    if (tellsTries) Line(triesText(assignment.tries), ScreenTags.OUTCOME_TRIES)
+    if (canHandIn) HandInButton(assignment, ScreenTags.SOLVED_HAND_IN, onEvent)
 }
 
 @OptIn(ExperimentalLayoutApi::class)
@@ -143,19 +146,19 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         for (harder in solved.harder) {
             val title = harder.world(LocalLanguage.current).title
-            Button(LearningTexts.harder(spoken, title), "solved-${harder.name}") {
+            Button(LearningTexts.harder(spoken, title), ScreenTags.solved(harder.name)) {
                 onEvent(LearningEvent.WorldChosen(harder.name))
             }
         }
         if (next != null) {
-            Button(LearningTexts.next(spoken), "solved-next") {
+            Button(LearningTexts.next(spoken), ScreenTags.SOLVED_NEXT) {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
             }
         } else if (solved.harder.isEmpty()) {
-            Button(worlds, "solved-worlds", onClick = showWorlds)
+            Button(worlds, ScreenTags.SOLVED_WORLDS, onClick = showWorlds)
         } else {
-            Button(worlds, "solved-worlds", ButtonKind.SECOND, onClick = showWorlds)
+            Button(worlds, ScreenTags.SOLVED_WORLDS, ButtonKind.SECOND, onClick = showWorlds)
         }
     }
 }
@@ -191,7 +194,7 @@ private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @
                 .announced(),
             Arrangement.spacedBy(4.dp),
         ) { content() }
-        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), "outcome-close", onClick = onClose)
+        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
     }
 }
 

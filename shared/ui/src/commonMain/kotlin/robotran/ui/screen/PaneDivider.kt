@@ -38,6 +38,7 @@ import androidx.compose.ui.semantics.progressBarRangeInfo
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.dp
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 
@@ -78,7 +79,7 @@ internal fun PaneDivider(
     }
     Box(
         modifier
-            .testTag("divider")
+            .testTag(ScreenTags.DIVIDER)
             .run { if (isUpright) fillMaxWidth().height(GRIP) else width(GRIP).fillMaxHeight() }
             .focusRing(12.dp)
             .onKeyEvent { event ->

@@ -9,6 +9,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.state.Pane
@@ -17,7 +18,7 @@ import robotran.workshop.state.Pane
 @Composable
 internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
     val tabs = Pane.entries.map {
-        Tab(it.title(spoken), "tab-${it.name.lowercase()}", isMarked = it == Pane.PROGRAM && mistaken)
+        Tab(it.title(spoken), ScreenTags.tab(it), isMarked = it == Pane.PROGRAM && mistaken)
     }
     Tabs(tabs, chosen.ordinal, modifier) { onChoose(Pane.entries[it]) }
 }

@@ -12,6 +12,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.ui.documents.ProjectMenu
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
@@ -48,7 +49,7 @@ internal fun TopStrip(
             IconButton(
                 Icon.BOOK,
                 ScreenTexts.learnHelp(spoken),
-                "learn",
+                ScreenTags.LEARN,
                 label = ScreenTexts.learn(spoken).takeIf { withWords },
             ) {
                 onEvent(LearningEvent.PageRequested(LearningPage.TUTORIAL))
@@ -56,7 +57,7 @@ internal fun TopStrip(
             IconButton(
                 Icon.WORLDS,
                 ScreenTexts.worldsHelp(spoken),
-                "worlds",
+                ScreenTags.WORLDS,
                 label = ScreenTexts.worlds(spoken).takeIf { withWords },
             ) {
                 onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
@@ -65,7 +66,7 @@ internal fun TopStrip(
                 IconButton(
                     Icon.SHEET_EDIT,
                     ScreenTexts.editWorldHelp(spoken),
-                    "edit-world",
+                    ScreenTags.EDIT_WORLD,
                     label = SheetTexts.editWorld(spoken).takeIf { withWords },
                 ) {
                     onEvent(WorldEditEvent.EditorOpened)

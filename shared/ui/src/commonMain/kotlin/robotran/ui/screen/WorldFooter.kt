@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.howFar
 import robotran.ui.drawer.FootTabs
 import robotran.ui.drawer.TaskAndGoals
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -64,7 +65,7 @@ internal fun WorldFooter(
                 IconButton(
                     if (isWhole) PaneIcons.BRICK_SMALL else PaneIcons.BRICK_WHOLE,
                     if (isWhole) ScreenTexts.brickSmall(spoken) else ScreenTexts.brickWhole(spoken),
-                    "brick-size",
+                    ScreenTags.BRICK_SIZE,
                 ) { onBrick(!isWhole) }
             }
             if (!inOneRow) Tabs(state, onEvent, Modifier)

@@ -9,6 +9,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.SettingsEvent
@@ -27,20 +28,20 @@ internal fun SettingsPage(
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
     val scroll = rememberScrollState()
     val close = { onEvent(SettingsEvent.SettingsShown(false)) }
-    Page(ScreenTexts.settingsTitle(spoken), "settings", close, scroll) {
+    Page(ScreenTexts.settingsTitle(spoken), ScreenTags.SETTINGS, close, scroll) {
         Column(Modifier.verticalScroll(scroll).padding(24.dp), Arrangement.spacedBy(28.dp)) {
             ChoiceOfOne(
                 ScreenTexts.settingsLanguage(spoken),
                 listOf(null to ScreenTexts.settingsLanguageMachine(spoken)) +
                     Language.entries.map { it to it.ownName },
                 settings.language,
-                "language",
+                ScreenTags.LANGUAGE,
             ) { change(settings.copy(language = it)) }
             ChoiceOfOne(
                 ScreenTexts.settingsTheme(spoken),
                 AppTheme.entries.map { it to it.title(spoken) },
                 settings.theme,
-                "theme",
+                ScreenTags.THEME,
             ) { change(settings.copy(theme = it)) }
             SizeSlider(
                 ScreenTexts.settingsTextSize(spoken),
@@ -48,7 +49,7 @@ internal fun SettingsPage(
                 1f..2f,
                 3,
                 { "${(it * 100).roundToInt()} %" },
-                "text-size",
+                ScreenTags.TEXT_SIZE,
             ) { change(settings.copy(textScale = it)) }
             SizeSlider(
                 ScreenTexts.settingsCodeSize(spoken),
@@ -56,12 +57,12 @@ internal fun SettingsPage(
                 10f..40f,
                 0,
                 { "${it.roundToInt()}" },
-                "code-size",
+                ScreenTags.CODE_SIZE,
             ) { change(settings.copy(codeSize = it.roundToInt().toFloat())) }
-            SwitchRow(ScreenTexts.settingsSound(spoken), settings.soundOn, "sound-setting") {
+            SwitchRow(ScreenTexts.settingsSound(spoken), settings.soundOn, ScreenTags.SOUND_SETTING) {
                 change(settings.copy(soundOn = it))
             }
-            SwitchRow(ScreenTexts.settingsLessMotion(spoken), LocalLessMotion.current, "less-motion") {
+            SwitchRow(ScreenTexts.settingsLessMotion(spoken), LocalLessMotion.current, ScreenTags.LESS_MOTION) {
                 change(settings.copy(lessMotion = it))
             }
             if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }

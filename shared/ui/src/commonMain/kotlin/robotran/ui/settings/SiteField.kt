@@ -17,6 +17,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.input.KeyboardType
 import robotran.projects.siteAddress
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 
@@ -35,13 +36,13 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
             val address = siteAddress(it)
             if (address != null || it.isBlank()) onSite(address.orEmpty())
         },
-        Modifier.fillMaxWidth().focusRequester(focus).testTag("site"),
+        Modifier.fillMaxWidth().focusRequester(focus).testTag(ScreenTags.SITE),
         ScreenTexts.settingsSite(spoken),
         keyboard = KeyboardOptions(keyboardType = KeyboardType.Uri, autoCorrectEnabled = false),
         extras = FieldExtras(isWrong) {
             Text(
                 if (isWrong) ScreenTexts.settingsSiteWrong(spoken) else ScreenTexts.settingsSiteHelp(spoken),
-                Modifier.testTag(if (isWrong) "site-wrong" else "site-help").announced(),
+                Modifier.testTag(if (isWrong) ScreenTags.SITE_WRONG else ScreenTags.SITE_HELP).announced(),
                 TextStyles.small,
                 color = if (isWrong) colours.error else colours.quiet,
             )

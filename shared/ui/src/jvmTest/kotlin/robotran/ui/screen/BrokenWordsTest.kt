@@ -11,6 +11,8 @@ import androidx.compose.ui.text.TextLayoutResult
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -52,8 +54,8 @@ class BrokenWordsTest {
                 workshop.handle(RunEvent.RunPressed)
                 workshop.advance(20_000)
                 pass(600)
-                onNodeWithTag("folded-hint").assertIsDisplayed()
-                onNodeWithTag("missing-card").assertIsDisplayed()
+                onNodeWithTag(LearningTags.FOLDED_HINT).assertIsDisplayed()
+                onNodeWithTag(ScreenTags.MISSING_CARD).assertIsDisplayed()
                 assertNoBrokenWords("the verdict at $width")
             }
         }

@@ -15,6 +15,11 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.swipeUp
 import robotran.projects.ProgramView
+import robotran.robolang.words.BlockGroup
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
 import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
@@ -31,19 +36,24 @@ import kotlin.test.assertTrue
 class FocusRingTest {
     @Test
     fun `Run looks after a touch as it did before it`() = onTablet {
-        val before = pixelsOf("run")
-        onNodeWithTag("run").performClick()
+        val before = pixelsOf(RunTags.RUN)
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(300)
-        onNodeWithTag("stop").performClick()
+        onNodeWithTag(RunTags.STOP).performClick()
         pass(1_000)
         assertNoRing("after Run and Stop")
-        assertEquals(before[4, 24], pixelsOf("run")[4, 24])
+        assertEquals(before[4, 24], pixelsOf(RunTags.RUN)[4, 24])
     }
 
     @Test
     fun `nothing that a finger touches in a program keeps a ring`() = onPhone { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
-        for (tag in listOf("tab-program", "blocks-add", "group-pen", "block-sheet-close")) {
+        for (tag in listOf(
+            ScreenTags.tab(Pane.PROGRAM),
+            ProgramTags.BLOCKS_ADD,
+            ProgramTags.group(BlockGroup.PEN),
+            ProgramTags.BLOCK_SHEET_CLOSE,
+        )) {
             onNodeWithTag(tag).performClick()
             pass(600)
             assertNoRing("after $tag")
@@ -55,7 +65,7 @@ class FocusRingTest {
         onTablet { workshop ->
             workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
             pass(600)
-            onNodeWithTag("map").performTouchInput { swipeUp(centerY, centerY - 100) }
+            onNodeWithTag(LearningTags.MAP).performTouchInput { swipeUp(centerY, centerY - 100) }
             pass(1_000)
             assertNoRing("after a swipe")
             repeat(3) {
@@ -69,8 +79,8 @@ class FocusRingTest {
     fun `the ring of the blocks goes with a touch and comes back with the next key`() = onTablet { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         pass(300)
-        val pane = onNodeWithTag("block-pane").fetchSemanticsNode().boundsInRoot
-        onNodeWithTag("block-0").performClick()
+        val pane = onNodeWithTag(ProgramTags.BLOCK_PANE).fetchSemanticsNode().boundsInRoot
+        onNodeWithTag(ProgramTags.block("0")).performClick()
         pass(600)
         assertFalse(shown().hasDown(pane.left, pane.bottom - 20), "A ring after a touch")
         onRoot().performKeyInput { pressKey(Key.DirectionDown) }

@@ -6,11 +6,13 @@ import androidx.compose.runtime.InternalComposeTracingApi
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Pane
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -35,7 +37,7 @@ class FrameCompositionTest {
     @Test
     fun `a program on a phone stands still in a frame`() = onPhone { workshop ->
         workshop.driveOn()
-        onNodeWithTag("tab-program").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).performClick()
         pass(1_000)
         val composed = composedIn { pass(500) }
         assertTrue(composed.any { it.startsWith("robotran.ui.runbar") }, "the run bar tells the time: $composed")

@@ -18,6 +18,11 @@ import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.withKeyDown
 import androidx.compose.ui.test.withKeysDown
 import robotran.brick.controls.BrickButton
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.LearningPage
@@ -30,7 +35,7 @@ import kotlin.test.assertTrue
 class KeyboardTest {
     @Test
     fun `the Tab key reaches Run, also out of the program, and space presses it`() = onTablet { workshop ->
-        goTo("run")
+        goTo(RunTags.RUN)
         onRoot().performKeyInput { pressKey(Key.Spacebar) }
         pass(1500)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
@@ -38,7 +43,7 @@ class KeyboardTest {
 
     @Test
     fun `keys run, pause, step and stop from inside the program`() = onTablet { workshop ->
-        onNodeWithTag("program").performClick()
+        onNodeWithTag(ProgramTags.PROGRAM).performClick()
         onRoot().performKeyInput { withKeyDown(Key.CtrlLeft) { pressKey(Key.Enter) } }
         pass(300)
         assertTrue(workshop.state.running)
@@ -57,7 +62,7 @@ class KeyboardTest {
 
     @Test
     fun `the brick's Run goes down and up with the space key`() = onTablet { workshop ->
-        goTo("brick-run")
+        goTo(RunTags.button(BrickButton.RUN))
         onRoot().performKeyInput { keyDown(Key.Spacebar) }
         pass(200)
         assertEquals(setOf(BrickButton.RUN), workshop.state.session.brick.pressed)
@@ -69,7 +74,7 @@ class KeyboardTest {
 
     @Test
     fun `a button that loses the focus while its key is held comes up`() = onTabletWithBrick { workshop ->
-        goTo("brick-view")
+        goTo(RunTags.button(BrickButton.VIEW))
         onRoot().performKeyInput { keyDown(Key.Enter) }
         pass(100)
         assertEquals(setOf(BrickButton.VIEW), workshop.state.down)
@@ -80,11 +85,11 @@ class KeyboardTest {
 
     @Test
     fun `the arrow keys move the divider`() = onTablet {
-        val before = onNodeWithTag("world").fetchSemanticsNode().size.width
-        goTo("divider")
+        val before = onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().size.width
+        goTo(ScreenTags.DIVIDER)
         onRoot().performKeyInput { pressKey(Key.DirectionRight) }
         pass(100)
-        val after = onNodeWithTag("world").fetchSemanticsNode().size.width
+        val after = onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().size.width
         assertTrue(after < before, "the world was $before wide and is $after")
     }
 
@@ -93,8 +98,9 @@ class KeyboardTest {
         for (page in listOf(LearningEvent.PageRequested(LearningPage.FIRST_RUN), SettingsEvent.SettingsShown(true))) {
             workshop.handle(page)
             pass(300)
-            onNodeWithTag("run").assertDoesNotExist()
-            val onPage = hasAnyAncestor(hasTestTag("first-run")) or hasAnyAncestor(hasTestTag("settings"))
+            onNodeWithTag(RunTags.RUN).assertDoesNotExist()
+            val onPage =
+                hasAnyAncestor(hasTestTag(LearningTags.FIRST_RUN)) or hasAnyAncestor(hasTestTag(ScreenTags.SETTINGS))
             repeat(STEPS_ON_PAGE) {
                 onRoot().performKeyInput { pressKey(Key.Tab) }
                 pass(50)
@@ -102,13 +108,13 @@ class KeyboardTest {
             }
             onRoot().performKeyInput { pressKey(Key.Escape) }
             pass(300)
-            goTo("run")
+            goTo(RunTags.RUN)
         }
     }
 
     @Test
     fun `a screen reader's click presses and releases a button of the brick`() = onTablet { workshop ->
-        onNodeWithTag("brick-run").performSemanticsAction(SemanticsActions.OnClick)
+        onNodeWithTag(RunTags.button(BrickButton.RUN)).performSemanticsAction(SemanticsActions.OnClick)
         pass(100)
         assertTrue(workshop.state.running)
         assertEquals(emptySet(), workshop.state.down)

@@ -7,6 +7,8 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.Settings
 import kotlin.test.Test
@@ -23,12 +25,12 @@ class MenuTest {
             onScreen(412, 915) { workshop ->
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(language = language)))
                 pass(300)
-                open("menu")
+                open(ScreenTags.MENU)
                 for (item in MAIN) assertWhole(item, "$language")
                 assertEquals(0f, hiddenBelow(), "$language")
-                assertFalse(saysThereIsMore("menu-items"), "$language")
-                open("work-menu")
-                for (item in WORK) assertWhole("work-$item", "$language")
+                assertFalse(saysThereIsMore(ScreenTags.MENU_ITEMS), "$language")
+                open(DocumentTags.WORK_MENU)
+                for (item in WORK) assertWhole(DocumentTags.menuItem(item), "$language")
                 assertEquals(0f, hiddenBelow(), "$language")
             }
         }
@@ -36,17 +38,17 @@ class MenuTest {
 
     @Test
     fun `what can be done with the work is a list of its own, with a way back`() = onScreen(412, 915) { workshop ->
-        open("menu")
-        onNodeWithTag("work-menu").assertTextContains("Work: My first work", substring = true)
-        assertFalse(isThere("work-new"))
-        open("work-menu")
-        assertFalse(isThere("menu-settings"))
-        open("menu-back")
-        assertFalse(isThere("work-new"))
-        open("work-menu")
-        open("work-rename")
+        open(ScreenTags.MENU)
+        onNodeWithTag(DocumentTags.WORK_MENU).assertTextContains("Work: My first work", substring = true)
+        assertFalse(isThere(DocumentTags.menuItem(DocumentTags.NEW)))
+        open(DocumentTags.WORK_MENU)
+        assertFalse(isThere(ScreenTags.MENU_SETTINGS))
+        open(ScreenTags.MENU_BACK)
+        assertFalse(isThere(DocumentTags.menuItem(DocumentTags.NEW)))
+        open(DocumentTags.WORK_MENU)
+        open(DocumentTags.menuItem(DocumentTags.RENAME))
         assertNotNull(workshop.state.document.dialog)
-        assertFalse(isThere("menu-items"))
+        assertFalse(isThere(ScreenTags.MENU_ITEMS))
     }
 
     @Test
@@ -55,21 +57,21 @@ class MenuTest {
             onScreen(width, height) { workshop ->
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale)))
                 pass(300)
-                open("menu")
-                checkHint("menu-settings", isLow = height < width)
-                scroll("menu-items", toEnd = false)
-                open("work-menu")
-                checkHint("work-kit", isLow = height < width)
+                open(ScreenTags.MENU)
+                checkHint(ScreenTags.MENU_SETTINGS, isLow = height < width)
+                scroll(ScreenTags.MENU_ITEMS, toEnd = false)
+                open(DocumentTags.WORK_MENU)
+                checkHint(DocumentTags.menuItem(DocumentTags.KIT), isLow = height < width)
             }
         }
     }
 
     private fun ComposeUiTest.checkHint(last: String, isLow: Boolean) {
         if (isLow) assertTrue(hiddenBelow() > 0, "all is in sight")
-        assertEquals(hiddenBelow() > 0, saysThereIsMore("menu-items"), "whether there is more is not told")
-        scroll("menu-items", toEnd = true)
+        assertEquals(hiddenBelow() > 0, saysThereIsMore(ScreenTags.MENU_ITEMS), "whether there is more is not told")
+        scroll(ScreenTags.MENU_ITEMS, toEnd = true)
         assertWhole(last, "at the end")
-        assertFalse(saysThereIsMore("menu-items"), "there is no more")
+        assertFalse(saysThereIsMore(ScreenTags.MENU_ITEMS), "there is no more")
     }
 
     private fun ComposeUiTest.open(tag: String) {
@@ -78,36 +80,35 @@ class MenuTest {
     }
 
     private fun ComposeUiTest.hiddenBelow(): Float {
-        val scrolled = onNodeWithTag(
-            "menu-items",
-        ).fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange]
+        val scrolled = onNodeWithTag(ScreenTags.MENU_ITEMS)
+            .fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange]
         return scrolled.maxValue() - scrolled.value()
     }
 
     private companion object {
         val MAIN = listOf(
-            "work-menu",
-            "menu-learn",
-            "menu-worlds",
-            "menu-examples",
-            "menu-words",
-            "menu-edit-world",
-            "menu-first-page",
-            "menu-sound",
-            "menu-settings",
+            DocumentTags.WORK_MENU,
+            ScreenTags.MENU_LEARN,
+            ScreenTags.MENU_WORLDS,
+            ScreenTags.MENU_EXAMPLES,
+            ScreenTags.MENU_WORDS,
+            ScreenTags.MENU_EDIT_WORLD,
+            ScreenTags.MENU_FIRST_PAGE,
+            ScreenTags.MENU_SOUND,
+            ScreenTags.MENU_SETTINGS,
         )
         val WORK = listOf(
-            "new",
-            "my-work",
-            "open",
-            "open-link",
-            "rename",
-            "save-as",
-            "share-link",
-            "show",
-            "replay",
-            "program-file",
-            "kit",
+            DocumentTags.NEW,
+            DocumentTags.MY_WORK,
+            DocumentTags.OPEN,
+            DocumentTags.OPEN_LINK,
+            DocumentTags.RENAME,
+            DocumentTags.SAVE_AS,
+            DocumentTags.SHARE_LINK,
+            DocumentTags.SHOW,
+            DocumentTags.REPLAY,
+            DocumentTags.PROGRAM_FILE,
+            DocumentTags.KIT,
         )
     }
 }

@@ -12,8 +12,12 @@ import robotran.language.ProgramLanguage
 import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
+import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.focusProgram
 import robotran.ui.program.pressTool
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.DocumentTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
@@ -34,32 +38,32 @@ import kotlin.test.assertTrue
 class NqcOnScreenTest {
     @Test
     fun `plus has NQC, and assembly behind more languages`() = onTablet { workshop ->
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(300)
-        onNodeWithTag("new-lasm").assertDoesNotExist()
-        onNodeWithTag("new-nqc").performClick()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.LASM)).assertDoesNotExist()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.NQC)).performClick()
         pass(300)
         assertEquals("program.nqc", workshop.state.programName)
-        onNodeWithTag("view-switch").assertDoesNotExist()
+        onNodeWithTag(ProgramTags.VIEW_SWITCH).assertDoesNotExist()
         onNodeWithText("Show assembly").assertIsDisplayed()
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(300)
-        onNodeWithTag("new-more").performClick()
+        onNodeWithTag(ProgramTags.NEW_MORE).performClick()
         pass(300)
-        onNodeWithTag("new-lasm").performClick()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.LASM)).performClick()
         pass(300)
         assertEquals("program.lasm", workshop.state.programName)
-        onNodeWithTag("translation-switch").assertDoesNotExist()
+        onNodeWithTag(ProgramTags.TRANSLATION_SWITCH).assertDoesNotExist()
     }
 
     @Test
     fun `a robot with an NXT has no new programs in NQC`() = onTablet { workshop ->
         workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.NXT))
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(300)
-        onNodeWithTag("new-java").assertExists()
-        onNodeWithTag("new-nqc").assertDoesNotExist()
-        onNodeWithTag("new-more").assertDoesNotExist()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.JAVA)).assertExists()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.NQC)).assertDoesNotExist()
+        onNodeWithTag(ProgramTags.NEW_MORE).assertDoesNotExist()
     }
 
     @Test
@@ -73,17 +77,17 @@ class NqcOnScreenTest {
                 onNodeWithText("Line $DRIVING:", substring = true).assertExists()
                 workshop.write(COUNTING.replace("rounds = rounds", "round = rounds"))
                 pass(1_500)
-                onNodeWithTag("fix").performClick()
+                onNodeWithTag(ProgramTags.FIX).performClick()
                 pass(300)
                 assertEquals(COUNTING, workshop.text)
                 workshop.handle(ProgramEvent.BreakpointToggled(COUNTED))
-                onNodeWithTag("run").performClick()
+                onNodeWithTag(RunTags.RUN).performClick()
                 pass(500)
                 workshop.advance(2_000)
                 assertEquals(WorkshopStatus.Paused(COUNTED), workshop.state.status)
                 workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
                 pass(500)
-                onNodeWithTag("variable-rounds").assertTextContains("0")
+                onNodeWithTag(RunTags.variable("rounds")).assertTextContains("0")
             }
         }
     }
@@ -91,10 +95,10 @@ class NqcOnScreenTest {
     @Test
     fun `the assembly is beside it, and a line there leads to its own`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
-        pressTool("translation-switch")
+        pressTool(ProgramTags.TRANSLATION_SWITCH)
         pass(300)
-        onNodeWithTag("translation-text").assertTextContains("wait\t2, 100", substring = true)
-        onNodeWithTag("translation-keep").performClick()
+        onNodeWithTag(ProgramTags.TRANSLATION_TEXT).assertTextContains("wait\t2, 100", substring = true)
+        onNodeWithTag(ProgramTags.TRANSLATION_KEEP).performClick()
         pass(300)
         assertEquals("count.lasm", workshop.state.programName)
         assertEquals(emptyList(), workshop.state.diagnostics)
@@ -103,13 +107,13 @@ class NqcOnScreenTest {
     @Test
     fun `Robolang is beside itself in NQC, with what is different`() = onTablet { workshop ->
         workshop.write("show \"hello\"\nforward 20\n")
-        onNodeWithTag("editor-more").performClick()
+        onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
         pass(300)
-        onNodeWithTag("translation-nqc").performClick()
+        onNodeWithTag(ProgramTags.translation(ProgramLanguage.NQC)).performClick()
         pass(300)
-        onNodeWithTag("translation-text").assertTextContains("task main()", substring = true)
-        onNodeWithTag("translation-remarks").assertIsDisplayed()
-        onNodeWithTag("translation-keep").performClick()
+        onNodeWithTag(ProgramTags.TRANSLATION_TEXT).assertTextContains("task main()", substring = true)
+        onNodeWithTag(ProgramTags.TRANSLATION_REMARKS).assertIsDisplayed()
+        onNodeWithTag(ProgramTags.TRANSLATION_KEEP).performClick()
         pass(300)
         assertEquals(ProgramLanguage.NQC, workshop.state.program.language)
         assertEquals(emptyList(), workshop.state.diagnostics)
@@ -122,10 +126,10 @@ class NqcOnScreenTest {
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("plays")), EditKind.OTHER))
         pass(100)
         focusProgram()
-        onNodeWithTag("editor-more").performClick()
+        onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
         pass(500)
-        onNodeWithTag("tool-format").assertDoesNotExist()
-        onNodeWithTag("tool-toggle_comment").performClick()
+        onNodeWithTag(ProgramTags.tool(EditorCommand.Plain.FORMAT)).assertDoesNotExist()
+        onNodeWithTag(ProgramTags.tool(EditorCommand.Plain.TOGGLE_COMMENT)).performClick()
         pass(500)
         assertEquals("\ttask\t0\n\t; plays\t3\n\tendt\n", workshop.text)
     }
@@ -139,10 +143,10 @@ class NqcOnScreenTest {
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         pass(500)
         assertEquals(10, workshop.state.run.drawer.variables.datalog.size)
-        onNodeWithTag("datalog").assertExists()
-        onNodeWithTag("datalog-1").assertContentDescriptionContains("Entry 1: SENSOR_2", substring = true)
-        onNodeWithTag("datalog-save").assertExists()
-        onNodeWithTag("lcd").assertExists()
+        onNodeWithTag(RunTags.DATALOG).assertExists()
+        onNodeWithTag(RunTags.datalog(1)).assertContentDescriptionContains("Entry 1: SENSOR_2", substring = true)
+        onNodeWithTag(RunTags.DATALOG_SAVE).assertExists()
+        onNodeWithTag(RunTags.LCD).assertExists()
     }
 
     @Test
@@ -153,15 +157,15 @@ class NqcOnScreenTest {
         workshop.advance(2_000)
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         pass(500)
-        onNodeWithTag("variable-rounds").assertExists()
-        onNodeWithTag("datalog-1").assertContentDescriptionContains("Entry 1: rounds", substring = true)
+        onNodeWithTag(RunTags.variable("rounds")).assertExists()
+        onNodeWithTag(RunTags.datalog(1)).assertContentDescriptionContains("Entry 1: rounds", substring = true)
     }
 
     @Test
     fun `the menu saves it for LEGO's firmware instead of a kit`() = onTablet { workshop ->
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("count.nqc", COUNTING)))
         pass(300)
-        onNodeWithTag("work-menu").performClick()
+        onNodeWithTag(DocumentTags.WORK_MENU).performClick()
         pass(300)
         onNodeWithText("Save for LEGO's firmware…").assertExists()
         onNodeWithText("For a real robot…").assertDoesNotExist()

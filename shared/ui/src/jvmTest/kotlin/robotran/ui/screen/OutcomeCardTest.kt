@@ -13,6 +13,11 @@ import robotran.learning.Lessons
 import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -56,14 +61,14 @@ class OutcomeCardTest {
     fun `after a run the card says what was missing, and a touch shows its moment`() = onPhone { workshop ->
         workshop.runToFlag("forward 15\nbackward 10\n")
         pass(300)
-        onNodeWithTag("missing-card").assertIsDisplayed()
-        onNodeWithTag("shortfall").assertTextContains("cm short of the marked area", substring = true)
-        onNodeWithTag("shortfall").performClick()
+        onNodeWithTag(ScreenTags.MISSING_CARD).assertIsDisplayed()
+        onNodeWithTag(RunTags.SHORTFALL).assertTextContains("cm short of the marked area", substring = true)
+        onNodeWithTag(RunTags.SHORTFALL).performClick()
         pass(500)
         val moment = workshop.state.run.shortfalls.single().shortfall.moment
         assertEquals(moment?.milliseconds, workshop.state.run.time)
         assertEquals(55.0, workshop.state.session.robot.pose.x, 0.5)
-        assertEquals(0, onAllNodesWithTag("missing-card").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ScreenTags.MISSING_CARD).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -71,10 +76,10 @@ class OutcomeCardTest {
         workshop.runToFlag("forward 15\n")
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.GOALS))
         pass(300)
-        onAllNodesWithTag("shortfall").onFirst().performClick()
+        onAllNodesWithTag(RunTags.SHORTFALL).onFirst().performClick()
         pass(500)
         assertEquals(Pane.WORLD to null, workshop.state.pane to workshop.state.run.drawer.tab)
-        onNodeWithTag("world").assertIsDisplayed()
+        onNodeWithTag(WorldTags.WORLD).assertIsDisplayed()
     }
 
     @Test
@@ -83,23 +88,23 @@ class OutcomeCardTest {
         pass(300)
         assertEquals(WorkshopStatus.Solved, workshop.state.status)
         assertTrue(workshop.state.session.robot.pose.x in 65.0..66.0)
-        onNodeWithTag("solved-card").assertIsDisplayed()
-        onNodeWithTag("outcome-close").performClick()
+        onNodeWithTag(ScreenTags.SOLVED_CARD).assertIsDisplayed()
+        onNodeWithTag(ScreenTags.OUTCOME_CLOSE).performClick()
         pass(300)
-        assertEquals(0, onAllNodesWithTag("solved-card").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ScreenTags.SOLVED_CARD).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `a solved task needs no words about motors and no help, until the next run`() = onTablet { workshop ->
         workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "bumpers" }))
         val solution = Lessons.all.first { it.name == "bumpers" }.solution.text
-        val help = listOf("hint-wanted", "solution-wanted")
+        val help = listOf(LearningTags.HINT_WANTED, LearningTags.SOLUTION_WANTED)
         for ((program, isSolved) in listOf("$solution\nforward 20\n" to false, solution to true)) {
             workshop.handle(ProgramEvent.ProgramEdited(program))
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(60_000)
             pass(300)
-            assertEquals(isSolved, isThere("solved-card"), program)
+            assertEquals(isSolved, isThere(ScreenTags.SOLVED_CARD), program)
             for (tag in help) assertEquals(!isSolved, isThere(tag), "$tag of $program")
         }
         workshop.handle(RunEvent.RunPressed)
@@ -115,7 +120,7 @@ class OutcomeCardTest {
             pass(300)
             assertEquals(!isShown, workshop.state.run.isSolved, program)
             assertTrue(workshop.state.session.brick.explanation != null, program)
-            assertEquals(isShown, isThere("brick-hint"), program)
+            assertEquals(isShown, isThere(RunTags.BRICK_HINT), program)
         }
     }
 
@@ -126,7 +131,7 @@ class OutcomeCardTest {
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(20_000)
         pass(300)
-        assertEquals(1, onAllNodesWithTag("shortfall").fetchSemanticsNodes().size)
+        assertEquals(1, onAllNodesWithTag(RunTags.SHORTFALL).fetchSemanticsNodes().size)
     }
 
     @Test
@@ -136,13 +141,13 @@ class OutcomeCardTest {
             pass(300)
             assertTrue(workshop.state.run.isPaused)
             assertEquals(WorkshopStatus.TimeUp(5), workshop.state.status)
-            onNodeWithTag("missing-time-up").assertTextEquals("The time is up (5 s).")
-            onNodeWithTag("clock").assertTextEquals("5.0 s")
+            onNodeWithTag(ScreenTags.MISSING_TIME_UP).assertTextEquals("The time is up (5 s).")
+            onNodeWithTag(RunTags.CLOCK).assertTextEquals("5.0 s")
             for ((language, words, clock) in TIMES) {
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, language = language)))
                 pass(1_000)
-                onNodeWithTag("status").assertTextEquals(words)
-                onNodeWithTag("clock").assertTextEquals(clock)
+                onNodeWithTag(RunTags.STATUS).assertTextEquals(words)
+                onNodeWithTag(RunTags.CLOCK).assertTextEquals(clock)
             }
             workshop.handle(RunEvent.PausePressed)
             workshop.advance(3_000)
@@ -153,15 +158,15 @@ class OutcomeCardTest {
     fun `on a phone the card of the task is shown in the place of the outcome`() {
         for (source in listOf("forward 45\n", "forward 15\n")) {
             onPhone { workshop ->
-                val card = if (source == "forward 45\n") "solved-card" else "missing-card"
+                val card = if (source == "forward 45\n") ScreenTags.SOLVED_CARD else ScreenTags.MISSING_CARD
                 workshop.runToFlag(source)
                 pass(300)
                 onNodeWithTag(card).assertIsDisplayed()
                 workshop.handle(ScreenEvent.TaskShown(true))
                 pass(300)
-                onNodeWithTag("task-card").assertIsDisplayed()
+                onNodeWithTag(AssignmentTags.TASK_CARD).assertIsDisplayed()
                 onNodeWithTag(card).assertDoesNotExist()
-                onNodeWithTag("task-hide").performClick()
+                onNodeWithTag(AssignmentTags.TASK_HIDE).performClick()
                 pass(300)
                 onNodeWithTag(card).assertIsDisplayed()
             }

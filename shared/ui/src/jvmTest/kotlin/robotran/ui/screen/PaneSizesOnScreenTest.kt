@@ -18,6 +18,11 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.test.requestFocus
 import androidx.compose.ui.test.swipe
+import robotran.brick.controls.BrickButton
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
@@ -39,19 +44,19 @@ class PaneSizesOnScreenTest {
         for ((width, height, isUpright) in WINDOWS) {
             onScreen(width, height) { workshop ->
                 val described = "$width x $height"
-                val before = bounds("program")
-                onNodeWithTag("divider").performTouchInput {
+                val before = bounds(ProgramTags.PROGRAM)
+                onNodeWithTag(ScreenTags.DIVIDER).performTouchInput {
                     swipe(center, center + if (isUpright) Offset(0f, -90f) else Offset(90f, 0f), 300)
                 }
                 pass(300)
-                val after = bounds("program")
+                val after = bounds(ProgramTags.PROGRAM)
                 val grown = if (isUpright) after.height - before.height else after.width - before.width
                 assertEquals(90f, grown, 25f, described)
                 val form = if (isUpright) WindowForm.UPRIGHT else WindowForm.ACROSS
                 assertNotNull(workshop.state.settings.panes[form].programShare, "$described: it is not remembered")
-                onNodeWithTag("divider").performTouchInput { doubleClick(center) }
+                onNodeWithTag(ScreenTags.DIVIDER).performTouchInput { doubleClick(center) }
                 pass(600)
-                assertEquals(before, bounds("program"), described)
+                assertEquals(before, bounds(ProgramTags.PROGRAM), described)
                 assertNull(workshop.state.settings.panes[form].programShare, described)
             }
         }
@@ -62,30 +67,30 @@ class PaneSizesOnScreenTest {
         for ((width, height, isUpright) in WINDOWS) {
             onScreen(width, height) {
                 val described = "$width x $height"
-                val before = bounds("program")
-                val divider = onNodeWithTag("divider")
+                val before = bounds(ProgramTags.PROGRAM)
+                val divider = onNodeWithTag(ScreenTags.DIVIDER)
                 divider.requestFocus()
                 divider.performKeyInput {
                     repeat(3) { pressKey(if (isUpright) Key.DirectionUp else Key.DirectionRight) }
                 }
                 pass(300)
-                val after = bounds("program")
+                val after = bounds(ProgramTags.PROGRAM)
                 assertTrue(
                     after.height > before.height + 20 || after.width > before.width + 20,
                     "$described: $before, $after",
                 )
                 divider.performKeyInput { pressKey(Key.Enter) }
                 pass(300)
-                assertEquals(before, bounds("program"), described)
+                assertEquals(before, bounds(ProgramTags.PROGRAM), described)
                 val range = divider.fetchSemanticsNode().config[SemanticsProperties.ProgressBarRangeInfo]
                 divider.performSemanticsAction(SemanticsActions.SetProgress) { it(range.range.endInclusive) }
                 pass(300)
-                val most = bounds("program")
+                val most = bounds(ProgramTags.PROGRAM)
                 assertTrue(most.width > before.width || most.height > before.height, described)
                 val reset = divider.fetchSemanticsNode().config[SemanticsActions.CustomActions].single()
                 assertTrue(reset.action())
                 pass(300)
-                assertEquals(before, bounds("program"), described)
+                assertEquals(before, bounds(ProgramTags.PROGRAM), described)
             }
         }
     }
@@ -99,20 +104,20 @@ class PaneSizesOnScreenTest {
                     for (form in WindowForm.entries) workshop.handle(SettingsEvent.ProgramShareChosen(form, share))
                     pass(300)
                     assertTrue(
-                        bounds("program").run { this.width >= 300 && this.height >= 120 },
+                        bounds(ProgramTags.PROGRAM).run { this.width >= 300 && this.height >= 120 },
                         "$described: ${bounds("program")}",
                     )
                     assertTrue(
-                        bounds("world").run { this.width >= 300 && this.height >= 150 },
+                        bounds(WorldTags.WORLD).run { this.width >= 300 && this.height >= 150 },
                         "$described: ${bounds("world")}",
                     )
                     for (tag in listOf(
-                        "undo",
-                        "editor-more",
-                        "sheet-measure",
-                        "brick-size",
-                        "run",
-                        "stop",
+                        ProgramTags.UNDO,
+                        ProgramTags.EDITOR_MORE,
+                        WorldTags.SHEET_MEASURE,
+                        ScreenTags.BRICK_SIZE,
+                        RunTags.RUN,
+                        RunTags.STOP,
                     )) {
                         assertWhole(tag, described)
                     }
@@ -127,25 +132,33 @@ class PaneSizesOnScreenTest {
             onScreen(width, height) { workshop ->
                 val described = "$width x $height"
                 val form = WindowForm.entries.associateWith { workshop.state.settings.panes[it].isBrickWhole }
-                val wasWhole = isThere("brick")
+                val wasWhole = isThere(RunTags.BRICK)
                 val before = placesByTag()
-                press("brick-size")
-                assertTrue(isThere("brick") != wasWhole, described)
+                press(ScreenTags.BRICK_SIZE)
+                assertTrue(isThere(RunTags.BRICK) != wasWhole, described)
                 val tags =
-                    listOf("brick-size", "drawer-variables", "drawer-goals", "run", "timeline", "program", "divider")
+                    listOf(
+                        ScreenTags.BRICK_SIZE,
+                        RunTags.tab(RunTags.DRAWER, DrawerTab.VARIABLES),
+                        RunTags.tab(RunTags.DRAWER, DrawerTab.GOALS),
+                        RunTags.RUN,
+                        RunTags.TIMELINE,
+                        ProgramTags.PROGRAM,
+                        ScreenTags.DIVIDER,
+                    )
                 assertUnmoved(before, tags, described)
                 if (!wasWhole) {
                     for (tag in listOf(
-                        "brick-view",
-                        "brick-on_off",
-                        "brick-prgm",
-                        "brick-run",
+                        RunTags.button(BrickButton.VIEW),
+                        RunTags.button(BrickButton.ON_OFF),
+                        RunTags.button(BrickButton.PRGM),
+                        RunTags.button(BrickButton.RUN),
                     )) {
                         assertWhole(tag, described)
                     }
                 }
-                press("brick-size")
-                assertEquals(wasWhole, isThere("brick"), described)
+                press(ScreenTags.BRICK_SIZE)
+                assertEquals(wasWhole, isThere(RunTags.BRICK), described)
                 assertUnmoved(before, before.keys - setOf("status"), described)
                 assertTrue(
                     form != WindowForm.entries.associateWith {
@@ -164,11 +177,11 @@ class PaneSizesOnScreenTest {
                 workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nshow 5 / zero\n"))
                 workshop.handle(RunEvent.RunPressed)
                 pass(2_000)
-                press("brick-hint-whole")
-                assertWhole("brick-on_off", "$width x $height")
-                onNodeWithTag("brick-hint").assertTextContains("Press On-Off", substring = true)
-                press("brick-on_off")
-                assertTrue(!isThere("brick-hint"))
+                press(ScreenTags.BRICK_HINT_WHOLE)
+                assertWhole(RunTags.button(BrickButton.ON_OFF), "$width x $height")
+                onNodeWithTag(RunTags.BRICK_HINT).assertTextContains("Press On-Off", substring = true)
+                press(RunTags.button(BrickButton.ON_OFF))
+                assertTrue(!isThere(RunTags.BRICK_HINT))
             }
         }
     }
@@ -177,11 +190,11 @@ class PaneSizesOnScreenTest {
     fun `on a phone one touch shows the whole brick, and a tab the world again`() {
         for ((width, height) in listOf(411 to 891, 891 to 411)) {
             onScreen(width, height) { workshop ->
-                press("brick-size")
+                press(ScreenTags.BRICK_SIZE)
                 assertEquals(Pane.BRICK, workshop.state.pane)
-                assertTrue(isThere("brick-on_off"))
-                press("tab-world")
-                assertTrue(isThere("world"))
+                assertTrue(isThere(RunTags.button(BrickButton.ON_OFF)))
+                press(ScreenTags.tab(Pane.WORLD))
+                assertTrue(isThere(WorldTags.WORLD))
             }
         }
     }
@@ -192,23 +205,36 @@ class PaneSizesOnScreenTest {
             onScreen(width, height) { workshop ->
                 val described = "$width x $height"
                 val before = placesByTag()
-                val still = listOf("menu", "full-program", "full-world", "run", "pause", "stop", "timeline", "run-more")
-                press("full-world")
-                onNodeWithTag("full-world").assertIsOn()
-                assertTrue(!isThere("program") && !isThere("divider"), described)
-                assertTrue(bounds("world").width > width * 0.9f && bounds("world").height > height * 0.6f, described)
+                val still =
+                    listOf(
+                        ScreenTags.MENU,
+                        ScreenTags.FULL_PROGRAM,
+                        ScreenTags.FULL_WORLD,
+                        RunTags.RUN,
+                        RunTags.PAUSE,
+                        RunTags.STOP,
+                        RunTags.TIMELINE,
+                        RunTags.RUN_MORE,
+                    )
+                press(ScreenTags.FULL_WORLD)
+                onNodeWithTag(ScreenTags.FULL_WORLD).assertIsOn()
+                assertTrue(!isThere(ProgramTags.PROGRAM) && !isThere(ScreenTags.DIVIDER), described)
+                assertTrue(
+                    bounds(WorldTags.WORLD).width > width * 0.9f && bounds(WorldTags.WORLD).height > height * 0.6f,
+                    described,
+                )
                 assertUnmoved(before, still, described)
-                press("full-world")
+                press(ScreenTags.FULL_WORLD)
                 assertUnmoved(before, before.keys, described)
-                press("full-program")
-                assertTrue(!isThere("world") && bounds("program").height > height * 0.6f, described)
+                press(ScreenTags.FULL_PROGRAM)
+                assertTrue(!isThere(WorldTags.WORLD) && bounds(ProgramTags.PROGRAM).height > height * 0.6f, described)
                 assertUnmoved(before, still, described)
-                press("run")
-                assertTrue(isThere("world"), "$described: the robot that drives is not seen")
+                press(RunTags.RUN)
+                assertTrue(isThere(WorldTags.WORLD), "$described: the robot that drives is not seen")
                 assertUnmoved(before, still, described)
                 workshop.handle(RunEvent.StopPressed)
                 pass(300)
-                assertEquals(before.getValue("program"), bounds("program"), described)
+                assertEquals(before.getValue("program"), bounds(ProgramTags.PROGRAM), described)
             }
         }
     }
@@ -218,18 +244,18 @@ class PaneSizesOnScreenTest {
         for ((width, height) in WINDOWS) {
             onScreen(width, height) { workshop ->
                 val before = placesByTag()
-                assertEquals(0f, bounds("drawer").height, "the closed drawer takes room")
-                press("drawer-log")
+                assertEquals(0f, bounds(RunTags.DRAWER).height, "the closed drawer takes room")
+                press(RunTags.tab(RunTags.DRAWER, DrawerTab.LOG))
                 assertEquals(DrawerTab.LOG, workshop.state.run.drawer.tab)
                 assertTrue(
-                    bounds("drawer").height > 150 && bounds("world").height > 100,
+                    bounds(RunTags.DRAWER).height > 150 && bounds(WorldTags.WORLD).height > 100,
                     "${bounds("drawer")} ${bounds("world")}",
                 )
                 val tags =
                     DrawerTab.entries.map { "drawer-${it.name.lowercase()}" } +
-                        listOf("run", "timeline", "brick-size", "program")
+                        listOf(RunTags.RUN, RunTags.TIMELINE, ScreenTags.BRICK_SIZE, ProgramTags.PROGRAM)
                 assertUnmoved(before, tags, "$width x $height")
-                press("drawer-log")
+                press(RunTags.tab(RunTags.DRAWER, DrawerTab.LOG))
                 assertUnmoved(before, before.keys, "$width x $height")
             }
         }

@@ -10,6 +10,11 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.performTouchInput
+import robotran.brick.controls.BrickButton
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
@@ -24,21 +29,25 @@ class PhoneTest {
     @Test
     fun `a program that ends while the robot drives is explained under the paper`() = onPhone { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("start forward"))
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(1_000)
-        onNodeWithTag("brick-hint").assertTextContains("has come to its end", substring = true)
+        onNodeWithTag(RunTags.BRICK_HINT).assertTextContains("has come to its end", substring = true)
     }
 
     @Test
     fun `three tabs show one pane each and the run bar is always there`() = onPhone {
-        val panes = listOf("tab-program" to "program", "tab-world" to "world", "tab-brick" to "brick")
+        val panes = listOf(
+            ScreenTags.tab(Pane.PROGRAM) to ProgramTags.PROGRAM,
+            ScreenTags.tab(Pane.WORLD) to WorldTags.WORLD,
+            ScreenTags.tab(Pane.BRICK) to RunTags.BRICK,
+        )
         for ((tab, pane) in panes) {
             onNodeWithTag(tab).performClick()
             pass(300)
             onNodeWithTag(tab).assertIsSelected()
             onNodeWithTag(pane).assertIsDisplayed()
-            onNodeWithTag("run").assertIsDisplayed()
-            onNodeWithTag("menu").assertIsDisplayed()
+            onNodeWithTag(RunTags.RUN).assertIsDisplayed()
+            onNodeWithTag(ScreenTags.MENU).assertIsDisplayed()
             for ((_, other) in panes.filter { it.second != pane }) {
                 assertEquals(0, onAllNodesWithTag(other).fetchSemanticsNodes().size, "$other beside $pane")
             }
@@ -47,17 +56,17 @@ class PhoneTest {
 
     @Test
     fun `beside the world the brick keeps its display and its Run`() = onPhone { workshop ->
-        onNodeWithTag("lcd").assertIsDisplayed()
-        onNodeWithTag("brick-run").performTouchInput { down(center) }
+        onNodeWithTag(RunTags.LCD).assertIsDisplayed()
+        onNodeWithTag(RunTags.button(BrickButton.RUN)).performTouchInput { down(center) }
         pass(100)
-        onNodeWithTag("brick-run").performTouchInput { up() }
+        onNodeWithTag(RunTags.button(BrickButton.RUN)).performTouchInput { up() }
         pass(1500)
         assertTrue(workshop.state.session.ink.lengthCentimetres > 5)
     }
 
     @Test
     fun `a button that goes out of sight while it is held comes up`() = onPhone { workshop ->
-        onNodeWithTag("brick-run").performTouchInput { down(center) }
+        onNodeWithTag(RunTags.button(BrickButton.RUN)).performTouchInput { down(center) }
         pass(100)
         workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
         pass(300)
@@ -69,9 +78,10 @@ class PhoneTest {
         onScreen(891, 411) { workshop ->
             workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = 2f)))
             pass(300)
-            val buttons = arrayOf("sheet-whole", "sheet-show", "sheet-3d", "sheet-surroundings")
-            checkTargets(*buttons, "run", "stop")
-            val sheet = onNodeWithTag("world").fetchSemanticsNode().boundsInRoot
+            val buttons =
+                arrayOf(WorldTags.SHEET_WHOLE, WorldTags.SHEET_SHOW, WorldTags.SHEET_3D, WorldTags.SHEET_SURROUNDINGS)
+            checkTargets(*buttons, RunTags.RUN, RunTags.STOP)
+            val sheet = onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().boundsInRoot
             for (tag in buttons) {
                 val button = onNodeWithTag(tag).fetchSemanticsNode().touchBoundsInRoot
                 assertTrue(button.bottom <= sheet.bottom && button.top >= sheet.top, "$tag is at $button of $sheet")
@@ -80,15 +90,15 @@ class PhoneTest {
 
     @Test
     fun `Run with a mistake shows the program and the mistake`() = onPhone {
-        onNodeWithTag("tab-program").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).performClick()
         pass(300)
-        onNodeWithTag("program").performTextReplacement("beep\nbep")
+        onNodeWithTag(ProgramTags.PROGRAM).performTextReplacement("beep\nbep")
         pass(100)
-        onNodeWithTag("tab-world").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.WORLD)).performClick()
         pass(300)
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(300)
-        onNodeWithTag("tab-program").assertIsSelected()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).assertIsSelected()
         onNodeWithText("Line 2:", substring = true).assertIsDisplayed()
     }
 }

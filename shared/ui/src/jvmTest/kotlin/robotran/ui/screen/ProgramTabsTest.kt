@@ -12,7 +12,12 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.language.ProgramLanguage
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.state.Pane
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -21,50 +26,55 @@ import kotlin.test.assertTrue
 class ProgramTabsTest {
     @Test
     fun `a Java program is two touches away, and Run lets it drive`() = onTablet { workshop ->
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(500)
-        onNodeWithTag("new-java").performClick()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.JAVA)).performClick()
         pass(500)
         assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
-        onNodeWithTag("program").assertTextContains("Motor.A.forward();", substring = true)
-        onNodeWithTag("program-1").assertIsSelected()
-        onNodeWithTag("program-0").assertIsNotSelected()
+        onNodeWithTag(ProgramTags.PROGRAM).assertTextContains("Motor.A.forward();", substring = true)
+        onNodeWithTag(ProgramTags.program(1)).assertIsSelected()
+        onNodeWithTag(ProgramTags.program(0)).assertIsNotSelected()
         runBlocking { workshop.compilePrograms() }
-        onNodeWithTag("run").performClick()
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(500)
         assertTrue(workshop.state.running)
     }
 
     @Test
     fun `an example is added beside what is there, and what was closed comes back`() = onTablet { workshop ->
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(500)
-        onNodeWithTag("examples").performClick()
+        onNodeWithTag(ProgramTags.EXAMPLES).performClick()
         pass(500)
-        onNodeWithTag("example-countdown.robo").performClick()
+        onNodeWithTag(LearningTags.example("countdown.robo")).performClick()
         pass(500)
         assertEquals(listOf("square.robo", "countdown.robo"), workshop.state.programs.programs.map { it.name })
-        onNodeWithTag("close-program").performClick()
+        onNodeWithTag(ProgramTags.CLOSE_PROGRAM).performClick()
         pass(200)
         onNodeWithText("countdown.robo is closed.").assertIsDisplayed()
-        onNodeWithTag("reopen-program").performClick()
+        onNodeWithTag(ProgramTags.REOPEN_PROGRAM).performClick()
         pass(200)
         assertEquals("countdown.robo", workshop.state.programName)
-        assertEquals(0, onAllNodesWithTag("closed-program").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.CLOSED_PROGRAM).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `a phone has the programs above the text`() = onPhone { workshop ->
-        onNodeWithTag("tab-program").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).performClick()
         pass(300)
-        onNodeWithTag("add-program").performClick()
+        onNodeWithTag(ProgramTags.ADD_PROGRAM).performClick()
         pass(500)
-        onNodeWithTag("new-robolang").performClick()
+        onNodeWithTag(ProgramTags.new(ProgramLanguage.ROBOLANG)).performClick()
         pass(500)
-        onNodeWithTag("program-0").performClick()
+        onNodeWithTag(ProgramTags.program(0)).performClick()
         pass(200)
         assertEquals("square.robo", workshop.state.programName)
-        for (tag in listOf("program-0", "program-1", "close-program", "add-program")) {
+        for (tag in listOf(
+            ProgramTags.program(0),
+            ProgramTags.program(1),
+            ProgramTags.CLOSE_PROGRAM,
+            ProgramTags.ADD_PROGRAM,
+        )) {
             val place = onAllNodesWithTag(tag).onFirst().fetchSemanticsNode().touchBoundsInRoot
             assertTrue(place.width >= 48f && place.height >= 48f, "$tag is only ${place.size}")
         }
@@ -72,11 +82,11 @@ class ProgramTabsTest {
 
     @Test
     fun `the program that is shown can be closed, however many there are`() = onPhone { workshop ->
-        onNodeWithTag("tab-program").performClick()
+        onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).performClick()
         repeat(3) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.JAVA)) }
         pass(1_000)
-        val close = onNodeWithTag("close-program").fetchSemanticsNode().boundsInRoot
-        val add = onNodeWithTag("add-program").fetchSemanticsNode().boundsInRoot
+        val close = onNodeWithTag(ProgramTags.CLOSE_PROGRAM).fetchSemanticsNode().boundsInRoot
+        val add = onNodeWithTag(ProgramTags.ADD_PROGRAM).fetchSemanticsNode().boundsInRoot
         assertTrue(close.width >= 48f && close.right <= add.left, "$close is not left of $add")
     }
 }

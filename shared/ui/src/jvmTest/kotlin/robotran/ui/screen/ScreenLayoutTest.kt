@@ -11,6 +11,12 @@ import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.brick.controls.BrickButton
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -43,7 +49,7 @@ class ScreenLayoutTest {
                 workshop.write("var zero = 0\nshow 5 / zero\n")
                 workshop.handle(RunEvent.RunPressed)
                 pass(2_000)
-                val hint = node("brick-hint")
+                val hint = node(RunTags.BRICK_HINT)
                 assertEquals(
                     hint.size.height.toFloat(),
                     hint.boundsInRoot.height,
@@ -52,15 +58,15 @@ class ScreenLayoutTest {
                 )
                 val others =
                     listOf(
-                        "brick",
-                        "lcd",
-                        "brick-run",
-                        "brick-on_off",
-                        "goal-chip",
-                        "run",
-                        "stop",
-                        "timeline",
-                        "sheet-show",
+                        RunTags.BRICK,
+                        RunTags.LCD,
+                        RunTags.button(BrickButton.RUN),
+                        RunTags.button(BrickButton.ON_OFF),
+                        RunTags.GOAL_CHIP,
+                        RunTags.RUN,
+                        RunTags.STOP,
+                        RunTags.TIMELINE,
+                        WorldTags.SHEET_SHOW,
                     )
                 for (tag in others.filter { onAllNodesWithTag(it).fetchSemanticsNodes().isNotEmpty() }) {
                     val other = node(tag)
@@ -89,9 +95,9 @@ class ScreenLayoutTest {
     fun `a tutorial leaves the paper most of the room beside the program`() = onScreen(1180, 820) { workshop ->
         workshop.handle(LearningEvent.TutorialStarted)
         pass(500)
-        assertTrue(bounds("world").width > 500f, "${bounds("world")}")
-        val pane = bounds("program-0").left..bounds("world").left
-        for (tag in listOf("undo", "find-open", "view-switch", "editor-more")) {
+        assertTrue(bounds(WorldTags.WORLD).width > 500f, "${bounds("world")}")
+        val pane = bounds(ProgramTags.program(0)).left..bounds(WorldTags.WORLD).left
+        for (tag in listOf(ProgramTags.UNDO, ProgramTags.FIND_OPEN, ProgramTags.VIEW_SWITCH, ProgramTags.EDITOR_MORE)) {
             val tool = node(tag)
             assertEquals(tool.size.width.toFloat(), tool.boundsInRoot.width, 0.5f, "$tag is cut")
             val place = tool.boundsInRoot
@@ -103,34 +109,35 @@ class ScreenLayoutTest {
     fun `a tablet held upright shows tutorial, paper, brick and program over each other`() =
         onScreen(820, 1180) { workshop ->
             for (tag in listOf(
-                "world",
-                "brick-run",
-                "run",
-                "program",
-                "drawer-variables",
-                "learn",
+                WorldTags.WORLD,
+                RunTags.button(BrickButton.RUN),
+                RunTags.RUN,
+                ProgramTags.PROGRAM,
+                RunTags.tab(RunTags.DRAWER, DrawerTab.VARIABLES),
+                ScreenTags.LEARN,
             )) {
                 onNodeWithTag(tag).assertIsDisplayed()
             }
-            assertEquals(0, onAllNodesWithTag("tab-program").fetchSemanticsNodes().size)
+            assertEquals(0, onAllNodesWithTag(ScreenTags.tab(Pane.PROGRAM)).fetchSemanticsNodes().size)
             workshop.handle(LearningEvent.TutorialStarted)
             pass(500)
             for (tag in listOf(
-                "tutorial",
-                "task",
-                "next-step",
-                "world",
-                "lcd",
-                "run",
-                "program",
+                LearningTags.TUTORIAL,
+                LearningTags.TASK,
+                LearningTags.NEXT_STEP,
+                WorldTags.WORLD,
+                RunTags.LCD,
+                RunTags.RUN,
+                ProgramTags.PROGRAM,
             )) {
                 onNodeWithTag(tag).assertIsDisplayed()
             }
             assertTrue(
-                bounds("tutorial").bottom <= bounds("world").top && bounds("world").bottom <= bounds("program").top,
+                bounds(LearningTags.TUTORIAL).bottom <= bounds(WorldTags.WORLD).top &&
+                    bounds(WorldTags.WORLD).bottom <= bounds(ProgramTags.PROGRAM).top,
             )
             assertTrue(
-                bounds("world").height > 240f && bounds("program").height > 200f,
+                bounds(WorldTags.WORLD).height > 240f && bounds(ProgramTags.PROGRAM).height > 200f,
                 "${bounds("world")} ${bounds("program")}",
             )
             workshop.handle(RunEvent.RunPressed)
@@ -138,11 +145,17 @@ class ScreenLayoutTest {
             for (tag in listOf("tutorial", "world", "program")) onNodeWithTag(tag).assertIsDisplayed()
             workshop.handle(RunEvent.DrawerChosen(DrawerTab.LOG))
             pass(500)
-            assertTrue(bounds("world").height > 120f, "${bounds("world")}")
+            assertTrue(bounds(WorldTags.WORLD).height > 120f, "${bounds("world")}")
             workshop.handle(LearningEvent.WordChosen(null))
             pass(500)
-            assertTrue(bounds("help").bottom <= bounds("run").top, "${bounds("help")} over ${bounds("run")}")
-            assertTrue(bounds("help").top >= bounds("world").bottom, "${bounds("help")} over ${bounds("world")}")
+            assertTrue(
+                bounds(ProgramTags.HELP).bottom <= bounds(RunTags.RUN).top,
+                "${bounds("help")} over ${bounds("run")}",
+            )
+            assertTrue(
+                bounds(ProgramTags.HELP).top >= bounds(WorldTags.WORLD).bottom,
+                "${bounds("help")} over ${bounds("world")}",
+            )
         }
 
     @Test
@@ -152,7 +165,7 @@ class ScreenLayoutTest {
                 workshop.handle(LearningEvent.WordChosen(null))
                 pass(500)
                 assertTrue(
-                    bounds("help").bottom <= bounds("run").top,
+                    bounds(ProgramTags.HELP).bottom <= bounds(RunTags.RUN).top,
                     "$width x $height: ${bounds("help")} over ${bounds("run")}",
                 )
             }
@@ -162,10 +175,17 @@ class ScreenLayoutTest {
     @Test
     fun `a menu that fits on the screen does not scroll`() {
         for ((width, height) in listOf(1366 to 768, 820 to 1180, 412 to 915)) {
-            for (menu in listOf("menu", "editor-more", "add-program", "sheet-show", "speed", "steps")) {
+            for (menu in listOf(
+                ScreenTags.MENU,
+                ProgramTags.EDITOR_MORE,
+                ProgramTags.ADD_PROGRAM,
+                WorldTags.SHEET_SHOW,
+                RunTags.SPEED,
+                RunTags.STEPS,
+            )) {
                 onScreen(width, height) { workshop ->
                     if (menu in
-                        listOf("editor-more", "add-program")
+                        listOf(ProgramTags.EDITOR_MORE, ProgramTags.ADD_PROGRAM)
                     ) {
                         workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
                     }
@@ -190,10 +210,16 @@ class ScreenLayoutTest {
                 workshop.handle(LearningEvent.WorldChosen("maze"))
                 workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 pass(500)
-                val chip = node("goal-chip")
+                val chip = node(RunTags.GOAL_CHIP)
                 assertEquals(chip.size.height.toFloat(), chip.boundsInRoot.height, 0.5f, "$width x $height")
                 assertEquals(chip.size.width.toFloat(), chip.boundsInRoot.width, 0.5f, "$width x $height")
-                for (tag in listOf("brick", "lcd", "brick-run", "drawer-goals", "run")) {
+                for (tag in listOf(
+                    RunTags.BRICK,
+                    RunTags.LCD,
+                    RunTags.button(BrickButton.RUN),
+                    RunTags.tab(RunTags.DRAWER, DrawerTab.GOALS),
+                    RunTags.RUN,
+                )) {
                     if (onAllNodesWithTag(tag).fetchSemanticsNodes().isEmpty()) continue
                     assertTrue(!bounds(tag).overlaps(chip.boundsInRoot), "$width x $height: $tag lies over the goals")
                 }
@@ -207,10 +233,10 @@ class ScreenLayoutTest {
         workshop.write("forward 2\n")
         workshop.handle(RunEvent.RunPressed)
         pass(5_000)
-        onNodeWithTag("status").assertTextEquals("Program ended. Goal not met.")
-        onNodeWithTag("goal-chip").performClick()
+        onNodeWithTag(RunTags.STATUS).assertTextEquals("Program ended. Goal not met.")
+        onNodeWithTag(RunTags.GOAL_CHIP).performClick()
         pass(500)
-        val described = onAllNodesWithTag("goal").fetchSemanticsNodes().map { goal ->
+        val described = onAllNodesWithTag(RunTags.GOAL).fetchSemanticsNodes().map { goal ->
             val words = goal.config.getOrElse(SemanticsProperties.Text) { emptyList() }.joinToString { it.text }
             goal.config[SemanticsProperties.StateDescription] to words
         }

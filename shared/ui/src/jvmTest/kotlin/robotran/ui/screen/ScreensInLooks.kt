@@ -4,7 +4,13 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
+import robotran.brick.controls.BrickButton
 import robotran.language.Language
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -35,7 +41,7 @@ abstract class ScreensInLooks {
             pass(300)
             val places = pressablePlaces()
             assertTrue(
-                places.keys.containsAll(listOf("run", "world", "timeline", "goal-chip")),
+                places.keys.containsAll(listOf(RunTags.RUN, WorldTags.WORLD, RunTags.TIMELINE, RunTags.GOAL_CHIP)),
                 "$described: ${places.keys}",
             )
 
@@ -59,7 +65,7 @@ abstract class ScreensInLooks {
             check("failed")
             workshop.handle(RunEvent.LogCopied)
             check("with a notice")
-            onNodeWithTag("notice").assertIsDisplayed()
+            onNodeWithTag(ScreenTags.NOTICE).assertIsDisplayed()
         }
 
     @Test
@@ -69,10 +75,23 @@ abstract class ScreensInLooks {
             workshop.handle(LearningEvent.HintRequested(true))
             workshop.handle(LearningEvent.SolutionRequested(true))
             pass(600)
-            val others = if (isThere("step-more")) listOf("step-more") else listOf("begin-again", "leave-tutorial")
-            for (tag in listOf("run-step", "previous-step", "next-step") + others) assertWhole(tag, described)
+            val others = if (isThere(LearningTags.STEP_MORE)) {
+                listOf(LearningTags.STEP_MORE)
+            } else {
+                listOf(LearningTags.BEGIN_AGAIN, LearningTags.LEAVE_TUTORIAL)
+            }
+            for (tag in listOf(
+                LearningTags.RUN_STEP,
+                LearningTags.PREVIOUS_STEP,
+                LearningTags.NEXT_STEP,
+            ) + others) {
+                assertWhole(tag, described)
+            }
             if (workshop.settings.textScale == 1f) {
-                assertTrue(placesByTag().getValue("tutorial-text").height >= 120f, "$described: no room for the text")
+                assertTrue(
+                    placesByTag().getValue(LearningTags.TUTORIAL_TEXT).height >= 120f,
+                    "$described: no room for the text",
+                )
             }
         }
 
@@ -83,18 +102,18 @@ abstract class ScreensInLooks {
             for (tab in DrawerTab.entries.reversed()) {
                 workshop.handle(RunEvent.DrawerChosen(tab))
                 pass(600)
-                assertWhole("drawer-${tab.name.lowercase()}", described)
+                assertWhole(RunTags.tab(RunTags.DRAWER, tab), described)
             }
-            val last = onNodeWithTag("drawer-why").fetchSemanticsNode()
+            val last = onNodeWithTag(RunTags.tab(RunTags.DRAWER, DrawerTab.WHY)).fetchSemanticsNode()
             val isCut = last.boundsInRoot.width < last.size.width - 0.5f
             if (isCut) {
                 assertTrue(
-                    saysThereIsMore("drawer-names", isRight = true),
+                    saysThereIsMore(RunTags.names(RunTags.DRAWER), isRight = true),
                     "$described: nothing says that there are more",
                 )
             }
-            scroll("drawer-names", toEnd = true)
-            assertFalse(saysThereIsMore("drawer-names", isRight = true), described)
+            scroll(RunTags.names(RunTags.DRAWER), toEnd = true)
+            assertFalse(saysThereIsMore(RunTags.names(RunTags.DRAWER), isRight = true), described)
         }
 
     @Test
@@ -112,10 +131,27 @@ abstract class ScreensInLooks {
         workshop.handle(LearningEvent.WorldChosen("maze"))
         workshop.handle(ScreenEvent.TaskShown(false))
         pass(500)
-        for (tag in listOf("run", "pause", "step", "stop", "run-more", "timeline")) assertWhole(tag, described)
-        val onSheet = listOf("sheet-whole", "sheet-show", "sheet-measure", "sheet-3d")
-        for (tag in onSheet + listOf("goal-chip", "task-chip")) assertWhole(tag, described)
-        if (!isThere("brick")) for (tag in listOf("brick-run", "brick-size", "lcd")) assertWhole(tag, described)
+        for (tag in listOf(
+            RunTags.RUN,
+            RunTags.PAUSE,
+            RunTags.STEP,
+            RunTags.STOP,
+            RunTags.RUN_MORE,
+            RunTags.TIMELINE,
+        )) {
+            assertWhole(tag, described)
+        }
+        val onSheet = listOf(WorldTags.SHEET_WHOLE, WorldTags.SHEET_SHOW, WorldTags.SHEET_MEASURE, WorldTags.SHEET_3D)
+        for (tag in onSheet + listOf(RunTags.GOAL_CHIP, RunTags.TASK_CHIP)) assertWhole(tag, described)
+        if (!isThere(RunTags.BRICK)) {
+            for (tag in listOf(
+                RunTags.button(BrickButton.RUN),
+                ScreenTags.BRICK_SIZE,
+                RunTags.LCD,
+            )) {
+                assertWhole(tag, described)
+            }
+        }
         val places = placesByTag()
         val sheet = places.getValue("world")
         for (tag in onSheet) {
@@ -129,7 +165,14 @@ abstract class ScreensInLooks {
         pass(300)
         val program = placesByTag().getValue("program")
         assertTrue(program.height >= MIN_PROGRAM, "$described: $program")
-        for (tag in listOf("undo", "editor-more", "run", "stop")) assertWhole(tag, described)
+        for (tag in listOf(
+            ProgramTags.UNDO,
+            ProgramTags.EDITOR_MORE,
+            RunTags.RUN,
+            RunTags.STOP,
+        )) {
+            assertWhole(tag, described)
+        }
     }
 
     private fun everywhere(vararg windows: Pair<Int, Int>, check: ComposeUiTest.(Workshop, described: String) -> Unit) {

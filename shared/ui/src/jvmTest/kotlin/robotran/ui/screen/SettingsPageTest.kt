@@ -13,6 +13,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
+import robotran.ui.screen.tags.ScreenTags
 import robotran.uikit.*
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -24,7 +25,7 @@ class SettingsPageTest {
     @Test
     fun `Escape closes the settings after a language was chosen with a finger`() = onPhone { workshop ->
         openSettings()
-        onNodeWithTag("language-2").performClick()
+        onNodeWithTag(KitTags.at(ScreenTags.LANGUAGE, 2)).performClick()
         pass(600)
         assertEquals(Language.entries[1], workshop.state.settings.language)
         escape()
@@ -34,7 +35,12 @@ class SettingsPageTest {
     @Test
     fun `Escape closes the settings after languages and colours were chosen with a mouse`() = onTablet { workshop ->
         openSettings()
-        for (choice in listOf("language-2", "theme-1", "language-3", "language-0")) {
+        for (choice in listOf(
+            KitTags.at(ScreenTags.LANGUAGE, 2),
+            KitTags.at(ScreenTags.THEME, 1),
+            KitTags.at(ScreenTags.LANGUAGE, 3),
+            KitTags.at(ScreenTags.LANGUAGE, 0),
+        )) {
             onNodeWithTag(choice).performMouseInput { click() }
             pass(600)
         }
@@ -47,22 +53,23 @@ class SettingsPageTest {
     fun `the size of texts follows a finger to the end, and is chosen when it is lifted`() =
         onScreen(411, 1500) { workshop ->
             openSettings()
-            onNodeWithTag("text-size").performTouchInput {
+            onNodeWithTag(ScreenTags.TEXT_SIZE).performTouchInput {
                 // Not at the very edge, which is not the slider's.
                 down(percentOffset(0.1f, 0.5f))
                 for (step in 2..10) moveTo(percentOffset(step / 10f, 0.5f))
             }
             pass(300)
-            val shown = onNodeWithTag("text-size").fetchSemanticsNode().config[SemanticsProperties.StateDescription]
+            val shown = onNodeWithTag(ScreenTags.TEXT_SIZE)
+                .fetchSemanticsNode().config[SemanticsProperties.StateDescription]
             assertEquals("200 %", shown)
             assertEquals(1f, workshop.state.settings.textScale)
-            onNodeWithTag("text-size").performTouchInput { up() }
+            onNodeWithTag(ScreenTags.TEXT_SIZE).performTouchInput { up() }
             pass(300)
             assertEquals(2f, workshop.state.settings.textScale)
         }
 
     private fun ComposeUiTest.openSettings() {
-        for (tag in listOf("menu", "menu-settings")) {
+        for (tag in listOf(ScreenTags.MENU, ScreenTags.MENU_SETTINGS)) {
             onNodeWithTag(tag).performClick()
             pass(600)
         }

@@ -5,6 +5,9 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.language.Language
+import robotran.ui.run.tags.RunTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ScreenEvent
@@ -25,7 +28,7 @@ class SheetRoomTest {
             for ((number, scale) in SCALES.withIndex()) {
                 onWindow(size, Settings(textScale = scale, lessMotion = true)) { _ ->
                     val described = "${size.first} x ${size.second}, text $scale"
-                    assertEquals(now[number], shareOf("world", size), "$described, in percent")
+                    assertEquals(now[number], shareOf(WorldTags.WORLD, size), "$described, in percent")
                 }
             }
         }
@@ -36,7 +39,7 @@ class SheetRoomTest {
         for (size in SHARES.map { it.first }) {
             onWindow(size, Settings(lessMotion = true)) {
                 for (tag in listOf("program", "brick").filter { isThere(it) }) {
-                    assertTrue(shareOf("world", size) > shareOf(tag, size), "$size: $tag has more")
+                    assertTrue(shareOf(WorldTags.WORLD, size) > shareOf(tag, size), "$size: $tag has more")
                 }
             }
         }
@@ -44,7 +47,7 @@ class SheetRoomTest {
 
     @Test
     fun `upright, the pane of the program has 45 percent of the height`() = onWindow(820 to 1180, Settings()) {
-        val pane = bounds("run").top - bounds("divider").center.y
+        val pane = bounds(RunTags.RUN).top - bounds(ScreenTags.DIVIDER).center.y
         assertTrue(pane / 1180 >= 0.45f, "$pane")
     }
 

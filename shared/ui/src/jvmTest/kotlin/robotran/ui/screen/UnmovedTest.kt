@@ -6,6 +6,13 @@ import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.ProgramLanguage
+import robotran.ui.common.tags.CommonTags
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.screen.tags.ScreenTags
+import robotran.ui.world.tags.WorldTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.documents.keep
@@ -40,22 +47,22 @@ class UnmovedTest {
                     workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
                     workshop.keep()
                     pass(500)
-                    onNodeWithTag("keeping-trouble").assertIsDisplayed()
+                    onNodeWithTag(CommonTags.KEEPING_TROUBLE).assertIsDisplayed()
                     for (tag in listOf(
-                        "trouble-save-as",
-                        "trouble-my-work",
-                        "trouble-close",
+                        CommonTags.TROUBLE_SAVE_AS,
+                        CommonTags.TROUBLE_MY_WORK,
+                        CommonTags.TROUBLE_CLOSE,
                     )) {
                         assertWhole(tag, described)
                     }
-                    assertUnmoved(before, before.keys - setOf("work-menu", "status"), described)
-                    onNodeWithTag("trouble-close").performClick()
+                    assertUnmoved(before, before.keys - setOf(DocumentTags.WORK_MENU, RunTags.STATUS), described)
+                    onNodeWithTag(CommonTags.TROUBLE_CLOSE).performClick()
                     pass(300)
-                    assertFalse(isThere("keeping-trouble"), described)
-                    if (!isThere("work-menu")) press("menu")
-                    press("work-menu")
-                    press("work-trouble")
-                    onNodeWithTag("keeping-trouble").assertIsDisplayed()
+                    assertFalse(isThere(CommonTags.KEEPING_TROUBLE), described)
+                    if (!isThere(DocumentTags.WORK_MENU)) press(ScreenTags.MENU)
+                    press(DocumentTags.WORK_MENU)
+                    press(DocumentTags.menuItem(DocumentTags.TROUBLE))
+                    onNodeWithTag(CommonTags.KEEPING_TROUBLE).assertIsDisplayed()
                 }
             }
         }
@@ -72,7 +79,7 @@ class UnmovedTest {
                 workshop.handle(ProgramEvent.ProgramEdited("forward 7"))
                 workshop.keep()
                 pass(500)
-                onNodeWithTag("keeping-trouble").assertIsDisplayed()
+                onNodeWithTag(CommonTags.KEEPING_TROUBLE).assertIsDisplayed()
                 assertUnmoved(before, before.keys, "$width x $height")
             }
         }
@@ -87,15 +94,22 @@ class UnmovedTest {
                 workshop.handle(WorldEditEvent.Edited(WorldEdit.Snap(Snapping(toOthers = false))))
                 pass(300)
                 val before = placesByTag()
-                val tags = listOf("edit-sheet", "edit-undo", "edit-menu", "edit-done", "edit-try")
+                val tags =
+                    listOf(
+                        WorldTags.EDIT_SHEET,
+                        WorldTags.undo(WorldTags.EDIT),
+                        WorldTags.EDIT_MENU,
+                        WorldTags.done(WorldTags.EDIT),
+                        WorldTags.EDIT_TRY,
+                    )
                 workshop.putWallOverRobot()
                 pass(300)
-                onNodeWithTag("edit-hints").assertIsDisplayed()
+                onNodeWithTag(WorldTags.EDIT_HINTS).assertIsDisplayed()
                 assertUnmoved(before, tags, described)
-                press("edit-hints-close")
-                assertFalse(isThere("edit-hints"), described)
-                press("edit-done")
-                assertTrue(isThere("edit-hints"), "$described: Done says nothing of why it waits")
+                press(KitTags.close(WorldTags.EDIT_HINTS))
+                assertFalse(isThere(WorldTags.EDIT_HINTS), described)
+                press(WorldTags.done(WorldTags.EDIT))
+                assertTrue(isThere(WorldTags.EDIT_HINTS), "$described: Done says nothing of why it waits")
                 assertUnmoved(before, tags, described)
             }
         }
@@ -111,8 +125,17 @@ class UnmovedTest {
                 val before = placesByTag()
                 workshop.handle(ProgramEvent.ProgramEdited("forwrd 3"))
                 pass(500)
-                onNodeWithTag("next-mistake").assertIsDisplayed()
-                val tags = listOf("translation", "run", "stop", "undo", "editor-more", "add-program", "program-0")
+                onNodeWithTag(ProgramTags.NEXT_MISTAKE).assertIsDisplayed()
+                val tags =
+                    listOf(
+                        ProgramTags.TRANSLATION,
+                        RunTags.RUN,
+                        RunTags.STOP,
+                        ProgramTags.UNDO,
+                        ProgramTags.EDITOR_MORE,
+                        ProgramTags.ADD_PROGRAM,
+                        ProgramTags.program(0),
+                    )
                 assertUnmoved(before, tags, "$width x $height")
             }
         }
@@ -132,14 +155,14 @@ class UnmovedTest {
                 val closed = workshop.state.programs.programs[1].name
                 workshop.handle(ProgramEvent.ProgramClosed(1))
                 pass(300)
-                onNodeWithTag("closed-program").assertIsDisplayed()
-                val tags = listOf("program", "next-mistake", "undo", "run")
+                onNodeWithTag(ProgramTags.CLOSED_PROGRAM).assertIsDisplayed()
+                val tags = listOf(ProgramTags.PROGRAM, ProgramTags.NEXT_MISTAKE, ProgramTags.UNDO, RunTags.RUN)
                 assertUnmoved(before, tags, described)
-                press("closed-program-close")
-                assertFalse(isThere("closed-program"), described)
+                press(ProgramTags.CLOSED_PROGRAM_CLOSE)
+                assertFalse(isThere(ProgramTags.CLOSED_PROGRAM), described)
                 assertUnmoved(before, tags, described)
-                press("add-program")
-                press("reopen-closed")
+                press(ProgramTags.ADD_PROGRAM)
+                press(ProgramTags.REOPEN_CLOSED)
                 assertTrue(workshop.state.programs.programs.any { it.name == closed }, described)
             }
         }

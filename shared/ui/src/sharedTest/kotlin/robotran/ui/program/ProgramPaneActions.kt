@@ -17,6 +17,7 @@ import androidx.compose.ui.test.withKeyDown
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
 import robotran.workshop.Workshop
 import robotran.workshop.event.ProgramEvent
@@ -29,7 +30,7 @@ internal val Workshop.caret get() = state.programs.draft.selection.caret
 
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.focusProgram() {
-    onNodeWithTag("program").performSemanticsAction(SemanticsActions.RequestFocus)
+    onNodeWithTag(ProgramTags.PROGRAM).performSemanticsAction(SemanticsActions.RequestFocus)
     pass(100)
 }
 
@@ -55,7 +56,7 @@ internal fun ComposeUiTest.keys(keys: List<Key>, with: Key? = null) {
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.pressTool(tag: String) {
     if (onAllNodesWithTag(tag).fetchSemanticsNodes().isEmpty()) {
-        onNodeWithTag("editor-more").performClick()
+        onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
         pass(500)
     }
     onNodeWithTag(tag).performClick()

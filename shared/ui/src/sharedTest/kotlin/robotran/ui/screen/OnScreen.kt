@@ -6,6 +6,7 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import kotlinx.coroutines.runBlocking
 import robotran.ui.RobotranApp
+import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.openWorkshop
 
@@ -56,7 +57,7 @@ internal fun onTabletWithBrick(check: ComposeUiTest.(Workshop) -> Unit) = onTabl
 
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.showWholeBrick() {
-    onNodeWithTag("brick-size").performClick()
+    onNodeWithTag(ScreenTags.BRICK_SIZE).performClick()
     pass(SETTLE_MILLIS)
 }
 

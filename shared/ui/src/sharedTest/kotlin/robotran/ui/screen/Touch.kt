@@ -8,6 +8,7 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.unit.toSize
+import robotran.ui.program.tags.ProgramTags
 
 /** Touches [tag] and lets the screen follow. */
 @OptIn(ExperimentalTestApi::class)
@@ -29,7 +30,9 @@ internal fun ComposeUiTest.scrollTo(tag: String) {
     repeat(MAX_SCROLLS) {
         val node = onAllNodesWithTag(tag).fetchSemanticsNodes().firstOrNull()
         // What a lazy list has not composed yet is further down.
-        val lists = listOf("palette-blocks", "blocks").flatMap { onAllNodesWithTag(it).fetchSemanticsNodes() }
+        val lists = listOf(ProgramTags.PALETTE_BLOCKS, ProgramTags.BLOCKS).flatMap {
+            onAllNodesWithTag(it).fetchSemanticsNodes()
+        }
         val start = node?.parent ?: checkNotNull(lists.firstOrNull()) { "there is no $tag" }
         val pane =
             generateSequence(start) { it.parent }.firstOrNull { SemanticsActions.ScrollBy in it.config } ?: return

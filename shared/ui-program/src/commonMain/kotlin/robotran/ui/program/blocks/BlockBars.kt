@@ -31,6 +31,7 @@ import androidx.compose.ui.text.style.TextAlign
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyPictureView
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
@@ -43,7 +44,7 @@ internal fun AddBar(scope: BlockScope, hasWords: Boolean) {
     val words = BlockTexts.add(spoken)
     Box(Modifier.fillMaxWidth().padding(12.dp), Alignment.CenterEnd) {
         ButtonFrame(
-            "blocks-add",
+            ProgramTags.BLOCKS_ADD,
             ButtonKind.DIALOG_MAIN,
             Modifier.named(words),
             padding = PaddingValues(horizontal = if (hasWords) Space.PAGE else Space.LARGE),
@@ -66,7 +67,7 @@ internal fun AddRail(scope: BlockScope, modifier: Modifier) {
         Column(
             Modifier
                 .fillMaxSize()
-                .testTag("blocks-add")
+                .testTag(ProgramTags.BLOCKS_ADD)
                 .focusRing()
                 .clickable(role = Role.Button) { scope.show(BlockDialog.Palette) }
                 .padding(4.dp),
@@ -107,11 +108,13 @@ internal fun EditErrorBar(sentence: String, scope: BlockScope) {
     val colours = LocalRobotranColours.current
     Surface(Modifier.fillMaxWidth().padding(8.dp), color = colours.errorPane, border = edge(colours.error)) {
         Row(
-            Modifier.defaultMinSize(minHeight = Dimensions.TARGET).padding(start = 16.dp).testTag("blocks-error"),
+            Modifier.defaultMinSize(
+                minHeight = Dimensions.TARGET,
+            ).padding(start = 16.dp).testTag(ProgramTags.BLOCKS_ERROR),
             verticalAlignment = Alignment.CenterVertically,
         ) {
             Text(sentence, Modifier.weight(1f).announced(), TextStyles.body)
-            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), "blocks-error-close") {
+            IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), ProgramTags.BLOCKS_ERROR_CLOSE) {
                 scope.onEvent(BlockEvent.ErrorDismissed)
             }
         }

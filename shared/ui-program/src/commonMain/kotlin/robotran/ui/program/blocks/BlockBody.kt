@@ -26,6 +26,7 @@ import androidx.compose.ui.text.font.FontStyle
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
 import robotran.ui.code.BlockLook
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
@@ -46,7 +47,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
     val inked = if (marks.isRunning) look.copy(ink = LocalRobotranColours.current.onPane) else look
     Row(
         Modifier
-            .testTag("block-${row.key}")
+            .testTag(ProgramTags.block(row.key))
             .graphicsLayer { alpha = if (marks.isCarried) CARRIED else 1f }
             .drawBehind { drawBlock(shape, fill, look.edge, outline) }
             .clip(RoundedCornerShape(BlockSizes.CORNER))

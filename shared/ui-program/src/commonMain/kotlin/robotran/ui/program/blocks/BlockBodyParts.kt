@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
 import robotran.ui.code.BlockLook
 import robotran.ui.code.GroupSigns
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
@@ -79,7 +80,7 @@ private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
     val words = BlockTexts.more(spoken)
     Box(
         Modifier
-            .testTag("block-more")
+            .testTag(ProgramTags.BLOCK_MORE)
             .size(SLOT_WIDTH, HEIGHT)
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button) { scope.show(BlockDialog.Actions(row.block.id)) }
@@ -98,7 +99,7 @@ internal fun FoldButton(row: BlockRow.First, scope: BlockScope, look: BlockLook)
     val words = if (row.isCollapsed) BlockTexts.unfold(spoken) else BlockTexts.fold(spoken)
     Box(
         Modifier
-            .testTag("fold-${row.key}")
+            .testTag(ProgramTags.fold(row.key))
             .size(FOLD_WIDTH, HEIGHT)
             .clip(CircleShape)
             .focusProperties { canFocus = false }

@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.ui.code.codeColours
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
@@ -41,7 +42,7 @@ internal fun BlockGutter(row: BlockRow, marks: RowMarks, onBreakpoint: (Int) -> 
     val colour = codeColours().breakpoint
     Box(
         Modifier
-            .testTag("block-line-$line")
+            .testTag(ProgramTags.blockLine(line))
             .size(BlockSizes.GUTTER, Dimensions.TARGET)
             .focusProperties { canFocus = false }
             .clickable(role = Role.Checkbox) { onBreakpoint(line) }

@@ -42,6 +42,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
 import robotran.robolang.outline.PhrasePart
+import robotran.ui.program.tags.ProgramTags
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.DragPayload
@@ -95,7 +96,7 @@ internal fun BlockListView(
             LazyColumn(
                 Modifier
                     .fillMaxSize()
-                    .testTag("blocks")
+                    .testTag(ProgramTags.BLOCKS)
                     .scrolledByReaders(dragging.rows) { dragging.rows.layoutInfo.viewportSize.height }
                     .semantics {
                         collectionInfo = CollectionInfo(rows.size, 1)

@@ -20,6 +20,7 @@ import robotran.blockediting.BlockEdit
 import robotran.blockediting.describe.BlockDescription
 import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.place
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockCursor
@@ -143,7 +144,7 @@ private fun action(label: String, act: () -> Unit) = CustomAccessibilityAction(l
 /** Tells a screen reader what an edit has done. It cannot be seen. */
 @Composable
 internal fun SaidAloud(label: String?) = Box(
-    Modifier.size(1.dp).testTag("blocks-said").semantics {
+    Modifier.size(1.dp).testTag(ProgramTags.BLOCKS_SAID).semantics {
         liveRegion = LiveRegionMode.Polite
         contentDescription = label.orEmpty()
     },

@@ -31,6 +31,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.toSize
 import robotran.ui.code.BlockColours
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockTarget
@@ -78,7 +79,7 @@ private fun Bin(dragging: BlockDragging, modifier: Modifier) {
     DisposableEffect(dragging) { onDispose { dragging.bin = null } }
     Row(
         modifier
-            .testTag("blocks-bin")
+            .testTag(ProgramTags.BLOCKS_BIN)
             .onGloballyPositioned { dragging.bin = Rect(it.positionInRoot() - dragging.corner, it.size.toSize()) }
             .defaultMinSize(BIN_WIDTH, BIN_HEIGHT)
             .shadow(4.dp, shape)

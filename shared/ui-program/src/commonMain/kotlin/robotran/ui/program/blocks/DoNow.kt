@@ -17,6 +17,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.DragPayload
@@ -33,7 +34,7 @@ internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
     val colours = LocalRobotranColours.current
     Box(
         Modifier
-            .testTag("now-${block.id}")
+            .testTag(ProgramTags.now(block.id))
             .size(Dimensions.TARGET)
             .focusRing(Dimensions.TARGET / 2)
             .clip(CircleShape)

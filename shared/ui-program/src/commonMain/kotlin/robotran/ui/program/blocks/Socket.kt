@@ -31,6 +31,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
 import robotran.ui.code.BlockLook
 import robotran.ui.program.editor.editorStyle
+import robotran.ui.program.tags.ProgramTags
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 
@@ -59,7 +60,7 @@ internal fun Socket(
     FlowRow(
         modifier
             .socketPlace(part, isAt)
-            .testTag("socket-${part.span.start}-${part.span.end}")
+            .testTag(ProgramTags.socket(part.span.start, part.span.end))
             .defaultMinSize(if (depth == 0) MIN_WIDTH else MIN_WIDTH_INSIDE, lineHeight(depth))
             .clip(shape)
             .background(if (inner.isEmpty()) look.socket else own.tint)

@@ -28,6 +28,7 @@ import robotran.languagesupport.CodeTokens
 import robotran.languagesupport.TextLines
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
+import robotran.ui.program.tags.ProgramTags
 import robotran.uikit.*
 import robotran.workshop.state.InlineDiagnostic
 
@@ -177,8 +178,12 @@ private fun Overlays(
                     control.showsSelectionBar = true
                 }
             }
-            SelectionHandle({ place(draft.selection.anchor) }, "handle-anchor") { drag(draft.selection.caret, it) }
-            SelectionHandle({ place(draft.selection.caret) }, "handle-caret") { drag(draft.selection.anchor, it) }
+            SelectionHandle({
+                place(draft.selection.anchor)
+            }, ProgramTags.HANDLE_ANCHOR) { drag(draft.selection.caret, it) }
+            SelectionHandle({
+                place(draft.selection.caret)
+            }, ProgramTags.HANDLE_CARET) { drag(draft.selection.anchor, it) }
         }
         SelectionBar({ place(draft.selection.start) }) { if (!control.perform(it)) onCommand(it) }
     }

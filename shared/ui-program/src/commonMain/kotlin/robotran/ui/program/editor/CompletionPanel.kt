@@ -33,6 +33,7 @@ import androidx.compose.ui.unit.dp
 import robotran.languagesupport.Completion
 import robotran.languagesupport.CompletionList
 import robotran.ui.code.codeColours
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -56,7 +57,7 @@ internal fun CompletionPanel(
     LazyColumn(
         Modifier
             .besideCaret(caret)
-            .testTag("completions")
+            .testTag(ProgramTags.COMPLETIONS)
             .named(words)
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)
@@ -77,7 +78,7 @@ internal fun NoCompletions(caret: CaretLocator) {
         EditorTexts.noCompletions(spoken),
         Modifier
             .besideCaret(caret)
-            .testTag("no-completions")
+            .testTag(ProgramTags.NO_COMPLETIONS)
             .announced()
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)

@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import robotran.textediting.text.TextDocument
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -38,7 +39,7 @@ internal fun Modifier.editorInput(
     val line = draft.lines.lineOf(draft.selection.caret) + 1
     return focusRequester(focus)
         .onFocusChanged { onFocus(it.hasFocus) }
-        .testTag("program")
+        .testTag(ProgramTags.PROGRAM)
         .semantics {
             contentDescription = label
             customActions = listOf(

@@ -10,7 +10,7 @@ import androidx.compose.ui.input.key.key
 import robotran.textediting.CaretMove
 
 /** The command of a key or a shortcut in an editor. */
-internal sealed interface EditorCommand {
+sealed interface EditorCommand {
     data class Move(val move: CaretMove, val selecting: Boolean) : EditorCommand
 
     data class ScrollLines(val lines: Int) : EditorCommand

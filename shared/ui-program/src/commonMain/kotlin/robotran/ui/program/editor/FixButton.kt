@@ -7,6 +7,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import robotran.language.source.Diagnostic
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -18,7 +19,7 @@ import robotran.uikit.*
 @Composable
 internal fun FixButton(diagnostic: Diagnostic, line: String, onFix: (Diagnostic) -> Unit) {
     val fix = diagnostic.fix ?: return
-    ButtonFrame("fix", ButtonKind.LINK, onClick = { onFix(diagnostic) }) {
+    ButtonFrame(ProgramTags.FIX, ButtonKind.LINK, onClick = { onFix(diagnostic) }) {
         val words = textOf(fixLabelOf(diagnostic, fix, line))
         Text(words, style = TextStyles.compact.strong, maxLines = 2, overflow = TextOverflow.Ellipsis)
     }

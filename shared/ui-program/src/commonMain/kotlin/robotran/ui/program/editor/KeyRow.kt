@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
 import robotran.programs.support
 import robotran.textediting.CaretMove
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -27,7 +28,7 @@ internal fun KeyRow(control: EditorControl) {
     Row(
         Modifier
             .fillMaxWidth()
-            .testTag("keys")
+            .testTag(ProgramTags.KEYS)
             .background(LocalRobotranColours.current.desk)
             .horizontalScroll(rememberScrollState()),
     ) {
@@ -47,7 +48,7 @@ private fun TouchKey(sign: String, label: String, onClick: () -> Unit) {
     Box(
         Modifier
             .defaultMinSize(Dimensions.TARGET, Dimensions.TARGET)
-            .testTag("key-$sign")
+            .testTag(ProgramTags.key(sign))
             .focusProperties { canFocus = false }
             .clickable(role = Role.Button, onClick = onClick)
             .named(label),

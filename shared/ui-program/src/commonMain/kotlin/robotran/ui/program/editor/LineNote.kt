@@ -19,6 +19,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.language.source.Diagnostic
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 import robotran.workshop.state.InlineDiagnostic
@@ -34,7 +35,7 @@ internal fun LineNote(note: InlineDiagnostic, line: String, standsOut: Boolean, 
     val colours = LocalRobotranColours.current
     val spoken = EditorTexts.mistake(spoken, note.line ?: 0, note.diagnostic.message)
     val frame = Modifier
-        .testTag(note.kind.name.lowercase())
+        .testTag(ProgramTags.note(note.kind))
         .fillMaxWidth()
         .padding(end = 8.dp, top = 2.dp, bottom = 4.dp)
         .clip(Shapes.SMALL)

@@ -25,6 +25,7 @@ import androidx.compose.ui.layout.layout
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
 
@@ -35,14 +36,14 @@ internal fun SelectionBar(selection: () -> Rect, onCommand: (EditorCommand) -> U
     Row(
         Modifier
             .beside(selection)
-            .testTag("selection-bar")
+            .testTag(ProgramTags.SELECTION_BAR)
             .shadow(6.dp, SHAPE)
             .background(colours.pane, SHAPE)
             .border(1.dp, colours.line, SHAPE)
             .horizontalScroll(rememberScrollState()),
     ) {
         for ((command, words) in BUTTONS) {
-            val tag = "selection-${command.name.lowercase()}"
+            val tag = ProgramTags.selection(command)
             // If the text lost the focus, the bar would disappear.
             val modifier = Modifier.focusProperties {
                 canFocus = false

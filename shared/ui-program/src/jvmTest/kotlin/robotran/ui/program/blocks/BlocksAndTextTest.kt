@@ -10,8 +10,10 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.projects.ProgramView
+import robotran.robolang.words.BlockGroup
 import robotran.ui.program.caret
 import robotran.ui.program.keys
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.write
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.checkTargets
@@ -55,11 +57,11 @@ class BlocksAndTextTest {
     @Test
     fun `a touch on a block puts the caret into its line of the text`() = onAny { workshop ->
         showBoth(workshop, SOURCE)
-        onNodeWithTag("blocks").assertIsDisplayed()
-        onNodeWithTag("program").assertIsDisplayed()
-        touchSignOf("block-2")
+        onNodeWithTag(ProgramTags.BLOCKS).assertIsDisplayed()
+        onNodeWithTag(ProgramTags.PROGRAM).assertIsDisplayed()
+        touchSignOf(ProgramTags.block("2"))
         assertEquals(SOURCE.indexOf("turn"), workshop.caret)
-        touchSignOf("block-0")
+        touchSignOf(ProgramTags.block("0"))
         assertEquals(0, workshop.caret)
     }
 
@@ -78,18 +80,18 @@ class BlocksAndTextTest {
     fun `below the blocks the text gives way to the sheet of a value and comes back`() = onPhone { workshop ->
         showBoth(workshop, SOURCE)
         touch(socketOf(SOURCE, "20"))
-        assertEquals(0, onAllNodesWithTag("program").fetchSemanticsNodes().size)
-        scrollAndTouch("number-less")
+        assertEquals(0, onAllNodesWithTag(ProgramTags.PROGRAM).fetchSemanticsNodes().size)
+        scrollAndTouch(ProgramTags.NUMBER_LESS)
         assertEquals(SOURCE.replace("20", "19"), workshop.text)
-        touch("block-sheet-close")
-        onNodeWithTag("program").assertIsDisplayed()
+        touch(ProgramTags.BLOCK_SHEET_CLOSE)
+        onNodeWithTag(ProgramTags.PROGRAM).assertIsDisplayed()
     }
 
     @Test
     fun `beside the blocks the text stays while a value is edited`() = onLaptop { workshop ->
         showBoth(workshop, SOURCE)
         touch(socketOf(SOURCE, "20"))
-        onNodeWithTag("program").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.PROGRAM).assertIsDisplayed()
         assertTrue(workshop.caret in SOURCE.indexOf("forward")..SOURCE.indexOf("20"), "${workshop.caret}")
     }
 
@@ -106,27 +108,28 @@ class BlocksAndTextTest {
         )) {
             onScreen(size.first, size.second) { workshop ->
                 showBoth(workshop, "$SOURCE\nforwrd 5\n")
-                val blocks = placeOf("block-pane")
-                val text = placeOf("program")
+                val blocks = placeOf(ProgramTags.BLOCK_PANE)
+                val text = placeOf(ProgramTags.PROGRAM)
                 assertEquals(isBeside, text.left >= blocks.right, "$size: $blocks, $text")
                 assertTrue(blocks.width >= 320f && text.width >= 300f, "$size: $blocks, $text")
                 assertTrue(blocks.height >= 138f && text.height >= 120f, "$size: $blocks, $text")
-                val add = if (isThere("blocks-add")) "blocks-add" else "group-drive"
+                val adding = ProgramTags.BLOCKS_ADD
+                val add = if (isThere(adding)) adding else ProgramTags.group(BlockGroup.DRIVE)
                 checkTargets(add)
                 touch(add)
-                scrollTo("take-move")
-                assertWhole("take-move", "$size")
+                scrollTo(ProgramTags.take("move"))
+                assertWhole(ProgramTags.take("move"), "$size")
             }
         }
     }
 
     @Test
     fun `a mistake can be fixed in the blocks and in the text`() {
-        val inBlocks = hasAnyAncestor(hasTestTag("blocks"))
+        val inBlocks = hasAnyAncestor(hasTestTag(ProgramTags.BLOCKS))
         for (view in listOf(inBlocks, !inBlocks)) {
             onLaptop { workshop ->
                 showBoth(workshop, "beep\nforwrd 20\n")
-                onNode(hasTestTag("fix") and view).performClick()
+                onNode(hasTestTag(ProgramTags.FIX) and view).performClick()
                 pass(300)
                 assertEquals("beep\nforward 20\n", workshop.text, view.description)
             }
@@ -135,16 +138,16 @@ class BlocksAndTextTest {
 
     @Test
     fun `a block has help on its word`() = onTabletInBlocks(SOURCE) { workshop ->
-        touch("block-1")
-        touch("block-more")
-        scrollAndTouch("action-help")
+        touch(ProgramTags.block("1"))
+        touch(ProgramTags.BLOCK_MORE)
+        scrollAndTouch(ProgramTags.action(ProgramTags.HELP))
         assertEquals(LearningPage.HELP, workshop.state.learning.page)
         assertTrue(workshop.state.learning.help.word.orEmpty().startsWith("forward"), "${workshop.state.learning.help}")
     }
 
     @Test
     fun `F1 is help on the block that the keyboard is at`() = onTabletInBlocks(SOURCE) { workshop ->
-        touch("block-2")
+        touch(ProgramTags.block("2"))
         focusBlocks()
         keys(listOf(Key.F1))
         pass(200)

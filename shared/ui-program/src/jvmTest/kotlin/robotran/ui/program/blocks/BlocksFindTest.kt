@@ -3,6 +3,7 @@ package robotran.ui.program.blocks
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.write
 import robotran.ui.screen.isThere
 import robotran.ui.screen.pass
@@ -15,15 +16,15 @@ import kotlin.test.assertFalse
 class BlocksFindTest {
     @Test
     fun `the search leads to the block of a match`() = onPhoneInBlocks(PROGRAM) { workshop ->
-        assertFalse(isThere("block-$LAST"))
+        assertFalse(isThere(ProgramTags.block("$LAST")))
         workshop.write(PROGRAM, caret = PROGRAM.indexOf("beep"))
         workshop.handle(ProgramEvent.SearchRequested)
         pass(300)
         workshop.write(PROGRAM, caret = PROGRAM.indexOf("beep") + "beep".length, anchor = PROGRAM.indexOf("beep"))
         workshop.handle(ProgramEvent.SearchRequested)
         pass(500)
-        onNodeWithTag("find-bar").assertIsDisplayed()
-        onNodeWithTag("block-$LAST").assertIsDisplayed()
+        onNodeWithTag(ProgramTags.FIND_BAR).assertIsDisplayed()
+        onNodeWithTag(ProgramTags.block("$LAST")).assertIsDisplayed()
     }
 
     private companion object {

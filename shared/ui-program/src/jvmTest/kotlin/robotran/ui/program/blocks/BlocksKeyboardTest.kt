@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.LayoutDirection
 import robotran.ui.program.keys
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
 import robotran.ui.screen.touch
 import robotran.workshop.blocks.BlockDialog
@@ -56,18 +57,18 @@ class BlocksKeyboardTest {
             focusBlocks()
             keys(listOf(Key.DirectionDown, Key.Insert))
             pass(300)
-            onNodeWithTag("palette-search").assertIsFocused().performTextInput("buzz")
+            onNodeWithTag(ProgramTags.PALETTE_SEARCH).assertIsFocused().performTextInput("buzz")
             pass(200)
             keys(listOf(Key.DirectionDown))
             keys(listOf(Key.Enter))
             pass(300)
             assertEquals("beep\nbuzz\n", workshop.text)
-            assertTrue(onAllNodesWithTag("block-sheet").fetchSemanticsNodes().isEmpty())
+            assertTrue(onAllNodesWithTag(ProgramTags.BLOCK_SHEET).fetchSemanticsNodes().isEmpty())
             keys(listOf(Key.DirectionUp), with = Key.AltLeft)
             assertEquals("buzz\nbeep\n", workshop.text)
             keys(listOf(Key.Insert))
             pass(300)
-            onNodeWithTag("palette-search").performTextInput("stop")
+            onNodeWithTag(ProgramTags.PALETTE_SEARCH).performTextInput("stop")
             pass(200)
             keys(listOf(Key.Enter))
             assertEquals("buzz\nstop\nbeep\n", workshop.text)
@@ -81,10 +82,10 @@ class BlocksKeyboardTest {
             for (open in listOf(Key.F2, Key.Insert, Key.Enter)) {
                 keys(listOf(open))
                 pass(300)
-                assertEquals(1, onAllNodesWithTag("block-sheet").fetchSemanticsNodes().size)
+                assertEquals(1, onAllNodesWithTag(ProgramTags.BLOCK_SHEET).fetchSemanticsNodes().size)
                 keys(listOf(Key.Escape))
                 pass(300)
-                assertTrue(onAllNodesWithTag("block-sheet").fetchSemanticsNodes().isEmpty())
+                assertTrue(onAllNodesWithTag(ProgramTags.BLOCK_SHEET).fetchSemanticsNodes().isEmpty())
             }
             keys(listOf(Key.DirectionDown))
             keys(listOf(Key.Delete))
@@ -115,11 +116,11 @@ class BlocksKeyboardTest {
         onTabletInBlocks("turn left 90\n") { workshop ->
             focusBlocks()
             keys(listOf(Key.DirectionDown, Key.DirectionRight))
-            onNodeWithTag("blocks").performKeyInput { keyDown(Key.Enter) }
+            onNodeWithTag(ProgramTags.BLOCKS).performKeyInput { keyDown(Key.Enter) }
             pass(600)
-            onNodeWithTag("block-sheet").performKeyInput { keyUp(Key.Enter) }
+            onNodeWithTag(ProgramTags.BLOCK_SHEET).performKeyInput { keyUp(Key.Enter) }
             pass(300)
-            onNodeWithTag("block-sheet").assertExists()
+            onNodeWithTag(ProgramTags.BLOCK_SHEET).assertExists()
             assertEquals("turn left 90\n", workshop.text)
         }
 
@@ -168,7 +169,7 @@ class BlocksKeyboardTest {
         keys(listOf(Key.DirectionDown))
         workshop.handle(BlockEvent.DialogShown(BlockDialog.Note(0)))
         pass(300)
-        onNodeWithTag("note-field").assertIsFocused().performTextInput("loud")
+        onNodeWithTag(ProgramTags.field(ProgramTags.NOTE)).assertIsFocused().performTextInput("loud")
         keys(listOf(Key.Enter))
         pass(300)
         assertEquals("beep  // loud\n", workshop.text)
@@ -176,14 +177,14 @@ class BlocksKeyboardTest {
         pass(300)
         keys(listOf(Key.Escape))
         pass(300)
-        assertTrue(onAllNodesWithTag("block-sheet").fetchSemanticsNodes().isEmpty())
+        assertTrue(onAllNodesWithTag(ProgramTags.BLOCK_SHEET).fetchSemanticsNodes().isEmpty())
         keys(listOf(Key.D), with = Key.CtrlLeft)
         assertEquals("beep  // loud\nbeep  // loud\n", workshop.text)
     }
 
     @Test
     fun `after a touch the keys go on at that block`() = onTabletInBlocks("beep\nbuzz\n") { workshop ->
-        touch("block-1")
+        touch(ProgramTags.block("1"))
         keys(listOf(Key.Delete))
         assertEquals("beep\n", workshop.text)
     }
@@ -220,12 +221,12 @@ class BlocksKeyboardTest {
         carry(socketOf(workshop.text, "light"), placeOf(socketOf(workshop.text, "90")).center)
         assertEquals("beep\nforward 20\nturn left light\n", workshop.text)
         // The grip is at the right end; there a finger need not rest.
-        val grip = placeOf("block-0").centerRight - Offset(10f, 0f)
-        val list = placeOf("blocks").topLeft
-        onNodeWithTag("blocks").performTouchInput {
+        val grip = placeOf(ProgramTags.block("0")).centerRight - Offset(10f, 0f)
+        val list = placeOf(ProgramTags.BLOCKS).topLeft
+        onNodeWithTag(ProgramTags.BLOCKS).performTouchInput {
             down(grip - list)
             moveBy(Offset(0f, 40f))
-            moveTo(placeOf("block-2").bottomRight - list + Offset(-60f, -4f))
+            moveTo(placeOf(ProgramTags.block("2")).bottomRight - list + Offset(-60f, -4f))
             up()
         }
         pass(200)

@@ -18,6 +18,7 @@ import androidx.compose.ui.unit.LayoutDirection
 import kotlinx.coroutines.runBlocking
 import robotran.projects.ProgramView
 import robotran.ui.RobotranApp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.write
 import robotran.ui.screen.Undrawn
 import robotran.ui.screen.onPhone
@@ -101,10 +102,10 @@ internal fun ComposeUiTest.touchSignOf(tag: String) {
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.carry(from: String, to: Offset, holds: Boolean = false) {
     val start = onNodeWithTag(from).fetchSemanticsNode().boundsInRoot.center
-    val list = onNodeWithTag("blocks").fetchSemanticsNode().boundsInRoot.topLeft
-    onNodeWithTag("blocks").performTouchInput { down(start - list) }
+    val list = onNodeWithTag(ProgramTags.BLOCKS).fetchSemanticsNode().boundsInRoot.topLeft
+    onNodeWithTag(ProgramTags.BLOCKS).performTouchInput { down(start - list) }
     pass(800)
-    onNodeWithTag("blocks").performTouchInput { moveTo(to - list) }
+    onNodeWithTag(ProgramTags.BLOCKS).performTouchInput { moveTo(to - list) }
     pass(100)
     if (!holds) letGo()
 }
@@ -112,7 +113,7 @@ internal fun ComposeUiTest.carry(from: String, to: Offset, holds: Boolean = fals
 /** The finger that carries goes up. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.letGo() {
-    onNodeWithTag("blocks").performTouchInput { up() }
+    onNodeWithTag(ProgramTags.BLOCKS).performTouchInput { up() }
     pass(200)
 }
 
@@ -129,6 +130,6 @@ internal fun socketOf(text: String, label: String): String {
 /** Gives the blocks the keyboard's focus. */
 @OptIn(ExperimentalTestApi::class)
 internal fun ComposeUiTest.focusBlocks() {
-    onNodeWithTag("block-pane").performSemanticsAction(SemanticsActions.RequestFocus)
+    onNodeWithTag(ProgramTags.BLOCK_PANE).performSemanticsAction(SemanticsActions.RequestFocus)
     pass(100)
 }

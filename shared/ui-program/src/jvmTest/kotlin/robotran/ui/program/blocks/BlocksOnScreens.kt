@@ -5,6 +5,8 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
 import robotran.robolang.words.BlockGroup
+import robotran.ui.program.tags.ProgramTags
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.checkTargets
@@ -31,11 +33,11 @@ abstract class BlocksOnScreens {
             inBlocks(size, LINES) {
                 touch(socketOf(LINES, "20"))
                 assertWholePad("$size")
-                assertWhole("number-slider", "$size")
-                touch("block-sheet-close")
+                assertWhole(ProgramTags.NUMBER_SLIDER, "$size")
+                touch(ProgramTags.BLOCK_SHEET_CLOSE)
                 scrollAndTouch(socketOf(LINES, "90"))
                 assertWholePad("$size, dial")
-                if (!size.isLow) assertWhole("number-dial", "$size")
+                if (!size.isLow) assertWhole(ProgramTags.NUMBER_DIAL, "$size")
             }
         }
     }
@@ -44,12 +46,12 @@ abstract class BlocksOnScreens {
     fun `a program with mistakes has the whole sheet of a number, too, and tells of them when it closes`() {
         for (size in sizes) {
             inBlocks(size, MISTAKEN) {
-                assertEquals(!size.isLow, isThere("mistakes"), "$size")
+                assertEquals(!size.isLow, isThere(ProgramTags.MISTAKES), "$size")
                 touch(socketOf(MISTAKEN, "20"))
                 assertWholePad("$size")
-                assertWhole("number-slider", "$size")
-                touch("number-done")
-                assertEquals(!size.isLow, isThere("mistakes"), "$size")
+                assertWhole(ProgramTags.NUMBER_SLIDER, "$size")
+                touch(ProgramTags.NUMBER_DONE)
+                assertEquals(!size.isLow, isThere(ProgramTags.MISTAKES), "$size")
             }
         }
     }
@@ -58,18 +60,19 @@ abstract class BlocksOnScreens {
     fun `the palette has room for its search, its groups and blocks`() {
         for (size in sizes) {
             inBlocks(size, MISTAKEN) {
-                touch(if (isThere("blocks-add")) "blocks-add" else "group-drive")
-                for (tag in listOf("palette-search", "take-move")) assertWhole(tag, "$size")
+                val add = ProgramTags.BLOCKS_ADD
+                touch(if (isThere(add)) add else ProgramTags.group(BlockGroup.DRIVE))
+                for (tag in listOf(ProgramTags.PALETTE_SEARCH, ProgramTags.take("move"))) assertWhole(tag, "$size")
                 if (!size.isLow) return@inBlocks
                 for (group in BlockGroup.entries) {
-                    assertWhole("group-${group.name.lowercase()}", "$size")
-                    checkTargets("group-${group.name.lowercase()}")
+                    assertWhole(ProgramTags.group(group), "$size")
+                    checkTargets(ProgramTags.group(group))
                 }
-                touch("group-sense")
-                scrollTo("take-value-light")
-                assertWhole("take-value-light", "$size")
-                touch("block-sheet-close")
-                assertTrue(isThere("undo"), "$size")
+                touch(ProgramTags.group(BlockGroup.SENSE))
+                scrollTo(ProgramTags.take("value-light"))
+                assertWhole(ProgramTags.take("value-light"), "$size")
+                touch(ProgramTags.BLOCK_SHEET_CLOSE)
+                assertTrue(isThere(ProgramTags.UNDO), "$size")
             }
         }
     }
@@ -79,18 +82,18 @@ abstract class BlocksOnScreens {
         for (size in sizes) {
             inBlocks(size, FIRST) { workshop ->
                 val before = placesByTag().filterKeys { tag ->
-                    BLOCK.matches(tag) || tag == "program-0" || tag == "run"
+                    BLOCK.matches(tag) || tag == ProgramTags.program(0) || tag == RunTags.RUN
                 }
                 // A phone in landscape has room for nothing else than the sheet.
                 val visible = if (size.isLow) setOf("run") else before.keys
                 touch(socketOf(FIRST, "20"))
                 assertUnmoved(before, visible, "$size: the sheet has opened")
-                touch("digit-3")
-                touch("number-more")
+                touch(ProgramTags.digit('3'))
+                touch(ProgramTags.NUMBER_MORE)
                 assertEquals(FIRST.replaceFirst("20", "4"), workshop.text)
-                assertUnmoved(before, visible - "block-0", "$size: the number is another one")
-                touch("block-sheet-close")
-                assertUnmoved(before, before.keys - "block-0", "$size: the sheet has closed")
+                assertUnmoved(before, visible - ProgramTags.block("0"), "$size: the number is another one")
+                touch(ProgramTags.BLOCK_SHEET_CLOSE)
+                assertUnmoved(before, before.keys - ProgramTags.block("0"), "$size: the sheet has closed")
             }
         }
     }
@@ -100,9 +103,9 @@ abstract class BlocksOnScreens {
         for (size in sizes) {
             inBlocks(size, LINES) {
                 val before = placesByTag().filterKeys { it.startsWith("block-") || it.startsWith("socket-") }
-                touch("block-0")
+                touch(ProgramTags.block("0"))
                 assertUnmoved(before, before.keys, "$size")
-                checkTargets("block-more", "block-0")
+                checkTargets(ProgramTags.BLOCK_MORE, ProgramTags.block("0"))
             }
         }
     }
@@ -111,9 +114,9 @@ abstract class BlocksOnScreens {
     fun `groups are a rail on tablets and laptops, and part of the sheet on phones`() {
         for (size in sizes) {
             inBlocks(size, LINES) {
-                val hasRail = isThere("block-groups")
+                val hasRail = isThere(ProgramTags.BLOCK_GROUPS)
                 assertEquals(size.isPhone, !hasRail, "$size")
-                assertEquals(hasRail, !isThere("blocks-add"), "$size")
+                assertEquals(hasRail, !isThere(ProgramTags.BLOCKS_ADD), "$size")
             }
         }
     }
@@ -125,7 +128,7 @@ abstract class BlocksOnScreens {
                 assertLargeEnough("$size")
                 touch(socketOf(LINES, "20"))
                 assertLargeEnough("$size, number")
-                touch("block-sheet-close")
+                touch(ProgramTags.BLOCK_SHEET_CLOSE)
                 scrollAndTouch(socketOf(LINES, "left"))
                 assertLargeEnough("$size, choice")
             }
@@ -137,7 +140,7 @@ abstract class BlocksOnScreens {
         for (size in sizes) {
             inBlocks(size, LONG) {
                 val places = placesByTag()
-                val block = places.getValue("block-0")
+                val block = places.getValue(ProgramTags.block("0"))
                 val sockets = places.filter { (tag, place) -> tag.startsWith("socket-") && !place.isEmpty }
                 assertTrue(sockets.isNotEmpty(), "$size")
                 for ((tag, place) in sockets) {
@@ -152,16 +155,16 @@ abstract class BlocksOnScreens {
     }
 
     private fun ComposeUiTest.assertWholePad(described: String) {
-        val digits = (0..9).map { "digit-$it" }
+        val digits = ('0'..'9').map { ProgramTags.digit(it) }
         for (tag in digits + listOf(
-            "number-now",
-            "number-less",
-            "number-more",
-            "number-done",
+            ProgramTags.NUMBER_NOW,
+            ProgramTags.NUMBER_LESS,
+            ProgramTags.NUMBER_MORE,
+            ProgramTags.NUMBER_DONE,
         )) {
             assertWhole(tag, described)
         }
-        checkTargets("number-less", "number-more", "number-done", *digits.toTypedArray())
+        checkTargets(ProgramTags.NUMBER_LESS, ProgramTags.NUMBER_MORE, ProgramTags.NUMBER_DONE, *digits.toTypedArray())
     }
 
     private fun ComposeUiTest.assertLargeEnough(described: String) {
@@ -196,6 +199,15 @@ abstract class BlocksOnScreens {
         const val LONG = "if left bumper and not right bumper or light < 40 and battery > 7000\n  beep\nend\n"
         val BLOCK = Regex("block-\\d+")
         val TOUCHED =
-            listOf("block-line", "block-0", "block-1", "socket-", "digit-", "number-less", "choice-", "group-")
+            listOf(
+                "block-line",
+                ProgramTags.block("0"),
+                ProgramTags.block("1"),
+                "socket-",
+                "digit-",
+                ProgramTags.NUMBER_LESS,
+                "choice-",
+                "group-",
+            )
     }
 }

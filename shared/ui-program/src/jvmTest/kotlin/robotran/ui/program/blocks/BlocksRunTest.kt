@@ -11,7 +11,9 @@ import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import robotran.projects.ProgramView
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.write
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf
@@ -22,6 +24,7 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.state.DrawerTab
+import robotran.workshop.state.NoteKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -33,10 +36,10 @@ import kotlin.test.assertTrue
 class BlocksRunTest {
     @Test
     fun `the block that runs is lit and says so`() = onTabletInBlocks(SOURCE) { workshop ->
-        assertFalse(isLit("blocks"))
+        assertFalse(isLit(ProgramTags.BLOCKS))
         step(3)
         assertEquals(3, workshop.runningLine)
-        assertTrue(isLit("blocks"))
+        assertTrue(isLit(ProgramTags.BLOCKS))
         for (line in 1..6) assertEquals(line == 3, says(workshop.tagOf(line)) != null, "line $line")
     }
 
@@ -49,33 +52,33 @@ class BlocksRunTest {
         for (tag in PANES) assertFalse(isLit(tag), tag)
         step(3)
         for (tag in PANES) assertTrue(isLit(tag), tag)
-        touch("stop")
+        touch(RunTags.STOP)
         for (tag in PANES) assertFalse(isLit(tag), tag)
     }
 
     @Test
     fun `a program stops at the block whose number a finger has touched`() = onTabletInBlocks(SOURCE) { workshop ->
-        touch("block-line-4")
-        touch("run")
+        touch(ProgramTags.blockLine(4))
+        touch(RunTags.RUN)
         pass(3_000)
         assertTrue(workshop.state.run.isPaused)
         assertEquals(4, workshop.runningLine)
         assertTrue(says(workshop.tagOf(4)) != null)
-        touch("block-line-4")
-        touch("pause")
+        touch(ProgramTags.blockLine(4))
+        touch(RunTags.PAUSE)
         pass(8_000)
         assertFalse(workshop.state.running)
     }
 
     @Test
     fun `steps go into an own command, over it and out of it`() = onTabletInBlocks(OWN) { workshop ->
-        touch("step")
+        touch(RunTags.STEP)
         assertEquals(5, workshop.runningLine)
-        step("step-into")
+        step(RunTags.STEP_INTO)
         assertEquals(2, workshop.runningLine)
-        step("step-out")
+        step(RunTags.STEP_OUT)
         assertEquals(6, workshop.runningLine)
-        step("step-over")
+        step(RunTags.STEP_OVER)
         assertEquals(7, workshop.runningLine)
         assertTrue(says(workshop.tagOf(7)) != null)
     }
@@ -84,14 +87,14 @@ class BlocksRunTest {
     fun `the variables of a paused program are shown beside its blocks`() = onTabletInBlocks(SOURCE) { workshop ->
         workshop.handle(RunEvent.DrawerChosen(DrawerTab.VARIABLES))
         step(3)
-        onNodeWithTag("variable-way").assertIsDisplayed().assertTextContains("2", substring = true)
-        onNodeWithTag("block-pane").assertIsDisplayed()
+        onNodeWithTag(RunTags.variable("way")).assertIsDisplayed().assertTextContains("2", substring = true)
+        onNodeWithTag(ProgramTags.BLOCK_PANE).assertIsDisplayed()
     }
 
     @Test
     fun `going back in time lights the block that ran then`() = onTabletInBlocks(SOURCE) { workshop ->
-        touch("block-line-4")
-        touch("run")
+        touch(ProgramTags.blockLine(4))
+        touch(RunTags.RUN)
         pass(3_000)
         assertEquals(4, workshop.runningLine)
         workshop.handle(RunEvent.Scrubbed(workshop.state.run.time - 60))
@@ -105,7 +108,7 @@ class BlocksRunTest {
     fun `a collapsed block is lit while something in it runs`() = onTabletInBlocks(SOURCE) { workshop ->
         val repeat = workshop.tagOf(2)
         touch(repeat.replace("block-", "fold-"))
-        assertEquals(0, onAllNodesWithTag("block-line-3").fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.blockLine(3)).fetchSemanticsNodes().size)
         step(3)
         assertEquals(3, workshop.runningLine)
         assertTrue(says(repeat) != null)
@@ -120,7 +123,9 @@ class BlocksRunTest {
             pass(500)
             val failure = workshop.state.shownProgramRun.failure
             assertEquals(63, failure?.sourceLine)
-            onNode(hasTestTag("failure") and hasAnyAncestor(hasTestTag("blocks"))).assertIsDisplayed()
+            onNode(
+                hasTestTag(ProgramTags.note(NoteKind.FAILURE)) and hasAnyAncestor(hasTestTag(ProgramTags.BLOCKS)),
+            ).assertIsDisplayed()
             onNodeWithTag(workshop.tagOf(63)).assertIsDisplayed()
         }
     }
@@ -130,7 +135,7 @@ class BlocksRunTest {
         val text = (1..60).joinToString("") { "wait 0.1 seconds // $it\n" } + "beep\n"
         onTabletInBlocks(text) { workshop ->
             workshop.handle(ProgramEvent.BreakpointToggled(61))
-            touch("run")
+            touch(RunTags.RUN)
             pass(9_000)
             assertEquals(61, workshop.runningLine)
             onNodeWithTag(workshop.tagOf(61)).assertIsDisplayed()
@@ -148,12 +153,12 @@ class BlocksRunTest {
     }
 
     private fun ComposeUiTest.step(times: Int) = repeat(times) {
-        touch("step")
+        touch(RunTags.STEP)
         pass(2_000)
     }
 
     private fun ComposeUiTest.step(kind: String) {
-        touch("steps")
+        touch(RunTags.STEPS)
         pass(300)
         touch(kind)
         pass(2_000)
@@ -173,6 +178,6 @@ class BlocksRunTest {
     private companion object {
         const val SOURCE = "var way = 2\nrepeat 3 times\n  forward way\n  way = way + 1\nend\nbeep\n"
         const val OWN = "procedure go()\n  forward 2\n  beep\nend\ngo()\ngo()\nbuzz\n"
-        val PANES = listOf("blocks", "program", "translation-text")
+        val PANES = listOf(ProgramTags.BLOCKS, ProgramTags.PROGRAM, ProgramTags.TRANSLATION_TEXT)
     }
 }

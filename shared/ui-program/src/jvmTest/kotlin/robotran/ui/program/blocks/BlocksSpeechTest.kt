@@ -10,6 +10,7 @@ import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performSemanticsAction
 import robotran.ui.program.keys
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
 import robotran.uikit.*
 import robotran.workshop.event.ProgramEvent
@@ -24,27 +25,31 @@ import kotlin.test.assertTrue
 class BlocksSpeechTest {
     @Test
     fun `a block says its line, its level, and where it is among the others`() = onTabletInBlocks(SQUARE) {
-        assertEquals("repeat 4 times, level 1, 2 blocks inside, 1 of 1", words("block-0"))
-        assertEquals("turn left 90 degrees, level 2, 2 of 2 in repeat 4 times", words("block-2"))
-        assertEquals("End of repeat 4 times", words("block-0-end"))
+        assertEquals("repeat 4 times, level 1, 2 blocks inside, 1 of 1", words(ProgramTags.block("0")))
+        assertEquals("turn left 90 degrees, level 2, 2 of 2 in repeat 4 times", words(ProgramTags.block("2")))
+        assertEquals("End of repeat 4 times", words(ProgramTags.block("0-end")))
     }
 
     @Test
     fun `where a screen reader says level and position of itself, the words of a block do not`() =
         onTabletInBlocks(SQUARE) {
             val turn = "turn left 90 degrees, in repeat 4 times"
-            assertEquals(TreePlace(1, 1, 1, isOpen = true, "repeat 4 times, 2 blocks inside"), place("block-0"))
-            assertEquals(TreePlace(2, 2, 2, isOpen = null, turn), place("block-2"))
-            assertEquals(TreePlace(1, 1, 1, isOpen = null), place("block-0-end"))
+            assertEquals(
+                TreePlace(1, 1, 1, isOpen = true, "repeat 4 times, 2 blocks inside"),
+                place(ProgramTags.block("0")),
+            )
+            assertEquals(TreePlace(2, 2, 2, isOpen = null, turn), place(ProgramTags.block("2")))
+            assertEquals(TreePlace(1, 1, 1, isOpen = null), place(ProgramTags.block("0-end")))
         }
 
     @Test
     fun `the last action of a block shows all that can be done to it, also while it is not selected`() =
         onTabletInBlocks(SQUARE) {
-            val actions = onNodeWithTag("block-2").fetchSemanticsNode().config[SemanticsActions.CustomActions]
+            val actions = onNodeWithTag(ProgramTags.block("2"))
+                .fetchSemanticsNode().config[SemanticsActions.CustomActions]
             runOnUiThread { actions.last().action() }
             pass(200)
-            click("action-delete")
+            click(ProgramTags.action(ProgramTags.DELETE))
             assertEquals("repeat 4 times\n  forward 20\nend\n", it.text)
         }
 
@@ -52,38 +57,38 @@ class BlocksSpeechTest {
     fun `a block says that the program stops before it, and that it is folded`() = onTabletInBlocks(SQUARE) {
         it.handle(ProgramEvent.BreakpointToggled(2))
         pass(100)
-        assertEquals("the program stops before it", state("block-1"))
-        perform("block-0", "Fold up")
-        assertEquals("folded up", state("block-0"))
-        assertEquals(false, place("block-0")?.isOpen)
+        assertEquals("the program stops before it", state(ProgramTags.block("1")))
+        perform(ProgramTags.block("0"), "Fold up")
+        assertEquals("folded up", state(ProgramTags.block("0")))
+        assertEquals(false, place(ProgramTags.block("0"))?.isOpen)
     }
 
     @Test
     fun `a block says its mistake`() = onTabletInBlocks("forward side\n") {
         pass(1_500)
-        assertTrue(assertNotNull(state("block-0")).contains("side"), "${state("block-0")}")
+        assertTrue(assertNotNull(state(ProgramTags.block("0"))).contains("side"), "${state("block-0")}")
     }
 
     @Test
     fun `actions do what fingers do, and an announcement says what was done`() = onTabletInBlocks(SQUARE) {
-        perform("block-1", "Move down")
+        perform(ProgramTags.block("1"), "Move down")
         assertEquals("repeat 4 times\n  turn left 90\n  forward 20\nend\n", it.text)
-        assertEquals("Moved: forward 20 cm, 2 of 2 in repeat 4 times", words("blocks-said"))
-        perform("block-1", "Double")
-        assertEquals("Doubled: forward 20 cm, 3 of 3 in repeat 4 times", words("blocks-said"))
-        perform("block-2", "Delete")
-        assertEquals("Deleted: turn left 90 degrees", words("blocks-said"))
+        assertEquals("Moved: forward 20 cm, 2 of 2 in repeat 4 times", words(ProgramTags.BLOCKS_SAID))
+        perform(ProgramTags.block("1"), "Double")
+        assertEquals("Doubled: forward 20 cm, 3 of 3 in repeat 4 times", words(ProgramTags.BLOCKS_SAID))
+        perform(ProgramTags.block("2"), "Delete")
+        assertEquals("Deleted: turn left 90 degrees", words(ProgramTags.BLOCKS_SAID))
         assertEquals("repeat 4 times\n  forward 20\n  forward 20\nend\n", it.text)
     }
 
     @Test
     fun `a program is built with actions alone`() = onTabletInBlocks("beep\n") {
-        perform("block-0", "Add a block below")
-        click("take-move")
-        click("block-sheet-close")
+        perform(ProgramTags.block("0"), "Add a block below")
+        click(ProgramTags.take("move"))
+        click(ProgramTags.BLOCK_SHEET_CLOSE)
         click(socketOf(it.text, "20"))
-        click("digit-7")
-        click("block-sheet-close")
+        click(ProgramTags.digit('7'))
+        click(ProgramTags.BLOCK_SHEET_CLOSE)
         assertEquals("beep\nforward 7\n", it.text)
     }
 
@@ -91,7 +96,7 @@ class BlocksSpeechTest {
     fun `the keyboard's focus is told at the row and at the part of it`() = onTabletInBlocks(SQUARE) {
         focusBlocks()
         keys(listOf(Key.DirectionDown, Key.DirectionDown))
-        assertEquals("block-1", focusedTag())
+        assertEquals(ProgramTags.block("1"), focusedTag())
         keys(listOf(Key.DirectionRight, Key.DirectionRight))
         assertEquals(socketOf(SQUARE, "20"), focusedTag())
     }

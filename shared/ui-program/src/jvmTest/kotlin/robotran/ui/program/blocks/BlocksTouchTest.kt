@@ -7,11 +7,15 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import androidx.compose.ui.test.swipeUp
 import robotran.projects.ProgramView
+import robotran.robolang.words.BlockGroup
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.touch
+import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -22,92 +26,92 @@ import kotlin.test.assertTrue
 class BlocksTouchTest {
     @Test
     fun `a finger switches between text, blocks and both`() = onPhone { workshop ->
-        touch("tab-program")
-        touch("view-switch")
-        touch("view-blocks")
+        touch(ScreenTags.tab(Pane.PROGRAM))
+        touch(ProgramTags.VIEW_SWITCH)
+        touch(ProgramTags.view(ProgramView.BLOCKS))
         assertEquals(ProgramView.BLOCKS, workshop.state.programs.view)
-        assertEquals(1, onAllNodesWithTag("blocks").fetchSemanticsNodes().size)
-        assertEquals(0, onAllNodesWithTag("program").fetchSemanticsNodes().size)
-        touch("view-switch")
-        touch("view-both")
-        assertEquals(1, onAllNodesWithTag("program").fetchSemanticsNodes().size)
+        assertEquals(1, onAllNodesWithTag(ProgramTags.BLOCKS).fetchSemanticsNodes().size)
+        assertEquals(0, onAllNodesWithTag(ProgramTags.PROGRAM).fetchSemanticsNodes().size)
+        touch(ProgramTags.VIEW_SWITCH)
+        touch(ProgramTags.view(ProgramView.BOTH))
+        assertEquals(1, onAllNodesWithTag(ProgramTags.PROGRAM).fetchSemanticsNodes().size)
     }
 
     @Test
     fun `a square is built from the palette on a phone`() = onPhoneInBlocks("") { workshop ->
-        touch("blocks-add")
-        scrollAndTouch("group-control")
-        scrollAndTouch("take-repeat")
-        scrollAndTouch("group-drive")
-        scrollAndTouch("take-move")
-        scrollAndTouch("take-turn")
-        touch("block-sheet-close")
+        touch(ProgramTags.BLOCKS_ADD)
+        scrollAndTouch(ProgramTags.group(BlockGroup.CONTROL))
+        scrollAndTouch(ProgramTags.take("repeat"))
+        scrollAndTouch(ProgramTags.group(BlockGroup.DRIVE))
+        scrollAndTouch(ProgramTags.take("move"))
+        scrollAndTouch(ProgramTags.take("turn"))
+        touch(ProgramTags.BLOCK_SHEET_CLOSE)
         assertEquals("repeat 4 times\n  forward 20\n  turn left 90\nend", workshop.text.trim())
     }
 
     @Test
     fun `a number is changed with the number pad, and undone at once`() = onPhoneInBlocks(SQUARE) { workshop ->
         touch(socketOf(SQUARE, "20"))
-        for (digit in "135") scrollAndTouch("digit-$digit")
+        for (digit in "135") scrollAndTouch(ProgramTags.digit(digit))
         assertEquals(SQUARE.replace("20", "135"), workshop.text)
-        scrollAndTouch("number-less")
+        scrollAndTouch(ProgramTags.NUMBER_LESS)
         assertEquals(SQUARE.replace("20", "134"), workshop.text)
-        touch("block-sheet-close")
-        touch("undo")
+        touch(ProgramTags.BLOCK_SHEET_CLOSE)
+        touch(ProgramTags.UNDO)
         assertEquals(SQUARE, workshop.text)
     }
 
     @Test
     fun `a choice is made in a menu`() = onTabletInBlocks(SQUARE) { workshop ->
         touch(socketOf(SQUARE, "left"))
-        touch("choice-1")
+        touch(ProgramTags.choice(1))
         assertEquals(SQUARE.replace("left", "right"), workshop.text)
     }
 
     @Test
     fun `a finger that rests on a block carries it to another place`() = onPhoneInBlocks("beep\nbuzz\nstop\n") {
-        carry("block-0", placeOf("block-2").bottomLeft + CLEAR)
+        carry(ProgramTags.block("0"), placeOf(ProgramTags.block("2")).bottomLeft + CLEAR)
         assertEquals("buzz\nstop\nbeep\n", it.text)
     }
 
     @Test
     fun `a block is carried out of the palette into another one`() = onPhoneInBlocks("repeat 4 times\nend\n") {
-        touch("blocks-add")
-        val room = onNodeWithTag("block-0-room-0").fetchSemanticsNode().boundsInRoot.center
-        val from = onNodeWithTag("take-move").fetchSemanticsNode().boundsInRoot
-        onNodeWithTag("take-move").performTouchInput { down(center) }
+        touch(ProgramTags.BLOCKS_ADD)
+        val room = onNodeWithTag(ProgramTags.block("0-room-0")).fetchSemanticsNode().boundsInRoot.center
+        val from = onNodeWithTag(ProgramTags.take("move")).fetchSemanticsNode().boundsInRoot
+        onNodeWithTag(ProgramTags.take("move")).performTouchInput { down(center) }
         pass(800)
-        onNodeWithTag("take-move").performTouchInput { moveTo(room - from.topLeft) }
+        onNodeWithTag(ProgramTags.take("move")).performTouchInput { moveTo(room - from.topLeft) }
         pass(100)
-        onNodeWithTag("take-move").performTouchInput { up() }
+        onNodeWithTag(ProgramTags.take("move")).performTouchInput { up() }
         pass(200)
         assertEquals("repeat 4 times\n  forward 20\nend\n", it.text)
     }
 
     @Test
     fun `a block is deleted with its inside, and comes back`() = onTabletInBlocks(SQUARE) { workshop ->
-        touch("block-0")
-        touch("block-more")
-        touch("action-delete")
+        touch(ProgramTags.block("0"))
+        touch(ProgramTags.BLOCK_MORE)
+        touch(ProgramTags.action(ProgramTags.DELETE))
         assertEquals("", workshop.text.trim())
-        touch("undo")
+        touch(ProgramTags.UNDO)
         assertEquals(SQUARE, workshop.text)
     }
 
     @Test
     fun `a touch on a line's number sets a breakpoint`() = onPhoneInBlocks(SQUARE) { workshop ->
-        touch("block-line-2")
+        touch(ProgramTags.blockLine(2))
         assertEquals(setOf(2), workshop.state.programs.breakpoints)
-        checkTargets("block-line-2", "block-0", "blocks-add", "view-switch")
+        checkTargets(ProgramTags.blockLine(2), ProgramTags.block("0"), ProgramTags.BLOCKS_ADD, ProgramTags.VIEW_SWITCH)
     }
 
     @Test
     fun `of a long program only the visible blocks are on the screen`() = onTabletInBlocks(LONG) {
-        val before = onAllNodesWithTag("block-1990").fetchSemanticsNodes().size
+        val before = onAllNodesWithTag(ProgramTags.block("1990")).fetchSemanticsNodes().size
         assertEquals(0, before)
-        onNodeWithTag("blocks").performTouchInput { swipeUp() }
+        onNodeWithTag(ProgramTags.BLOCKS).performTouchInput { swipeUp() }
         pass(500)
-        assertTrue(onAllNodesWithTag("block-0").fetchSemanticsNodes().isEmpty())
+        assertTrue(onAllNodesWithTag(ProgramTags.block("0")).fetchSemanticsNodes().isEmpty())
     }
 
     private companion object {

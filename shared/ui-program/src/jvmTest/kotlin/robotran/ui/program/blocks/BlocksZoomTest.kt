@@ -9,6 +9,7 @@ import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.program.keys
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
 import robotran.workshop.text
 import kotlin.test.Test
@@ -22,7 +23,7 @@ class BlocksZoomTest {
     fun `two fingers that move apart make the text larger, and carry no block`() =
         onPhoneInBlocks(PROGRAM) { workshop ->
             val before = workshop.state.settings.codeSize
-            onNodeWithTag("blocks").performTouchInput {
+            onNodeWithTag(ProgramTags.BLOCKS).performTouchInput {
                 down(0, Offset(150f, 60f))
                 down(1, Offset(200f, 60f))
                 for (step in 1..10) {
@@ -44,13 +45,13 @@ class BlocksZoomTest {
             val before = workshop.state.settings.codeSize
             turnWheel(-1f)
             assertEquals(before, workshop.state.settings.codeSize)
-            onNodeWithTag("blocks").performKeyInput { keyDown(Key.CtrlLeft) }
+            onNodeWithTag(ProgramTags.BLOCKS).performKeyInput { keyDown(Key.CtrlLeft) }
             turnWheel(-1f)
             val large = workshop.state.settings.codeSize
             assertTrue(large > before, "$large")
             repeat(2) { turnWheel(1f) }
             assertTrue(workshop.state.settings.codeSize < large)
-            onNodeWithTag("blocks").performKeyInput { keyUp(Key.CtrlLeft) }
+            onNodeWithTag(ProgramTags.BLOCKS).performKeyInput { keyUp(Key.CtrlLeft) }
         }
 
     @Test
@@ -67,7 +68,7 @@ class BlocksZoomTest {
     }
 
     private fun ComposeUiTest.turnWheel(by: Float) {
-        onNodeWithTag("blocks").performMouseInput {
+        onNodeWithTag(ProgramTags.BLOCKS).performMouseInput {
             moveTo(Offset(150f, 60f))
             scroll(by)
         }

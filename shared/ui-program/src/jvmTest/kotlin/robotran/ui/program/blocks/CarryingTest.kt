@@ -10,6 +10,8 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
+import robotran.robolang.words.BlockGroup
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
@@ -39,45 +41,45 @@ class CarryingTest {
 
     @Test
     fun `a value that is let go beside the sockets stays where it was`() = onTabletInBlocks(READS) {
-        carry(socketOf(READS, "light"), placeOf("block-1").centerRight + Offset(200f, 0f))
+        carry(socketOf(READS, "light"), placeOf(ProgramTags.block("1")).centerRight + Offset(200f, 0f))
         assertEquals(READS, it.text)
     }
 
     @Test
     fun `a plain number belongs to its block, which is carried with it`() = onTabletInBlocks(READS) {
-        carry(socketOf(READS, "90"), placeOf("block-0").topLeft + Offset(60f, 6f))
+        carry(socketOf(READS, "90"), placeOf(ProgramTags.block("0")).topLeft + Offset(60f, 6f))
         assertEquals("turn left 90\nforward light\n", it.text)
     }
 
     @Test
     fun `the bin appears while something is carried, moves nothing, and deletes it`() =
         onPhoneInBlocks("beep\nbuzz\n") { workshop ->
-            val before = placeOf("block-1")
-            assertTrue(onAllNodesWithTag("blocks-bin").fetchSemanticsNodes().isEmpty())
-            carry("block-0", placeOf("block-1").center, holds = true)
-            assertEquals(before, placeOf("block-1"))
-            val list = placeOf("blocks").topLeft
-            val bin = placeOf("blocks-bin").center
-            onNodeWithTag("blocks").performTouchInput { moveTo(bin - list) }
+            val before = placeOf(ProgramTags.block("1"))
+            assertTrue(onAllNodesWithTag(ProgramTags.BLOCKS_BIN).fetchSemanticsNodes().isEmpty())
+            carry(ProgramTags.block("0"), placeOf(ProgramTags.block("1")).center, holds = true)
+            assertEquals(before, placeOf(ProgramTags.block("1")))
+            val list = placeOf(ProgramTags.BLOCKS).topLeft
+            val bin = placeOf(ProgramTags.BLOCKS_BIN).center
+            onNodeWithTag(ProgramTags.BLOCKS).performTouchInput { moveTo(bin - list) }
             pass(100)
             letGo()
             assertEquals("buzz\n", workshop.text)
-            assertTrue(onAllNodesWithTag("blocks-bin").fetchSemanticsNodes().isEmpty())
-            touch("undo")
+            assertTrue(onAllNodesWithTag(ProgramTags.BLOCKS_BIN).fetchSemanticsNodes().isEmpty())
+            touch(ProgramTags.UNDO)
             assertEquals("beep\nbuzz\n", workshop.text)
         }
 
     @Test
     fun `a value of the palette goes into a socket, by a finger that carries it or by a touch`() =
         onTabletInBlocks("forward 20\nturn left 90\n") { workshop ->
-            scrollAndTouch("group-sense")
-            scrollTo("take-value-light")
-            carryNew("take-value-light", placeOf(socketOf(workshop.text, "20")).center)
+            scrollAndTouch(ProgramTags.group(BlockGroup.SENSE))
+            scrollTo(ProgramTags.take("value-light"))
+            carryNew(ProgramTags.take("value-light"), placeOf(socketOf(workshop.text, "20")).center)
             assertEquals("forward light\nturn left 90\n", workshop.text)
             touch(socketOf(workshop.text, "90"))
-            touch("block-sheet-close")
-            scrollAndTouch("group-sense")
-            scrollAndTouch("take-value-timer")
+            touch(ProgramTags.BLOCK_SHEET_CLOSE)
+            scrollAndTouch(ProgramTags.group(BlockGroup.SENSE))
+            scrollAndTouch(ProgramTags.take("value-timer"))
             assertEquals("forward light\nturn left timer\n", workshop.text)
         }
 
@@ -85,23 +87,23 @@ class CarryingTest {
     fun `a new block that is let go beside the blocks or above them is not added`() {
         onScreen(820, 960) { workshop ->
             showInBlocks(workshop, "beep\n")
-            scrollAndTouch("group-drive")
-            val list = placeOf("blocks")
-            val sheet = placeOf("block-sheet")
+            scrollAndTouch(ProgramTags.group(BlockGroup.DRIVE))
+            val list = placeOf(ProgramTags.BLOCKS)
+            val sheet = placeOf(ProgramTags.BLOCK_SHEET)
             assertTrue(sheet.left >= list.right, "$sheet, $list")
             val beside = Offset(sheet.center.x, list.center.y)
             val above = Offset(list.center.x, list.top - 200f)
             for (place in listOf(beside, above)) {
-                carryNew("take-move", place)
+                carryNew(ProgramTags.take("move"), place)
                 assertEquals("beep\n", workshop.text, "$place of $list")
             }
-            carryNew("take-move", list.center)
+            carryNew(ProgramTags.take("move"), list.center)
             assertEquals("beep\nforward 20\n", workshop.text)
         }
         onTabletInBlocks("beep\n") { workshop ->
-            scrollAndTouch("group-drive")
-            val list = placeOf("blocks")
-            carryNew("take-move", Offset(list.right + 100f, list.top + 100f))
+            scrollAndTouch(ProgramTags.group(BlockGroup.DRIVE))
+            val list = placeOf(ProgramTags.BLOCKS)
+            carryNew(ProgramTags.take("move"), Offset(list.right + 100f, list.top + 100f))
             assertEquals("beep\n", workshop.text)
         }
     }
@@ -109,9 +111,9 @@ class CarryingTest {
     @Test
     fun `a new block is carried out of a palette that covers the blocks`() = onScreen(640, 360) { workshop ->
         showInBlocks(workshop, "beep\n")
-        touch("blocks-add")
-        val list = placeOf("blocks")
-        carryNew("take-move", Offset(list.center.x, list.bottom - 8f))
+        touch(ProgramTags.BLOCKS_ADD)
+        val list = placeOf(ProgramTags.BLOCKS)
+        carryNew(ProgramTags.take("move"), Offset(list.center.x, list.bottom - 8f))
         assertEquals("beep\nforward 20\n", workshop.text)
     }
 
@@ -129,47 +131,47 @@ class CarryingTest {
     @Test
     fun `a touch on a value of the palette says what to do if there is no place for it`() =
         onPhoneInBlocks("forward 20\n") { workshop ->
-            touch("blocks-add")
-            scrollAndTouch("group-sense")
-            scrollAndTouch("take-value-light")
+            touch(ProgramTags.BLOCKS_ADD)
+            scrollAndTouch(ProgramTags.group(BlockGroup.SENSE))
+            scrollAndTouch(ProgramTags.take("value-light"))
             assertEquals("forward 20\n", workshop.text)
-            assertTrue(placeOf("blocks-error").bottom < placeOf("block-sheet").top)
+            assertTrue(placeOf(ProgramTags.BLOCKS_ERROR).bottom < placeOf(ProgramTags.BLOCK_SHEET).top)
         }
 
     @Test
     fun `several blocks are chosen by touch and carried together`() = onPhoneInBlocks("beep\nbuzz\nstop\n") {
-        touch("block-0")
-        touch("block-more")
-        scrollAndTouch("action-choose")
-        touch("block-1")
-        carry("block-0", placeOf("block-2").bottomLeft + CLEAR)
+        touch(ProgramTags.block("0"))
+        touch(ProgramTags.BLOCK_MORE)
+        scrollAndTouch(ProgramTags.action(ProgramTags.CHOOSE))
+        touch(ProgramTags.block("1"))
+        carry(ProgramTags.block("0"), placeOf(ProgramTags.block("2")).bottomLeft + CLEAR)
         assertEquals("stop\nbeep\nbuzz\n", it.text)
-        touch("choosing-done")
-        assertTrue(onAllNodesWithTag("blocks-choosing").fetchSemanticsNodes().isEmpty())
+        touch(ProgramTags.CHOOSING_DONE)
+        assertTrue(onAllNodesWithTag(ProgramTags.BLOCKS_CHOOSING).fetchSemanticsNodes().isEmpty())
     }
 
     @Test
     fun `a block with all below it is carried as a stack`() = onTabletInBlocks(NESTED) {
-        touch("block-1")
-        touch("block-more")
-        scrollAndTouch("action-stack")
-        carry("block-1", placeOf("block-0-end").bottomLeft + CLEAR)
+        touch(ProgramTags.block("1"))
+        touch(ProgramTags.BLOCK_MORE)
+        scrollAndTouch(ProgramTags.action(ProgramTags.STACK))
+        carry(ProgramTags.block("1"), placeOf(ProgramTags.block("0-end")).bottomLeft + CLEAR)
         assertEquals("repeat 2 times\nend\nbeep\nbuzz\n", it.text)
     }
 
     @Test
     fun `a mouse carries at once, and Shift and a click select all up to a block`() =
         onTabletInBlocks("beep\nbuzz\nstop\n") { workshop ->
-            touch("block-0")
-            onNodeWithTag("blocks").performKeyInput { keyDown(Key.ShiftLeft) }
-            onNodeWithTag("block-1").performMouseInput { click() }
-            onNodeWithTag("blocks").performKeyInput { keyUp(Key.ShiftLeft) }
+            touch(ProgramTags.block("0"))
+            onNodeWithTag(ProgramTags.BLOCKS).performKeyInput { keyDown(Key.ShiftLeft) }
+            onNodeWithTag(ProgramTags.block("1")).performMouseInput { click() }
+            onNodeWithTag(ProgramTags.BLOCKS).performKeyInput { keyUp(Key.ShiftLeft) }
             pass(200)
             assertEquals(2, workshop.state.programs.blocks?.selected?.size)
-            val list = placeOf("blocks").topLeft
-            val from = placeOf("block-0").centerLeft + Offset(40f, 0f)
-            val to = placeOf("block-2").bottomLeft + CLEAR
-            onNodeWithTag("blocks").performMouseInput {
+            val list = placeOf(ProgramTags.BLOCKS).topLeft
+            val from = placeOf(ProgramTags.block("0")).centerLeft + Offset(40f, 0f)
+            val to = placeOf(ProgramTags.block("2")).bottomLeft + CLEAR
+            onNodeWithTag(ProgramTags.BLOCKS).performMouseInput {
                 moveTo(from - list)
                 press()
                 moveTo(from - list + Offset(30f, 0f))
@@ -182,10 +184,10 @@ class CarryingTest {
 
     @Test
     fun `the list scrolls while a finger waits at its lower edge`() = onTabletInBlocks(LONG) {
-        val list = placeOf("blocks")
-        carry("block-0", list.bottomLeft + Offset(160f, -8f), holds = true)
+        val list = placeOf(ProgramTags.BLOCKS)
+        carry(ProgramTags.block("0"), list.bottomLeft + Offset(160f, -8f), holds = true)
         pass(3_000)
-        assertTrue(onAllNodesWithTag("block-1").fetchSemanticsNodes().isEmpty())
+        assertTrue(onAllNodesWithTag(ProgramTags.block("1")).fetchSemanticsNodes().isEmpty())
         letGo()
         assertFalse(it.text.startsWith("forward 1\n"))
     }

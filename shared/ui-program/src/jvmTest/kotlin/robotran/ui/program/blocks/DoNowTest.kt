@@ -11,9 +11,11 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.program.keys
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.pass
 import robotran.ui.screen.touch
+import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
 import robotran.workshop.blocks.BlockCursor
 import robotran.workshop.event.BlockEvent
@@ -41,18 +43,18 @@ class DoNowTest {
 
     @Test
     fun `a block of the palette is tried on a phone, which shows the robot`() = onPhoneInBlocks(PROGRAM) { workshop ->
-        touch("blocks-add")
-        checkTargets("now-move", "take-move")
-        assertEquals(0, onAllNodesWithTag("now-power").fetchSemanticsNodes().size)
-        drives(workshop) { touch("now-move") }
+        touch(ProgramTags.BLOCKS_ADD)
+        checkTargets(ProgramTags.now("move"), ProgramTags.take("move"))
+        assertEquals(0, onAllNodesWithTag(ProgramTags.now("power")).fetchSemanticsNodes().size)
+        drives(workshop) { touch(ProgramTags.now("move")) }
         assertEquals(Pane.WORLD, workshop.state.pane)
     }
 
     @Test
     fun `a block is tried from what can be done to it`() = onTabletInBlocks(PROGRAM) { workshop ->
-        touch("block-1")
-        touch("block-more")
-        drives(workshop) { touch("action-now") }
+        touch(ProgramTags.block("1"))
+        touch(ProgramTags.BLOCK_MORE)
+        drives(workshop) { touch(ProgramTags.action(ProgramTags.NOW)) }
     }
 
     @Test
@@ -67,7 +69,7 @@ class DoNowTest {
 
     @Test
     fun `a screen reader can try a block`() = onTabletInBlocks(PROGRAM) { workshop ->
-        val actions = onNodeWithTag("block-1").fetchSemanticsNode().config[SemanticsActions.CustomActions]
+        val actions = onNodeWithTag(ProgramTags.block("1")).fetchSemanticsNode().config[SemanticsActions.CustomActions]
         drives(workshop) {
             actions.single { it.label == "Do this now" }.action()
             pass(100)
@@ -78,31 +80,31 @@ class DoNowTest {
     fun `the number says what it does, and its end on the sheet is dragged`() = onTabletInBlocks(PROGRAM) { workshop ->
         touch(socketOf(PROGRAM, "20"))
         assertEquals("20 cm ahead", said())
-        checkTargets("preview-end")
-        onNodeWithTag("preview-end").performTouchInput {
+        checkTargets(WorldTags.PREVIEW_END)
+        onNodeWithTag(WorldTags.PREVIEW_END).performTouchInput {
             down(center)
             moveBy(Offset(60f, 0f))
             moveBy(Offset(60f, 0f))
         }
         pass(200)
-        onNodeWithTag("preview-end").performTouchInput { up() }
+        onNodeWithTag(WorldTags.PREVIEW_END).performTouchInput { up() }
         pass(200)
         val number = workshop.text.substringAfter("forward ").substringBefore('\n').toInt()
         assertTrue(number > 25, "$number")
         assertEquals("$number cm ahead", said())
-        touch("block-sheet-close")
-        assertEquals(0, onAllNodesWithTag("preview-end").fetchSemanticsNodes().size)
-        touch("undo")
+        touch(ProgramTags.BLOCK_SHEET_CLOSE)
+        assertEquals(0, onAllNodesWithTag(WorldTags.PREVIEW_END).fetchSemanticsNodes().size)
+        touch(ProgramTags.UNDO)
         assertEquals(PROGRAM, workshop.text)
     }
 
     @Test
     fun `a ruler on the sheet leaves the end of the number to the finger`() = onTabletInBlocks(PROGRAM) { workshop ->
-        touch("sheet-measure")
+        touch(WorldTags.SHEET_MEASURE)
         touch(socketOf(PROGRAM, "20"))
         val measured = workshop.state.sheet.measuring
         assertNotNull(measured)
-        onNodeWithTag("preview-end").performTouchInput {
+        onNodeWithTag(WorldTags.PREVIEW_END).performTouchInput {
             down(center)
             moveBy(Offset(60f, 0f))
             moveBy(Offset(60f, 0f))
@@ -116,15 +118,15 @@ class DoNowTest {
     @Test
     fun `a phone shows a small picture of the sheet while a number is edited`() = onPhoneInBlocks(PROGRAM) {
         touch(socketOf(PROGRAM, "20"))
-        val picture = onNodeWithTag("mini-sheet").fetchSemanticsNode().boundsInRoot
-        val sheet = onNodeWithTag("block-sheet-close").fetchSemanticsNode().boundsInRoot
+        val picture = onNodeWithTag(WorldTags.MINI_SHEET).fetchSemanticsNode().boundsInRoot
+        val sheet = onNodeWithTag(ProgramTags.BLOCK_SHEET_CLOSE).fetchSemanticsNode().boundsInRoot
         assertTrue(picture.bottom <= sheet.top, "$picture, $sheet")
-        touch("block-sheet-close")
-        assertEquals(0, onAllNodesWithTag("mini-sheet").fetchSemanticsNodes().size)
+        touch(ProgramTags.BLOCK_SHEET_CLOSE)
+        assertEquals(0, onAllNodesWithTag(WorldTags.MINI_SHEET).fetchSemanticsNodes().size)
     }
 
     private fun ComposeUiTest.said(): String? =
-        onNodeWithTag("number").fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
+        onNodeWithTag(ProgramTags.NUMBER).fetchSemanticsNode().config.getOrNull(SemanticsProperties.StateDescription)
 
     private fun blockOf(workshop: Workshop, label: String) = checkNotNull(workshop.state.programs.blocks).program.let {
         it.all.first { block -> block.head.span.textIn(it.text).trim() == label }.id

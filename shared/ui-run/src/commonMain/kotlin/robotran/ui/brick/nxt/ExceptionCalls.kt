@@ -8,6 +8,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.brick.program.FailureFrame
 import robotran.nxt.state.ExceptionView
+import robotran.ui.run.tags.RunTags
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*
 
@@ -16,7 +17,7 @@ import robotran.uikit.*
 internal fun ExceptionCalls(exception: ExceptionView, modifier: Modifier = Modifier) {
     val calls = exception.failure.stack
     if (calls.isEmpty()) return
-    Column(modifier.testTag("exception-calls")) {
+    Column(modifier.testTag(RunTags.EXCEPTION_CALLS)) {
         Text(
             NxtTexts.exceptionCalls(spoken),
             Modifier.padding(bottom = 4.dp),

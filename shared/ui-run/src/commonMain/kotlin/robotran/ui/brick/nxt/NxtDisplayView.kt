@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.Dp
 import kotlinx.coroutines.delay
 import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*
@@ -50,7 +51,7 @@ internal fun NxtDisplayView(
     }
     val contrast = state.contrast.toFloat() / NxtState.HIGHEST_CONTRAST
     Canvas(
-        modifier.testTag("lcd").semantics {
+        modifier.testTag(RunTags.LCD).semantics {
             contentDescription = description
             liveRegion = LiveRegionMode.Polite
         },

@@ -11,6 +11,7 @@ import androidx.compose.ui.semantics.semantics
 import robotran.rcxrom.display.LcdGlass
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.messages.describe
+import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
@@ -34,7 +35,7 @@ private fun Modifier.describing(glass: LcdGlass): Modifier {
     } else {
         RunTexts.display(spoken, shown)
     }
-    return testTag("lcd").semantics {
+    return testTag(RunTags.LCD).semantics {
         contentDescription = description
         liveRegion = LiveRegionMode.Polite
     }

@@ -29,6 +29,7 @@ import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH
 import robotran.ui.language.InLanguage
+import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
 import robotran.workshop.state.Settings
@@ -67,54 +68,45 @@ class NxtFrontTest {
     }
 
     @Test
-    fun `its plan fits where that of an RCX does`() = assertEquals(BRICK_ASPECT, NxtPlan.WIDTH / NxtPlan.HEIGHT)
-
-    @Test
-    fun `no two things on the front lie over each other`() {
-        val places = NxtPlan.BUTTONS.values + NxtPlan.MOTORS.values + NxtPlan.SENSORS + NxtPlan.FRAME + NxtPlan.SPEAKER
-        for ((number, place) in places.withIndex()) {
-            assertEquals(emptyList(), places.drop(number + 1).filter { place.overlaps(it) }, "over $place")
-        }
-    }
-
-    @Test
     fun `a screen reader hears the lines of the display, the motors and the sensors`() = show {
-        onNodeWithTag("lcd").assertContentDescriptionEquals("Display: ${state.display.texts.joinToString("\n")}")
-        onNodeWithTag("port-A").assertContentDescriptionEquals("Motor A forward, power 75 percent, 1234 degrees")
-        onNodeWithTag("port-B").assertContentDescriptionEquals("Motor B brakes, 0 degrees")
-        onNodeWithTag("port-C").assertContentDescriptionEquals("Motor C backward, power 60 percent, 1198 degrees")
-        onNodeWithTag("port-2").assertContentDescriptionEquals("Sensor 2, nothing: 0")
-        onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
-        onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor: 45 cm")
+        onNodeWithTag(RunTags.LCD).assertContentDescriptionEquals("Display: ${state.display.texts.joinToString("\n")}")
+        onNodeWithTag(RunTags.port("A"))
+            .assertContentDescriptionEquals("Motor A forward, power 75 percent, 1234 degrees")
+        onNodeWithTag(RunTags.port("B")).assertContentDescriptionEquals("Motor B brakes, 0 degrees")
+        onNodeWithTag(RunTags.port("C"))
+            .assertContentDescriptionEquals("Motor C backward, power 60 percent, 1198 degrees")
+        onNodeWithTag(RunTags.port(2)).assertContentDescriptionEquals("Sensor 2, nothing: 0")
+        onNodeWithTag(RunTags.port(3)).assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
+        onNodeWithTag(RunTags.port(4)).assertContentDescriptionEquals("Sensor 4, ultrasonic sensor: 45 cm")
     }
 
     @Test
     fun `while no program runs the ports show what their sensors measure, apart from a sonar, which is off`() =
         show(NxtScenes.idle) {
-            onNodeWithTag("port-1").assertContentDescriptionContains(": 1", substring = true)
-            onNodeWithTag("port-2").assertContentDescriptionEquals("Sensor 2, nothing")
-            onNodeWithTag("port-3").assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
-            onNodeWithTag("port-4").assertContentDescriptionEquals("Sensor 4, ultrasonic sensor")
+            onNodeWithTag(RunTags.port(1)).assertContentDescriptionContains(": 1", substring = true)
+            onNodeWithTag(RunTags.port(2)).assertContentDescriptionEquals("Sensor 2, nothing")
+            onNodeWithTag(RunTags.port(3)).assertContentDescriptionEquals("Sensor 3, light sensor: 57 %")
+            onNodeWithTag(RunTags.port(4)).assertContentDescriptionEquals("Sensor 4, ultrasonic sensor")
         }
 
     @Test
     fun `a screen reader hears of a drawing that it is one`() = show(NxtScenes.drawing) {
-        onNodeWithTag("lcd").assertContentDescriptionEquals("Display: Face\na drawing")
+        onNodeWithTag(RunTags.LCD).assertContentDescriptionEquals("Display: Face\na drawing")
     }
 
     @Test
     fun `a screen reader hears which entry of a menu is marked`() = show(NxtScenes.menu) {
-        onNodeWithTag("lcd").assertContentDescriptionContains("Display: Marked: Run Default", substring = true)
+        onNodeWithTag(RunTags.LCD).assertContentDescriptionContains("Display: Marked: Run Default", substring = true)
         state = state.copy(menu = state.menu?.copy(selected = 1))
         waitForIdle()
         mainClock.advanceTimeBy(600)
-        onNodeWithTag("lcd").assertContentDescriptionContains("Display: Marked: Files", substring = true)
+        onNodeWithTag(RunTags.LCD).assertContentDescriptionContains("Display: Marked: Files", substring = true)
     }
 
     @Test
     fun `a display that changes fast is read twice a second`() = show {
         mainClock.autoAdvance = false
-        onNodeWithTag("lcd").assert(
+        onNodeWithTag(RunTags.LCD).assert(
             SemanticsMatcher.expectValue(SemanticsProperties.LiveRegion, LiveRegionMode.Polite),
         )
         val spoken = mutableSetOf<String>()
@@ -122,7 +114,8 @@ class NxtFrontTest {
         repeat(60) { frame ->
             state = NxtScenes.running.copy(display = shown[frame % shown.size])
             mainClock.advanceTimeBy(16)
-            spoken += onNodeWithTag("lcd").fetchSemanticsNode().config[SemanticsProperties.ContentDescription].single()
+            spoken +=
+                onNodeWithTag(RunTags.LCD).fetchSemanticsNode().config[SemanticsProperties.ContentDescription].single()
         }
         assertEquals(true, spoken.size <= 3, "$spoken")
     }
@@ -130,7 +123,7 @@ class NxtFrontTest {
     @Test
     fun `buttons are held until the finger leaves, and large enough for it`() = show {
         for (button in BrickKind.NXT.buttons) {
-            val node = onNodeWithTag("brick-${button.name.lowercase()}")
+            val node = onNodeWithTag(RunTags.button(button))
             node.assertWidthIsAtLeast(48.dp).assertHeightIsAtLeast(48.dp)
             heard.clear()
             node.performTouchInput { down(center) }
@@ -145,18 +138,18 @@ class NxtFrontTest {
     @Test
     fun `a touch sensor for fingers can be held, the others cannot`() = show {
         heard.clear()
-        onNodeWithTag("port-1").assertWidthIsAtLeast(48.dp).assertHeightIsAtLeast(48.dp)
-        onNodeWithTag("port-1").performTouchInput { down(center) }
-        onNodeWithTag("port-1").performTouchInput { up() }
-        onNodeWithTag("port-4").performTouchInput { down(center) }
-        onNodeWithTag("port-4").performTouchInput { up() }
+        onNodeWithTag(RunTags.port(1)).assertWidthIsAtLeast(48.dp).assertHeightIsAtLeast(48.dp)
+        onNodeWithTag(RunTags.port(1)).performTouchInput { down(center) }
+        onNodeWithTag(RunTags.port(1)).performTouchInput { up() }
+        onNodeWithTag(RunTags.port(4)).performTouchInput { down(center) }
+        onNodeWithTag(RunTags.port(4)).performTouchInput { up() }
         assertEquals(listOf("0 true", "0 false"), heard)
     }
 
     @Test
     fun `an exception is told in words with the calls that led to it`() = show(NxtScenes.failed) {
-        onNodeWithTag("brick-hint").assertExists()
-        onNodeWithTag("exception-calls").assertExists()
+        onNodeWithTag(RunTags.BRICK_HINT).assertExists()
+        onNodeWithTag(RunTags.EXCEPTION_CALLS).assertExists()
         assertEquals(
             listOf("Exception: 5", "/ by zero"),
             state.display.texts.take(2),

@@ -20,6 +20,7 @@ import androidx.compose.ui.text.input.KeyboardType
 import androidx.compose.ui.unit.dp
 import robotran.projects.Assignment
 import robotran.ui.assignment.Quiet
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -31,14 +32,21 @@ import robotran.workshop.state.AssignmentEditorState
 fun AssignmentEditorPage(state: AssignmentEditorState, place: MakingPlace, onEvent: (WorkshopEvent) -> Unit) {
     val change = { changed: Assignment -> onEvent(AssignmentEvent.Changed(changed)) }
     val scroll = place.of(state.assignment.id)
-    Page(SchoolTexts.makeTitle(spoken), "assignment-make", { onEvent(AssignmentEvent.MakingClosed) }, scroll) {
+    Page(SchoolTexts.makeTitle(spoken), AssignmentTags.ASSIGNMENT_MAKE, {
+        onEvent(AssignmentEvent.MakingClosed)
+    }, scroll) {
         Column(
-            Modifier.testTag("make-form").verticalScroll(scroll).padding(24.dp),
+            Modifier.testTag(AssignmentTags.MAKE_FORM).verticalScroll(scroll).padding(24.dp),
             Arrangement.spacedBy(32.dp),
         ) {
             Column {
                 Explanation(SchoolTexts.makeIntro(spoken))
-                Button(SchoolTexts.makeUndo(spoken), "make-undo", ButtonKind.QUIET, enabled = state.canUndo) {
+                Button(
+                    SchoolTexts.makeUndo(spoken),
+                    AssignmentTags.MAKE_UNDO,
+                    ButtonKind.QUIET,
+                    enabled = state.canUndo,
+                ) {
                     onEvent(AssignmentEvent.UndoRequested)
                 }
             }
@@ -51,7 +59,9 @@ fun AssignmentEditorPage(state: AssignmentEditorState, place: MakingPlace, onEve
             CheckSection(state, onEvent)
             GiveSection(state, onEvent)
             PlatformSection(state, onEvent)
-            Button(SchoolTexts.makeRemove(spoken), "make-remove", ButtonKind.QUIET) { onEvent(AssignmentEvent.Removed) }
+            Button(SchoolTexts.makeRemove(spoken), AssignmentTags.MAKE_REMOVE, ButtonKind.QUIET) {
+                onEvent(AssignmentEvent.Removed)
+            }
         }
     }
     if (state.asksBeforeGiving) GivingDialog(onEvent)
@@ -104,7 +114,7 @@ internal fun Field(
     onChange: (String) -> Unit,
 ) {
     val isAbove = LocalDensity.current.fontScale > LARGE
-    if (isAbove) Quiet(label, "$tag-label")
+    if (isAbove) Quiet(label, AssignmentTags.label(tag))
     TextField(
         value,
         { onChange(it.take(limit)) },

@@ -8,6 +8,7 @@ import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.worldName
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -19,14 +20,19 @@ import robotran.workshop.state.SolutionCheck
 /** What is missing, and whether the solution meets the goals with all seeds and variations. Nothing is forbidden. */
 @Composable
 internal fun CheckSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(SchoolTexts.makeCheck(spoken), "make-check-section") {
+    Section(SchoolTexts.makeCheck(spoken), AssignmentTags.MAKE_CHECK_SECTION) {
         if (state.missing.isEmpty()) {
             Explanation(
                 SchoolTexts.makeCheckAll(spoken),
-                Modifier.testTag("make-complete"),
+                Modifier.testTag(AssignmentTags.MAKE_COMPLETE),
             )
         }
-        for (part in state.missing) Explanation("⚠ ${part.sentence(spoken)}", Modifier.testTag("make-missing"))
+        for (part in state.missing) {
+            Explanation(
+                "⚠ ${part.sentence(spoken)}",
+                Modifier.testTag(AssignmentTags.MAKE_MISSING),
+            )
+        }
         val check = state.check
         // While it runs, only its beginning is news.
         ComesIntoView(check?.newsKey) { CheckOfSolution(state, onEvent) }
@@ -37,13 +43,13 @@ internal fun CheckSection(state: AssignmentEditorState, onEvent: (WorkshopEvent)
 private fun CheckOfSolution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
     val check = state.check
     if (check is SolutionCheck.Running) {
-        Explanation(SchoolTexts.makeTrying(spoken, check.done, check.all), Modifier.testTag("make-trying"))
-        ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), "make-check-progress")
-        Button(SchoolTexts.handInCancel(spoken), "make-check-stop", ButtonKind.SECOND) {
+        Explanation(SchoolTexts.makeTrying(spoken, check.done, check.all), Modifier.testTag(AssignmentTags.MAKE_TRYING))
+        ProgressBar(check.done.toFloat() / check.all.coerceAtLeast(1), AssignmentTags.MAKE_CHECK_PROGRESS)
+        Button(SchoolTexts.handInCancel(spoken), AssignmentTags.MAKE_CHECK_STOP, ButtonKind.SECOND) {
             onEvent(AssignmentEvent.CheckRequested(on = false))
         }
     } else if (state.assignment.solution.isNotEmpty()) {
-        Button(SchoolTexts.makeTrySolution(spoken), "make-check", ButtonKind.SECOND) {
+        Button(SchoolTexts.makeTrySolution(spoken), AssignmentTags.MAKE_CHECK, ButtonKind.SECOND) {
             onEvent(AssignmentEvent.CheckRequested(on = true))
         }
     }
@@ -55,7 +61,7 @@ private val SolutionCheck.newsKey: Any get() = if (this is SolutionCheck.Running
 
 @Composable
 private fun CheckResult(check: SolutionCheck?) {
-    val news = Modifier.testTag("make-checked").announced()
+    val news = Modifier.testTag(AssignmentTags.MAKE_CHECKED).announced()
     when (check) {
         null, is SolutionCheck.Running -> Unit
 
@@ -87,7 +93,7 @@ private fun StartPassed(passed: Int, runs: Int) {
     if (passed == 0) return
     Explanation(
         "⚠ ${SchoolTexts.makeTryStart(spoken, passed, runs)}",
-        Modifier.testTag("make-checked-start").announced(),
+        Modifier.testTag(AssignmentTags.MAKE_CHECKED_START).announced(),
     )
 }
 

@@ -12,6 +12,7 @@ import robotran.ui.assignment.LinkOrError
 import robotran.ui.assignment.Quiet
 import robotran.ui.assignment.SaveResult
 import robotran.ui.documents.LocalLinkNote
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -23,21 +24,27 @@ import robotran.workshop.state.PupilLink
 /** Files, link and code. */
 @Composable
 internal fun GiveSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(SchoolTexts.makeGive(spoken), "make-give-section") {
-        Quiet(SchoolTexts.makeGiveHelp(spoken), "make-give-help")
+    Section(SchoolTexts.makeGive(spoken), AssignmentTags.MAKE_GIVE_SECTION) {
+        Quiet(SchoolTexts.makeGiveHelp(spoken), AssignmentTags.MAKE_GIVE_HELP)
         Chips {
-            Button(SchoolTexts.makeTeacherFile(spoken), "make-teacher-file") {
+            Button(SchoolTexts.makeTeacherFile(spoken), AssignmentTags.MAKE_TEACHER_FILE) {
                 onEvent(AssignmentEvent.TeacherFileSaved)
             }
-            Button(SchoolTexts.makePupilFile(spoken), "make-pupil-file") {
+            Button(SchoolTexts.makePupilFile(spoken), AssignmentTags.MAKE_PUPIL_FILE) {
                 onEvent(AssignmentEvent.PupilFileSaved)
             }
-            Button(SchoolTexts.makePupilLink(spoken), "make-pupil-link", ButtonKind.SECOND) {
+            Button(SchoolTexts.makePupilLink(spoken), AssignmentTags.MAKE_PUPIL_LINK, ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.PupilLinkRequested)
             }
         }
         val saved = (state.savedAs ?: state.saveError)?.takeUnless { state.isAboutPackage }
-        ComesIntoView(saved) { if (saved != null) SaveResult(state.savedAs, state.saveError, "make-saved") }
+        ComesIntoView(saved) {
+            if (saved !=
+                null
+            ) {
+                SaveResult(state.savedAs, state.saveError, AssignmentTags.MAKE_SAVED)
+            }
+        }
         ComesIntoView(state.link?.run { link ?: problem }) { state.link?.let { GiveLink(it, state, onEvent) } }
     }
 }
@@ -45,7 +52,7 @@ internal fun GiveSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) 
 @Composable
 private fun GiveLink(link: PupilLink, state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) = PupilLinkView(
     link,
-    "make",
+    AssignmentTags.MAKE,
     SchoolTexts::makeQrHelp,
     onCopy = { onEvent(AssignmentEvent.PupilLinkCopied) },
     onShare = { onEvent(AssignmentEvent.PupilLinkShared) }.takeIf { state.hasShareSheet },
@@ -64,11 +71,11 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
         Chips {
             val copy = if (link.isCopied) SchoolTexts::handInCopied else SchoolTexts::handInCopy
             val news = Modifier.announced()
-            Button(copy(spoken), "$place-link-copy", ButtonKind.SECOND, news, onClick = onCopy)
+            Button(copy(spoken), AssignmentTags.linkCopy(place), ButtonKind.SECOND, news, onClick = onCopy)
             if (onShare != null) {
                 Button(
                     SchoolTexts.handInShare(spoken),
-                    "$place-link-share",
+                    AssignmentTags.linkShare(place),
                     ButtonKind.SECOND,
                     onClick = onShare,
                 )
@@ -77,24 +84,26 @@ internal fun PupilLinkView(link: PupilLink, place: String, qrHelp: Label, onCopy
     }
     // What is handed in needs no such note: a teacher pastes its link wherever Robotran is open.
     link.link?.let { LocalLinkNote(it) }
-    LinkOrError(link.link, link.problem, "$place-qr", qrHelp, isForClass = true)
+    LinkOrError(link.link, link.problem, AssignmentTags.qr(place), qrHelp, isForClass = true)
 }
 
 /** Packages, and the code for a frame. */
 @Composable
 internal fun PlatformSection(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit) {
-    Section(SchoolTexts.makePlatform(spoken), "make-platform-section") {
-        Quiet(SchoolTexts.makePlatformHelp(spoken), "make-platform-help")
+    Section(SchoolTexts.makePlatform(spoken), AssignmentTags.MAKE_PLATFORM_SECTION) {
+        Quiet(SchoolTexts.makePlatformHelp(spoken), AssignmentTags.MAKE_PLATFORM_HELP)
         Chips {
             if (state.canPack) {
                 for ((version, name) in SCORM) {
-                    Button(name, "make-${name.lowercase().replace(' ', '-')}", ButtonKind.SECOND) {
+                    Button(name, AssignmentTags.makePackage(name), ButtonKind.SECOND) {
                         onEvent(AssignmentEvent.PackageSaved(version))
                     }
                 }
             }
             val copy = if (state.embedCodeCopied) SchoolTexts::makeEmbedCopied else SchoolTexts::makeEmbedCopy
-            Button(copy(spoken), "make-embed", ButtonKind.SECOND) { onEvent(AssignmentEvent.EmbedCodeCopied) }
+            Button(copy(spoken), AssignmentTags.MAKE_EMBED, ButtonKind.SECOND) {
+                onEvent(AssignmentEvent.EmbedCodeCopied)
+            }
         }
         val packed = (state.savedAs ?: state.saveError)?.takeIf { state.isAboutPackage }
         val result = packed ?: state.embedCode ?: state.embedError
@@ -107,11 +116,11 @@ private fun PlatformResult(state: AssignmentEditorState) {
     if (state.isPacking) {
         Explanation(
             SchoolTexts.makePacking(spoken),
-            Modifier.testTag("make-packing").announced(),
+            Modifier.testTag(AssignmentTags.MAKE_PACKING).announced(),
         )
     }
-    if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, "make-packed")
-    state.embedError?.let { LinkOrError(null, it, "make-embed-problem") }
+    if (state.isAboutPackage) SaveResult(state.savedAs, state.saveError, AssignmentTags.MAKE_PACKED)
+    state.embedError?.let { LinkOrError(null, it, AssignmentTags.MAKE_EMBED_PROBLEM) }
     state.embedCode?.let { EmbedCode(it, state.embedCodeCopied) }
 }
 
@@ -121,12 +130,12 @@ private fun EmbedCode(code: String, isCopied: Boolean) {
     TextField(
         code,
         { },
-        Modifier.fillMaxWidth().testTag("make-embed-code"),
+        Modifier.fillMaxWidth().testTag(AssignmentTags.MAKE_EMBED_CODE),
         SchoolTexts.makeEmbedCode(spoken),
         1..MAX_CODE_LINES,
         extras = FieldExtras(isReadOnly = true),
     )
-    val news = Modifier.testTag("make-embed-copied").announced()
+    val news = Modifier.testTag(AssignmentTags.MAKE_EMBED_COPIED).announced()
     val words = if (isCopied) SchoolTexts::makeEmbedCopied else DocumentTexts::notCopied
     Explanation(words(spoken), news)
     LocalLinkNote(code)

@@ -1,6 +1,7 @@
 package robotran.ui.assignment.making
 
 import androidx.compose.runtime.Composable
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
@@ -15,10 +16,10 @@ internal fun GivingDialog(onEvent: (WorkshopEvent) -> Unit) {
         SchoolTexts.makeGivingTitle(spoken),
         cancel,
         buttons = {
-            Button(SchoolTexts.makeGivingShare(spoken), "make-giving-share", ButtonKind.DIALOG_OTHER) {
+            Button(SchoolTexts.makeGivingShare(spoken), AssignmentTags.MAKE_GIVING_SHARE, ButtonKind.DIALOG_OTHER) {
                 onEvent(AssignmentEvent.GivingConfirmed)
             }
-            Button(DocumentTexts.cancel(spoken), "make-giving-cancel", ButtonKind.DIALOG_MAIN) { cancel() }
+            Button(DocumentTexts.cancel(spoken), AssignmentTags.MAKE_GIVING_CANCEL, ButtonKind.DIALOG_MAIN) { cancel() }
         },
     ) { Explanation(SchoolTexts.makeGivingHelp(spoken)) }
 }

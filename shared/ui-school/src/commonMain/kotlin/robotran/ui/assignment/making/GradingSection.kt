@@ -25,6 +25,7 @@ import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentLimits
 import robotran.projects.WorldVariation
 import robotran.ui.assignment.Quiet
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -36,8 +37,8 @@ import robotran.world.WorldLimits
 internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val checks = assignment.checks ?: return
     val keep = { changed: AssignmentChecks -> change(assignment.copy(checks = changed)) }
-    Section(SchoolTexts.makeGrading(spoken), "make-grading-section") {
-        Quiet(SchoolTexts.makeGradingHelp(spoken), "make-grading-help")
+    Section(SchoolTexts.makeGrading(spoken), AssignmentTags.MAKE_GRADING_SECTION) {
+        Quiet(SchoolTexts.makeGradingHelp(spoken), AssignmentTags.MAKE_GRADING_HELP)
         Seeds(checks, keep)
         Subtitle(SchoolTexts.makeVariations(spoken))
         checks.variations.forEachIndexed { index, variation ->
@@ -56,7 +57,7 @@ internal fun GradingSection(assignment: Assignment, change: (Assignment) -> Unit
         }
         if (checks.variations.size < AssignmentLimits.MAXIMUM_VARIATIONS) {
             val name = SchoolTexts.makeVariationNew(spoken, checks.variations.size + 1)
-            Button(SchoolTexts.makeVariationAdd(spoken), "make-variation-add", ButtonKind.SECOND) {
+            Button(SchoolTexts.makeVariationAdd(spoken), AssignmentTags.MAKE_VARIATION_ADD, ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.VariationAdded(name))
             }
         }
@@ -75,7 +76,7 @@ private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     Field(
         typed,
         SchoolTexts.makeSeeds(spoken),
-        "make-seeds",
+        AssignmentTags.MAKE_SEEDS,
         SEED_DIGITS,
         modifier = Modifier.widthIn(max = SEEDS_WIDTH),
         keyboard = KeyboardType.Number,
@@ -86,13 +87,13 @@ private fun Seeds(checks: AssignmentChecks, keep: (AssignmentChecks) -> Unit) {
     if (typed.toIntOrNull()?.takeIf { it in SEEDS } == null) {
         Explanation(
             SchoolTexts.makeSeedsLimits(spoken, SEEDS.first, SEEDS.last),
-            Modifier.testTag("make-seeds-wrong").announced(),
+            Modifier.testTag(AssignmentTags.MAKE_SEEDS_WRONG).announced(),
             bad = true,
         )
     }
     Chips {
         for (choice in SEED_CHOICES) {
-            Chip("$choice", choice == count, "make-seeds-$choice") {
+            Chip("$choice", choice == count, AssignmentTags.makeSeeds(choice)) {
                 typed = "$choice"
                 take(choice)
             }
@@ -113,7 +114,7 @@ private fun VariationRow(
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("make-variation-$index")
+            .testTag(AssignmentTags.makeVariation(index))
             .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
             .padding(12.dp),
         Arrangement.spacedBy(4.dp),
@@ -121,19 +122,19 @@ private fun VariationRow(
         Field(
             name,
             SchoolTexts.makeVariationName(spoken),
-            "make-variation-name-$index",
+            AssignmentTags.makeVariationName(index),
             WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         ) {
             name = it
             if (it.isNotBlank()) onRename(it)
         }
         Chips {
-            Button(SchoolTexts.makeVariationOpen(spoken), "make-variation-open-$index", ButtonKind.SECOND) {
+            Button(SchoolTexts.makeVariationOpen(spoken), AssignmentTags.makeVariationOpen(index), ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.VariationOpened(index))
             }
             Button(
                 SchoolTexts.makeVariationRemove(spoken),
-                "make-variation-remove-$index",
+                AssignmentTags.makeVariationRemove(index),
                 ButtonKind.QUIET,
                 onClick = onRemove,
             )

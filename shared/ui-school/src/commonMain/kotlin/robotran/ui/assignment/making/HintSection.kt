@@ -23,6 +23,7 @@ import robotran.projects.Assignment
 import robotran.projects.AssignmentHint
 import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.Quiet
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.world.WorldLimits
@@ -33,8 +34,8 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
     // A hint without words cannot be kept, so a new one becomes one with its first letter.
     var draft by remember { mutableStateOf<AssignmentHint?>(null) }
     val hints = assignment.hints
-    Section(SchoolTexts.makeHints(spoken), "make-hint-section") {
-        Quiet(SchoolTexts.makeHintsHelp(spoken), "make-hints-help")
+    Section(SchoolTexts.makeHints(spoken), AssignmentTags.MAKE_HINT_SECTION) {
+        Quiet(SchoolTexts.makeHintsHelp(spoken), AssignmentTags.MAKE_HINTS_HELP)
         for (index in 0..<hints.size + if (draft == null) 0 else 1) {
             key(index) {
                 HintEditor(
@@ -59,7 +60,10 @@ internal fun HintSection(assignment: Assignment, change: (Assignment) -> Unit) {
             }
         }
         if (draft == null && hints.size < AssignmentLimits.MAXIMUM_HINTS) {
-            Button(SchoolTexts.makeHintAdd(spoken), "make-hint-add", ButtonKind.SECOND) { draft = AssignmentHint("") }
+            Button(SchoolTexts.makeHintAdd(spoken), AssignmentTags.MAKE_HINT_ADD, ButtonKind.SECOND) {
+                draft =
+                    AssignmentHint("")
+            }
         }
     }
 }
@@ -72,7 +76,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("make-hint-$index")
+            .testTag(AssignmentTags.makeHint(index))
             .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
             .padding(12.dp),
         Arrangement.spacedBy(8.dp),
@@ -80,7 +84,7 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
         Field(
             words,
             SchoolTexts.makeHintText(spoken),
-            "make-hint-text-$index",
+            AssignmentTags.makeHintText(index),
             WorldLimits.MAXIMUM_TASK_CHARACTERS,
             lines = 2,
         ) {
@@ -88,7 +92,12 @@ private fun HintEditor(hint: AssignmentHint, index: Int, onChange: (AssignmentHi
             if (it.isNotBlank()) onChange(hint.copy(text = it))
         }
         ConditionAndTries(hint, index, onChange)
-        Button(SchoolTexts.makeHintRemove(spoken), "make-hint-remove-$index", ButtonKind.QUIET, onClick = onRemove)
+        Button(
+            SchoolTexts.makeHintRemove(spoken),
+            AssignmentTags.makeHintRemove(index),
+            ButtonKind.QUIET,
+            onClick = onRemove,
+        )
     }
 }
 
@@ -100,19 +109,19 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
     val title = SchoolTexts.makeHintWhen(spoken)
     // Beside a long condition in large text, the title would have the width of a letter.
     val isAbove = LocalDensity.current.fontScale > LARGE
-    if (isAbove) Quiet(title, "make-hint-when-title-$index")
+    if (isAbove) Quiet(title, AssignmentTags.makeHintWhenTitle(index))
     MenuRow(
         if (isAbove) "" else title,
         choices,
         choices.firstOrNull { it.first == kind }?.second ?: hint.condition.orEmpty(),
-        "make-hint-when-$index",
+        AssignmentTags.makeHintWhen(index),
     ) { chosen ->
         val condition = if (chosen in HintsOfAssignment.wordConditions) "$chosen: repeat" else chosen
         onChange(hint.copy(condition = condition))
     }
     if (kind in HintsOfAssignment.wordConditions) {
         val word = hint.condition.orEmpty().substringAfter(":", "").trim()
-        Field(word, SchoolTexts.makeHintWord(spoken), "make-hint-word-$index", MAX_WORD) {
+        Field(word, SchoolTexts.makeHintWord(spoken), AssignmentTags.makeHintWord(index), MAX_WORD) {
             onChange(hint.copy(condition = "$kind: ${it.trim()}"))
         }
     }
@@ -122,11 +131,11 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
         } else {
             SchoolTexts.makeHintAfter(spoken, hint.afterTries)
         }
-        IconButton(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), "make-hint-earlier-$index") {
+        IconButton(MakeIcons.LESS, SchoolTexts.makeHintEarlier(spoken), AssignmentTags.makeHintEarlier(index)) {
             onChange(hint.copy(afterTries = (hint.afterTries - 1).coerceAtLeast(1)))
         }
-        Text(after, Modifier.weight(1f, fill = false).testTag("make-hint-after-$index"), TextStyles.body)
-        IconButton(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), "make-hint-later-$index") {
+        Text(after, Modifier.weight(1f, fill = false).testTag(AssignmentTags.makeHintAfter(index)), TextStyles.body)
+        IconButton(MakeIcons.MORE, SchoolTexts.makeHintLater(spoken), AssignmentTags.makeHintLater(index)) {
             onChange(hint.copy(afterTries = (hint.afterTries + 1).coerceAtMost(AssignmentLimits.MAXIMUM_TRIES)))
         }
     }
@@ -135,17 +144,17 @@ private fun ConditionAndTries(hint: AssignmentHint, index: Int, onChange: (Assig
 /** Until when, and under which name. */
 @Composable
 internal fun HandInSection(assignment: Assignment, change: (Assignment) -> Unit) {
-    Section(SchoolTexts.makeHandIn(spoken), "make-hand-in-section") {
+    Section(SchoolTexts.makeHandIn(spoken), AssignmentTags.MAKE_HAND_IN_SECTION) {
         Field(
             assignment.due,
             SchoolTexts.makeDue(spoken),
-            "make-due",
+            AssignmentTags.MAKE_DUE,
             AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
         ) { change(assignment.copy(due = it)) }
         Field(
             assignment.nameWanted,
             SchoolTexts.makeName(spoken),
-            "make-name",
+            AssignmentTags.MAKE_NAME,
             AssignmentLimits.MAXIMUM_NAME_CHARACTERS,
         ) { change(assignment.copy(nameWanted = it)) }
     }

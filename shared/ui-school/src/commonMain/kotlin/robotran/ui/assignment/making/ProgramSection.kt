@@ -19,6 +19,7 @@ import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.robolang.words.BlockGroup
 import robotran.ui.assignment.Quiet
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.blocks.wordsOf
@@ -29,12 +30,12 @@ import robotran.workshop.state.AssignmentEditorState
 /** The goals, which the world editor edits, and whether the world is the pupils' to change. */
 @Composable
 internal fun GoalSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
-    Section(SchoolTexts.makeGoals(spoken), "make-goal-section") {
-        Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag("make-goal-count"))
-        Button(SchoolTexts.makeGoalsEdit(spoken), "make-world", ButtonKind.SECOND) {
+    Section(SchoolTexts.makeGoals(spoken), AssignmentTags.MAKE_GOAL_SECTION) {
+        Explanation(SchoolTexts.makeGoalsCount(spoken, state.goals), Modifier.testTag(AssignmentTags.MAKE_GOAL_COUNT))
+        Button(SchoolTexts.makeGoalsEdit(spoken), AssignmentTags.MAKE_WORLD, ButtonKind.SECOND) {
             onEvent(AssignmentEvent.WorldRequested)
         }
-        SwitchRow(SchoolTexts.makeMayChange(spoken), state.assignment.mayChangeWorld, "make-may-change") {
+        SwitchRow(SchoolTexts.makeMayChange(spoken), state.assignment.mayChangeWorld, AssignmentTags.MAKE_MAY_CHANGE) {
             change(state.assignment.copy(mayChangeWorld = it))
         }
     }
@@ -47,7 +48,7 @@ internal fun ProgramSection(
     change: (Assignment) -> Unit,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Section(SchoolTexts.makePrograms(spoken), "make-program-section") {
+    Section(SchoolTexts.makePrograms(spoken), AssignmentTags.MAKE_PROGRAM_SECTION) {
         Start(state, onEvent)
         Solution(state, onEvent)
         Languages(state.assignment, change)
@@ -63,7 +64,7 @@ private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit
     Subtitle(SchoolTexts.makeStart(spoken))
     Chips {
         state.programs.forEachIndexed { index, program ->
-            Chip(program.name, program.isStart, "make-start-$index") {
+            Chip(program.name, program.isStart, AssignmentTags.makeStart(index)) {
                 onEvent(AssignmentEvent.StartSwitched(index, !program.isStart))
             }
         }
@@ -73,20 +74,20 @@ private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit
             for (name in state.notGiven) {
                 Explanation(
                     SchoolTexts.makeStartRefused(spoken, name),
-                    Modifier.testTag("make-start-refused").announced(),
+                    Modifier.testTag(AssignmentTags.MAKE_START_REFUSED).announced(),
                     bad = true,
                 )
             }
         }
     }
     state.emptyStart?.let {
-        Explanation(SchoolTexts.makeStartEmpty(spoken, it), Modifier.testTag("make-start-empty"))
+        Explanation(SchoolTexts.makeStartEmpty(spoken, it), Modifier.testTag(AssignmentTags.MAKE_START_EMPTY))
     }
     state.programs.forEachIndexed { index, program ->
         if (program.isStart && program.isChanged) {
             FlowRow(verticalArrangement = Arrangement.Center) {
                 Explanation(SchoolTexts.makeStartChanged(spoken, program.name))
-                Button(SchoolTexts.makeStartRetake(spoken), "make-start-retake-$index", ButtonKind.QUIET) {
+                Button(SchoolTexts.makeStartRetake(spoken), AssignmentTags.makeStartRetake(index), ButtonKind.QUIET) {
                     onEvent(AssignmentEvent.StartSwitched(index, on = true))
                 }
             }
@@ -98,13 +99,13 @@ private fun Start(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> Unit
 private fun Languages(assignment: Assignment, change: (Assignment) -> Unit) {
     Subtitle(SchoolTexts.makeLanguages(spoken))
     Chips {
-        Chip(SchoolTexts.makeAll(spoken), assignment.languages.isEmpty(), "make-language-all") {
+        Chip(SchoolTexts.makeAll(spoken), assignment.languages.isEmpty(), AssignmentTags.MAKE_LANGUAGE_ALL) {
             change(assignment.copy(languages = emptyList()))
         }
         // Nobody is asked to write what is for experts.
         for (language in ProgramLanguage.entries.filterNot { it.support.isForExperts }) {
             val isOnly = assignment.languages == listOf(language)
-            Chip(language.ownName, isOnly, "make-language-${language.name.lowercase()}") {
+            Chip(language.ownName, isOnly, AssignmentTags.makeLanguage(language)) {
                 change(assignment.copy(languages = if (isOnly) emptyList() else listOf(language)))
             }
         }
@@ -119,16 +120,18 @@ private fun Words(assignment: Assignment, change: (Assignment) -> Unit) {
     val choose = { now: List<BlockGroup> -> change(assignment.copy(words = now.flatMap { wordsOf(it) }.distinct())) }
     Subtitle(SchoolTexts.makeWords(spoken))
     Chips {
-        Chip(SchoolTexts.makeAll(spoken), assignment.words.isEmpty(), "make-words-all") { choose(emptyList()) }
+        Chip(SchoolTexts.makeAll(spoken), assignment.words.isEmpty(), AssignmentTags.MAKE_WORDS_ALL) {
+            choose(emptyList())
+        }
         for (group in groups) {
             val isChosen = group in chosen
-            Chip(messages.group(group), isChosen, "make-words-${group.name.lowercase()}") {
+            Chip(messages.group(group), isChosen, AssignmentTags.makeWords(group)) {
                 choose(if (isChosen) chosen - group else chosen + group)
             }
         }
     }
     if (assignment.words.isNotEmpty()) {
-        Quiet(SchoolTexts.makeWordsSome(spoken, assignment.words.joinToString()), "make-words-list")
+        Quiet(SchoolTexts.makeWordsSome(spoken, assignment.words.joinToString()), AssignmentTags.MAKE_WORDS_LIST)
     }
 }
 

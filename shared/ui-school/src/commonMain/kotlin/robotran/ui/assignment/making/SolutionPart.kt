@@ -13,6 +13,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.Quiet
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -26,21 +27,27 @@ internal fun Solution(state: AssignmentEditorState, onEvent: (WorkshopEvent) -> 
     val hasSolution = state.assignment.solution.isNotEmpty()
     Subtitle(SchoolTexts.makeSolution(spoken))
     val words = if (hasSolution) SchoolTexts::makeSolutionHelp else SchoolTexts::makeSolutionNone
-    Explanation(words(spoken), Modifier.testTag("make-solution"))
+    Explanation(words(spoken), Modifier.testTag(AssignmentTags.MAKE_SOLUTION))
     Column(Modifier.fillMaxWidth()) {
         state.solution.forEachIndexed { index, program ->
-            ProgramRow(program, "make-solution-$index") { onEvent(AssignmentEvent.SolutionSwitched(index, it)) }
+            ProgramRow(program, AssignmentTags.makeSolution(index)) {
+                onEvent(AssignmentEvent.SolutionSwitched(index, it))
+            }
         }
     }
-    if (state.assignment.solution.size > 1) Quiet(SchoolTexts.makeSolutionFirst(spoken), "make-solution-first")
+    if (state.assignment.solution.size >
+        1
+    ) {
+        Quiet(SchoolTexts.makeSolutionFirst(spoken), AssignmentTags.MAKE_SOLUTION_FIRST)
+    }
     Chips {
         if (state.canTakeSolution) {
-            Button(SchoolTexts.makeSolutionTake(spoken), "make-solution-take", ButtonKind.SECOND) {
+            Button(SchoolTexts.makeSolutionTake(spoken), AssignmentTags.MAKE_SOLUTION_TAKE, ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.SolutionTaken)
             }
         }
         if (hasSolution) {
-            Button(SchoolTexts.makeSolutionShow(spoken), "make-solution-show", ButtonKind.SECOND) {
+            Button(SchoolTexts.makeSolutionShow(spoken), AssignmentTags.MAKE_SOLUTION_SHOW, ButtonKind.SECOND) {
                 onEvent(AssignmentEvent.SolutionShown)
             }
         }

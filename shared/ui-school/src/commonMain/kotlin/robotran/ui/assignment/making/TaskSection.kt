@@ -20,6 +20,7 @@ import robotran.projects.AssignmentLimits
 import robotran.ui.assignment.AssignmentText
 import robotran.ui.assignment.Quiet
 import robotran.ui.learning.MarkedText
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*
 import robotran.workshop.event.AssignmentEvent
@@ -32,29 +33,29 @@ import robotran.world.WorldLimits
 @Composable
 internal fun TaskSection(state: AssignmentEditorState, change: (Assignment) -> Unit, onEvent: (WorkshopEvent) -> Unit) {
     val assignment = state.assignment
-    Section(SchoolTexts.makeTask(spoken), "make-task-section") {
+    Section(SchoolTexts.makeTask(spoken), AssignmentTags.MAKE_TASK_SECTION) {
         Field(
             state.title,
             SchoolTexts.makeWorldTitle(spoken),
-            "make-title",
+            AssignmentTags.MAKE_TITLE,
             WorldLimits.MAXIMUM_TITLE_CHARACTERS,
         ) { onEvent(AssignmentEvent.TaskChanged(it, state.task)) }
         if (state.title.isBlank()) Explanation(SchoolTexts.makeTitleEmpty(spoken), bad = true)
         Field(
             state.task,
             SchoolTexts.makeWorldTask(spoken),
-            "make-task",
+            AssignmentTags.MAKE_TASK,
             WorldLimits.MAXIMUM_TASK_CHARACTERS,
             lines = 2,
         ) { onEvent(AssignmentEvent.TaskChanged(state.title, it)) }
         Field(
             assignment.text,
             SchoolTexts.makeText(spoken),
-            "make-text",
+            AssignmentTags.MAKE_TEXT,
             AssignmentLimits.MAXIMUM_TEXT_CHARACTERS,
             lines = 4,
         ) { change(assignment.copy(text = it)) }
-        Quiet(SchoolTexts.makeTextHelp(spoken), "make-text-help")
+        Quiet(SchoolTexts.makeTextHelp(spoken), AssignmentTags.MAKE_TEXT_HELP)
         Pictures(state, change, onEvent)
         if (assignment.text.isNotBlank()) Preview(state)
     }
@@ -67,7 +68,7 @@ private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit,
     state.pictureError?.let { error ->
         Explanation(
             error.sentence(spoken),
-            Modifier.testTag("make-picture-error").announced(),
+            Modifier.testTag(AssignmentTags.MAKE_PICTURE_ERROR).announced(),
             bad = true,
         )
     }
@@ -75,17 +76,17 @@ private fun Pictures(state: AssignmentEditorState, change: (Assignment) -> Unit,
         val language = LocalLanguage.current
         Explanation(
             SchoolTexts.makePictureSmaller(spoken, language.grouped(width), language.grouped(height)),
-            Modifier.testTag("make-picture-smaller").announced(),
+            Modifier.testTag(AssignmentTags.MAKE_PICTURE_SMALLER).announced(),
         )
     }
     FlowRow(Modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        Button(SchoolTexts.makePicture(spoken), "make-picture", ButtonKind.SECOND) {
+        Button(SchoolTexts.makePicture(spoken), AssignmentTags.MAKE_PICTURE, ButtonKind.SECOND) {
             onEvent(AssignmentEvent.PictureRequested)
         }
         assignment.pictures.forEachIndexed { index, picture ->
             Button(
                 SchoolTexts.makePictureRemove(spoken, picture.name),
-                "make-picture-remove-$index",
+                AssignmentTags.makePictureRemove(index),
                 ButtonKind.QUIET,
             ) {
                 val marks = assignment.text.lines().filterNot { it.trim().endsWith("](${picture.name})") }
@@ -101,7 +102,7 @@ private fun Preview(state: AssignmentEditorState) {
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("make-preview")
+            .testTag(AssignmentTags.MAKE_PREVIEW)
             .border(1.dp, LocalRobotranColours.current.line, Shapes.MEDIUM)
             .padding(12.dp),
         Arrangement.spacedBy(8.dp),

@@ -24,11 +24,15 @@ import androidx.compose.ui.unit.toSize
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
 import robotran.ui.screen.scrollTo
 import robotran.ui.screen.touch
+import robotran.ui.world.tags.WorldTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.assignment.AnyAssignment
 import robotran.workshop.documents.Machine
@@ -70,7 +74,7 @@ class MakingScreenTest {
 
     /** Whether all of [tag] is in sight, and announced. */
     private fun ComposeUiTest.assertSeenAndAnnounced(tag: String) {
-        val form = onNodeWithTag("make-form").fetchSemanticsNode().boundsInRoot
+        val form = onNodeWithTag(AssignmentTags.MAKE_FORM).fetchSemanticsNode().boundsInRoot
         val place = placeOf(tag)
         assertTrue(place.top >= form.top && place.bottom <= form.bottom, "$tag at $place is not in sight in $form")
         val described = onNodeWithTag(tag).fetchSemanticsNode().config.getOrNull(SemanticsProperties.LiveRegion)
@@ -85,12 +89,12 @@ class MakingScreenTest {
         val robot = ProjectRobot(AnyAssignment.world.robots.first().name, programs)
         for (size in SIZES) {
             making(size, AnyAssignment.teachers.copy(robots = listOf(robot))) { workshop ->
-                scrollAndTouch("make-solution-1")
+                scrollAndTouch(AssignmentTags.makeSolution(1))
                 assertEquals(listOf("circle.robo", "two.robo"), assignmentOf(workshop).solution.map { it.name })
-                assertTrue(has("make-solution-first"))
-                scrollAndTouch("make-solution-0")
+                assertTrue(has(AssignmentTags.MAKE_SOLUTION_FIRST))
+                scrollAndTouch(AssignmentTags.makeSolution(0))
                 assertEquals(listOf("two.robo"), assignmentOf(workshop).solution.map { it.name })
-                val state = onNodeWithTag("make-solution-0").fetchSemanticsNode().config
+                val state = onNodeWithTag(AssignmentTags.makeSolution(0)).fetchSemanticsNode().config
                 assertEquals(ToggleableState.Off, state[SemanticsProperties.ToggleableState])
             }
         }
@@ -102,13 +106,15 @@ class MakingScreenTest {
         val robot = ProjectRobot(AnyAssignment.world.robots.first().name, programs)
         for (size in SIZES) {
             making(size, AnyAssignment.teachers.copy(robots = listOf(robot))) {
-                scrollTo("make-start-empty")
-                onNodeWithTag("make-start-empty").assertTextContains("begin with an empty program: program.robo", true)
-                assertTrue(!has("make-start-refused"))
-                scrollAndTouch("make-start-0")
-                onNodeWithTag("make-start-0").assertIsNotSelected()
-                onNodeWithTag("make-start-refused").assertTextContains("program.robo is the solution", true)
-                assertSeenAndAnnounced("make-start-refused")
+                scrollTo(AssignmentTags.MAKE_START_EMPTY)
+                onNodeWithTag(AssignmentTags.MAKE_START_EMPTY)
+                    .assertTextContains("begin with an empty program: program.robo", true)
+                assertTrue(!has(AssignmentTags.MAKE_START_REFUSED))
+                scrollAndTouch(AssignmentTags.makeStart(0))
+                onNodeWithTag(AssignmentTags.makeStart(0)).assertIsNotSelected()
+                onNodeWithTag(AssignmentTags.MAKE_START_REFUSED)
+                    .assertTextContains("program.robo is the solution", true)
+                assertSeenAndAnnounced(AssignmentTags.MAKE_START_REFUSED)
             }
         }
     }
@@ -117,36 +123,36 @@ class MakingScreenTest {
     fun `back from a variation and from trying, the page is where it was`() {
         for (size in SIZES) {
             making(size) { workshop ->
-                scrollTo("make-variation-open-0")
-                val before = placeOf("make-variation-open-0")
-                touch("make-variation-open-0")
-                onNodeWithTag("edit-of-assignment-words")
+                scrollTo(AssignmentTags.makeVariationOpen(0))
+                val before = placeOf(AssignmentTags.makeVariationOpen(0))
+                touch(AssignmentTags.makeVariationOpen(0))
+                onNodeWithTag(WorldTags.EDIT_OF_ASSIGNMENT_WORDS)
                     .assertTextContains("Variation “Small” of the assignment “Into the circle”", substring = true)
-                assertTrue(!has("edit-try"))
-                touch("edit-to-assignment")
-                assertEquals(before, placeOf("make-variation-open-0"))
-                touch("assignment-make-close")
+                assertTrue(!has(WorldTags.EDIT_TRY))
+                touch(WorldTags.EDIT_TO_ASSIGNMENT)
+                assertEquals(before, placeOf(AssignmentTags.makeVariationOpen(0)))
+                touch(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE))
                 assertNull(workshop.state.making)
                 workshop.handle(AssignmentEvent.MakingRequested)
                 pass(300)
-                assertEquals(before, placeOf("make-variation-open-0"))
-                touch("assignment-make-close")
+                assertEquals(before, placeOf(AssignmentTags.makeVariationOpen(0)))
+                touch(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE))
                 workshop.handle(WorldEditEvent.EditorOpened)
                 pass(300)
-                assertTrue(!has("edit-of-assignment"))
-                assertTrue(has("edit-try"))
+                assertTrue(!has(WorldTags.EDIT_OF_ASSIGNMENT))
+                assertTrue(has(WorldTags.EDIT_TRY))
             }
         }
     }
 
     @Test
     fun `another assignment begins at the top`() = making(PHONE) { workshop ->
-        scrollTo("make-remove")
+        scrollTo(AssignmentTags.MAKE_REMOVE)
         workshop.handle(AssignmentEvent.Removed)
         pass(300)
         workshop.handle(AssignmentEvent.MakingRequested)
         pass(300)
-        assertTrue(placeOf("make-title").top in 0f..PHONE.second.toFloat())
+        assertTrue(placeOf(AssignmentTags.MAKE_TITLE).top in 0f..PHONE.second.toFloat())
     }
 
     @Test
@@ -157,25 +163,26 @@ class MakingScreenTest {
         assertTrue(scrolled() > 200f)
     }
 
-    private fun ComposeUiTest.scrolled(): Float =
-        onNodeWithTag("make-form").fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange].value()
+    private fun ComposeUiTest.scrolled(): Float = onNodeWithTag(AssignmentTags.MAKE_FORM)
+        .fetchSemanticsNode().config[SemanticsProperties.VerticalScrollAxisRange].value()
 
     @Test
     fun `results of the check, of link and of saving come into view and are announced`() {
         for (size in SIZES) {
             making(size) { workshop ->
-                scrollAndTouch("make-check")
+                scrollAndTouch(AssignmentTags.MAKE_CHECK)
                 pass(500)
-                assertSeenAndAnnounced("make-checked")
-                scrollAndTouch("make-pupil-file")
+                assertSeenAndAnnounced(AssignmentTags.MAKE_CHECKED)
+                scrollAndTouch(AssignmentTags.MAKE_PUPIL_FILE)
                 pass(500)
-                assertSeenAndAnnounced("make-saved")
-                scrollAndTouch("make-pupil-link")
+                assertSeenAndAnnounced(AssignmentTags.MAKE_SAVED)
+                scrollAndTouch(AssignmentTags.MAKE_PUPIL_LINK)
                 pass(500)
-                assertTrue(has("qr-code"))
-                val form = onNodeWithTag("make-form").fetchSemanticsNode().boundsInRoot
-                assertTrue(placeOf("qr-code").top >= form.top && placeOf("qr-code").bottom <= form.bottom)
-                scrollAndTouch("make-link-copy")
+                assertTrue(has(DocumentTags.QR_CODE))
+                val form = onNodeWithTag(AssignmentTags.MAKE_FORM).fetchSemanticsNode().boundsInRoot
+                val code = placeOf(DocumentTags.QR_CODE)
+                assertTrue(code.top >= form.top && code.bottom <= form.bottom)
+                scrollAndTouch(AssignmentTags.linkCopy(AssignmentTags.MAKE))
                 assertEquals(true, workshop.state.making?.link?.isCopied)
             }
         }
@@ -185,13 +192,13 @@ class MakingScreenTest {
     fun `the code for a web page is shown and told to be copied`() {
         for (size in SIZES) {
             making(size) { workshop ->
-                scrollAndTouch("make-embed")
+                scrollAndTouch(AssignmentTags.MAKE_EMBED)
                 pass(500)
-                assertSeenAndAnnounced("make-embed-copied")
-                onNodeWithTag("make-embed-copied").assertTextContains("Code copied")
-                onNodeWithTag("make-embed-code").assertTextContains("<iframe src=", substring = true)
+                assertSeenAndAnnounced(AssignmentTags.MAKE_EMBED_COPIED)
+                onNodeWithTag(AssignmentTags.MAKE_EMBED_COPIED).assertTextContains("Code copied")
+                onNodeWithTag(AssignmentTags.MAKE_EMBED_CODE).assertTextContains("<iframe src=", substring = true)
                 assertEquals(machine.clipboard.text, workshop.state.making?.embedCode)
-                assertTrue(!has("link-local"))
+                assertTrue(!has(DocumentTags.LINK_LOCAL))
             }
         }
     }
@@ -200,14 +207,14 @@ class MakingScreenTest {
     fun `links and codes that begin with localhost say that they work on this machine only`() {
         machine.page = "http://localhost:8282/"
         making(PHONE) {
-            scrollAndTouch("make-embed")
+            scrollAndTouch(AssignmentTags.MAKE_EMBED)
             pass(500)
-            onNodeWithTag("link-local").assertTextContains("localhost:8282 and works on this machine", true)
+            onNodeWithTag(DocumentTags.LINK_LOCAL).assertTextContains("localhost:8282 and works on this machine", true)
         }
         making(PHONE) {
-            scrollAndTouch("make-pupil-link")
+            scrollAndTouch(AssignmentTags.MAKE_PUPIL_LINK)
             pass(500)
-            onNodeWithTag("link-local").assertTextContains("localhost:8282 and works on this machine", true)
+            onNodeWithTag(DocumentTags.LINK_LOCAL).assertTextContains("localhost:8282 and works on this machine", true)
         }
     }
 
@@ -216,9 +223,10 @@ class MakingScreenTest {
         val begun = AnyAssignment.program("beep\n" + AnyAssignment.SOLUTION)
         val robot = ProjectRobot(AnyAssignment.world.robots.first().name, listOf(begun))
         making(TABLET, AnyAssignment.teachers.copy(robots = listOf(robot))) {
-            scrollAndTouch("make-check")
+            scrollAndTouch(AssignmentTags.MAKE_CHECK)
             pass(500)
-            onNodeWithTag("make-checked-start").assertTextContains("already reaches the goals in 6 of 6 runs", true)
+            onNodeWithTag(AssignmentTags.MAKE_CHECKED_START)
+                .assertTextContains("already reaches the goals in 6 of 6 runs", true)
         }
     }
 
@@ -226,16 +234,16 @@ class MakingScreenTest {
     fun `the code for a class fills the screen, and Escape or the button closes it`() {
         for (size in SIZES) {
             making(size) {
-                scrollAndTouch("make-pupil-link")
-                scrollAndTouch("qr-show-large")
-                val side = placeOf("qr-code-large").width
+                scrollAndTouch(AssignmentTags.MAKE_PUPIL_LINK)
+                scrollAndTouch(DocumentTags.QR_SHOW_LARGE)
+                val side = placeOf(DocumentTags.QR_CODE_LARGE).width
                 assertTrue(side >= minOf(size.first, size.second) - 1, "$side on $size")
-                onNodeWithTag("qr-large-close").performKeyInput { pressKey(Key.Escape) }
+                onNodeWithTag(DocumentTags.QR_LARGE_CLOSE).performKeyInput { pressKey(Key.Escape) }
                 pass(300)
-                assertTrue(!has("qr-large-view"))
-                scrollAndTouch("qr-show-large")
-                touch("qr-large-close")
-                assertTrue(!has("qr-large-view"))
+                assertTrue(!has(DocumentTags.QR_LARGE_VIEW))
+                scrollAndTouch(DocumentTags.QR_SHOW_LARGE)
+                touch(DocumentTags.QR_LARGE_CLOSE)
+                assertTrue(!has(DocumentTags.QR_LARGE_VIEW))
             }
         }
     }
@@ -245,56 +253,56 @@ class MakingScreenTest {
         val random = Random(7)
         val text = (1..200).joinToString("\n") { random.nextLong().toString(36) }
         making(PHONE, AnyAssignment.teachers.copy(assignment = AnyAssignment.assignment.copy(text = text))) {
-            scrollAndTouch("make-pupil-link")
-            onNodeWithTag("qr-too-long").assertTextContains("give pupils the file", substring = true)
-            assertTrue(!has("qr-show-large"))
-            assertTrue(has("make-link-copy"))
+            scrollAndTouch(AssignmentTags.MAKE_PUPIL_LINK)
+            onNodeWithTag(DocumentTags.QR_TOO_LONG).assertTextContains("give pupils the file", substring = true)
+            assertTrue(!has(DocumentTags.QR_SHOW_LARGE))
+            assertTrue(has(AssignmentTags.linkCopy(AssignmentTags.MAKE)))
         }
     }
 
     @Test
     fun `the number of seeds is typed or chosen`() = making(PHONE) { workshop ->
-        scrollTo("make-seeds")
-        onNodeWithTag("make-seeds").performTextReplacement("37")
+        scrollTo(AssignmentTags.MAKE_SEEDS)
+        onNodeWithTag(AssignmentTags.MAKE_SEEDS).performTextReplacement("37")
         pass(300)
         assertEquals(1..37, assignmentOf(workshop).checks?.seeds)
-        onNodeWithTag("make-seeds").performTextReplacement("0")
+        onNodeWithTag(AssignmentTags.MAKE_SEEDS).performTextReplacement("0")
         pass(300)
-        assertTrue(has("make-seeds-wrong"))
-        onNodeWithTag("make-seeds").performTextReplacement("101")
+        assertTrue(has(AssignmentTags.MAKE_SEEDS_WRONG))
+        onNodeWithTag(AssignmentTags.MAKE_SEEDS).performTextReplacement("101")
         pass(300)
-        assertTrue(has("make-seeds-wrong"))
+        assertTrue(has(AssignmentTags.MAKE_SEEDS_WRONG))
         assertEquals(1..37, assignmentOf(workshop).checks?.seeds)
-        scrollAndTouch("make-seeds-20")
-        onNodeWithTag("make-seeds-20").assertIsSelected()
+        scrollAndTouch(AssignmentTags.makeSeeds(20))
+        onNodeWithTag(AssignmentTags.makeSeeds(20)).assertIsSelected()
         assertEquals(1..20, assignmentOf(workshop).checks?.seeds)
-        assertTrue(!has("make-seeds-wrong"))
+        assertTrue(!has(AssignmentTags.MAKE_SEEDS_WRONG))
         workshop.handle(AssignmentEvent.UndoRequested)
         pass(300)
-        onNodeWithTag("make-seeds").assertTextContains("37")
+        onNodeWithTag(AssignmentTags.MAKE_SEEDS).assertTextContains("37")
     }
 
     @Test
     fun `condition and number of tries of a new hint can be chosen before its text`() = making(PHONE) { workshop ->
         val index = assignmentOf(workshop).hints.size
-        scrollAndTouch("make-hint-add")
-        assertTrue(has("make-hint-when-$index"))
-        scrollAndTouch("make-hint-later-$index")
-        onNodeWithTag("make-hint-after-$index").assertTextContains("After 2 failed tries")
+        scrollAndTouch(AssignmentTags.MAKE_HINT_ADD)
+        assertTrue(has(AssignmentTags.makeHintWhen(index)))
+        scrollAndTouch(AssignmentTags.makeHintLater(index))
+        onNodeWithTag(AssignmentTags.makeHintAfter(index)).assertTextContains("After 2 failed tries")
         assertEquals(index, assignmentOf(workshop).hints.size)
-        scrollTo("make-hint-text-$index")
-        onNodeWithTag("make-hint-text-$index").performTextInput("Look.")
+        scrollTo(AssignmentTags.makeHintText(index))
+        onNodeWithTag(AssignmentTags.makeHintText(index)).performTextInput("Look.")
         pass(300)
         assertEquals("Look." to 2, assignmentOf(workshop).hints.last().run { text to afterTries })
     }
 
     @Test
     fun `the card of the teacher's file leads to the hand-ins`() = making(TABLET) { workshop ->
-        touch("assignment-make-close")
+        touch(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE))
         workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
         workshop.handle(ScreenEvent.TaskShown(true))
         pass(300)
-        touch("assignment-hand-ins")
+        touch(AssignmentTags.ASSIGNMENT_HAND_INS)
         assertNotNull(workshop.state.handIns)
     }
 

@@ -9,14 +9,21 @@ import androidx.compose.ui.test.performTextInput
 import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
+import robotran.ui.school.tags.AssignmentTags
+import robotran.ui.school.tags.DocumentTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollTo
+import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.touch
+import robotran.ui.world.tags.WorldTags
+import robotran.uikit.KitTags
 import robotran.workshop.Workshop
 import robotran.workshop.documents.Machine
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.WorldEditEvent
+import robotran.workshop.state.Pane
 import robotran.workshop.state.SolutionCheck
 import robotran.worldediting.Element
 import robotran.worldediting.ElementKind
@@ -54,16 +61,16 @@ class TouchesTest {
 
     /** Types a program on a screen where the program may be another page. */
     private fun ComposeUiTest.program(workshop: Workshop, text: String) {
-        if (has("tab-program")) tap("tab-program", 1_000)
+        if (has(ScreenTags.tab(Pane.PROGRAM))) tap(ScreenTags.tab(Pane.PROGRAM), 1_000)
         workshop.handle(ProgramEvent.ProgramEdited(text))
         pass(300)
         touches++
     }
 
     private fun ComposeUiTest.makeAssignment(height: Int) {
-        if (has("menu") && !has("work-menu")) tap("menu", height)
-        tap("work-menu", height)
-        tap("work-make-assignment", height)
+        if (has(ScreenTags.MENU) && !has(DocumentTags.WORK_MENU)) tap(ScreenTags.MENU, height)
+        tap(DocumentTags.WORK_MENU, height)
+        tap(DocumentTags.menuItem(DocumentTags.MAKE_ASSIGNMENT), height)
     }
 
     private fun count(width: Int, height: Int): Pair<Int, Int> {
@@ -72,24 +79,24 @@ class TouchesTest {
         val workshop = machine.window()
         var first = 0
         onScreenOf(workshop, width, height) {
-            if (has("worlds")) {
-                tap("worlds", height)
+            if (has(ScreenTags.WORLDS)) {
+                tap(ScreenTags.WORLDS, height)
             } else {
-                tap("menu", height)
-                tap("menu-worlds", height)
+                tap(ScreenTags.MENU, height)
+                tap(ScreenTags.MENU_WORLDS, height)
             }
-            onNodeWithTag("world-cards").performScrollToKey("maze")
+            onNodeWithTag(LearningTags.WORLD_CARDS).performScrollToKey("maze")
             pass(500)
             touches++
-            tap("world-maze", height)
+            tap(LearningTags.world("maze"), height)
             assertNotNull(workshop.state.learning.worldTask)
             program(workshop, "forward 20\n")
             makeAssignment(height)
-            swipeTo("make-text", height)
-            onNodeWithTag("make-text").performTextInput("Find the way out.")
+            swipeTo(AssignmentTags.MAKE_TEXT, height)
+            onNodeWithTag(AssignmentTags.MAKE_TEXT).performTextInput("Find the way out.")
             pass(300)
             touches++
-            tap("make-variation-add", height)
+            tap(AssignmentTags.MAKE_VARIATION_ADD, height)
             // A finger drags the robot.
             val robot = checkNotNull(workshop.state.worldEdit).world.robots.first()
             val turned = robot.copy(start = robot.start.copy(heading = robot.start.heading + 90))
@@ -97,15 +104,15 @@ class TouchesTest {
                 WorldEditEvent.Edited(WorldEdit.Change(ElementRef(ElementKind.ROBOT, 0), Element.OfRobot(turned))),
             )
             touches++
-            tap("edit-to-assignment", height)
-            tap("assignment-make-close", height)
+            tap(WorldTags.EDIT_TO_ASSIGNMENT, height)
+            tap(KitTags.close(AssignmentTags.ASSIGNMENT_MAKE), height)
             program(workshop, "forward 21\n")
             makeAssignment(height)
-            tap("make-check", height)
+            tap(AssignmentTags.MAKE_CHECK, height)
             first = touches
             assertIs<SolutionCheck.Failed>(workshop.state.making?.check)
-            tap("make-teacher-file", height)
-            tap("make-pupil-file", height)
+            tap(AssignmentTags.MAKE_TEACHER_FILE, height)
+            tap(AssignmentTags.MAKE_PUPIL_FILE, height)
         }
         val saved = machine.files.disk.values.last()
         assertIs<ProjectFileResult.Success>(readProject(saved, Language.ENGLISH))

@@ -22,6 +22,7 @@ import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
 import robotran.ui.program.blocks.doNow
 import robotran.ui.program.blocks.paste
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
@@ -47,7 +48,7 @@ internal fun ActionsDialog(id: BlockId, scope: BlockScope, onClose: () -> Unit, 
     BlockDialogFrame(scope.wordsOf(block.head), onClose, modifier) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             for (action in actionsOn(block, scope, clipboard, reader)) {
-                DialogButton(action.words(spoken), "action-${action.tag}") { act(action) }
+                DialogButton(action.words(spoken), ProgramTags.action(action.tag)) { act(action) }
             }
         }
         Forms(block, scope)
@@ -64,7 +65,7 @@ private fun Forms(block: Block, scope: BlockScope) {
     DialogHeading(BlockTexts.forms(spoken))
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         changes.forEachIndexed { index, (words, edit) ->
-            DialogButton(words, "form-$index") {
+            DialogButton(words, ProgramTags.form(index)) {
                 scope.show(null)
                 scope.edit(edit)
             }
@@ -105,37 +106,37 @@ private fun actionsOnAll(
     val here = if (block.id in scope.state.selected) scope.state else scope.state.at(BlockCursor.At(block.id))
     val copy = { clipboard.copy(scope.copy(state = here.copy(part = null))) }
     return listOfNotNull(
-        BlockAction(BlockTexts::doNow, "now") { scope.doNow(DragPayload.Blocks(run)) },
-        BlockAction(BlockTexts::duplicate, "duplicate") { scope.edit(BlockEdit.Duplicate(run)) },
-        BlockAction(BlockTexts::delete, "delete") { scope.edit(BlockEdit.Delete(selected)) },
-        BlockAction(BlockTexts::up, "up") {
+        BlockAction(BlockTexts::doNow, ProgramTags.NOW) { scope.doNow(DragPayload.Blocks(run)) },
+        BlockAction(BlockTexts::duplicate, ProgramTags.DUPLICATE) { scope.edit(BlockEdit.Duplicate(run)) },
+        BlockAction(BlockTexts::delete, ProgramTags.DELETE) { scope.edit(BlockEdit.Delete(selected)) },
+        BlockAction(BlockTexts::up, ProgramTags.UP) {
             at()
             scope.onEvent(BlockEvent.Moved(isUp = true))
         },
-        BlockAction(BlockTexts::down, "down") {
+        BlockAction(BlockTexts::down, ProgramTags.DOWN) {
             at()
             scope.onEvent(BlockEvent.Moved(isUp = false))
         },
-        BlockAction(BlockTexts::out, "out") {
+        BlockAction(BlockTexts::out, ProgramTags.OUT) {
             at()
             scope.onEvent(BlockEvent.Nested(isOut = true))
         }.takeIf { here.placeNested(isOut = true) != null },
-        BlockAction(BlockTexts::blocksIn, "in") {
+        BlockAction(BlockTexts::blocksIn, ProgramTags.IN) {
             at()
             scope.onEvent(BlockEvent.Nested(isOut = false))
         }.takeIf { here.placeNested(isOut = false) != null },
-        BlockAction(BlockTexts::chooseSeveral, "choose") {
+        BlockAction(BlockTexts::chooseSeveral, ProgramTags.CHOOSE) {
             at()
             scope.onEvent(BlockEvent.MultiSelectChanged(true))
         },
-        BlockAction(BlockTexts::selectStack, "stack") { scope.onEvent(BlockEvent.StackSelected(block.id)) },
-        BlockAction(BlockTexts::wrap, "wrap") { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
-        BlockAction(EditorTexts::cut, "cut") {
+        BlockAction(BlockTexts::selectStack, ProgramTags.STACK) { scope.onEvent(BlockEvent.StackSelected(block.id)) },
+        BlockAction(BlockTexts::wrap, ProgramTags.WRAP) { scope.edit(BlockEdit.Wrap(run, REPEAT)) },
+        BlockAction(EditorTexts::cut, ProgramTags.CUT) {
             copy()
             scope.edit(BlockEdit.Delete(selected))
         },
-        BlockAction(EditorTexts::copy, "copy") { copy() },
-        BlockAction(EditorTexts::paste, "paste") {
+        BlockAction(EditorTexts::copy, ProgramTags.COPY) { copy() },
+        BlockAction(EditorTexts::paste, ProgramTags.PASTE) {
             at()
             reader.read(scope::paste)
         },
@@ -143,29 +144,29 @@ private fun actionsOnAll(
 }
 
 private fun actionsOnLine(block: Block, scope: BlockScope): List<BlockAction> = listOfNotNull(
-    BlockAction(BlockTexts::note, "note") { scope.show(BlockDialog.Note(block.head.index)) },
-    BlockAction(BlockTexts::asText, "line") { scope.show(BlockDialog.Line(block.head.index)) },
+    BlockAction(BlockTexts::note, ProgramTags.NOTE) { scope.show(BlockDialog.Note(block.head.index)) },
+    BlockAction(BlockTexts::asText, ProgramTags.LINE) { scope.show(BlockDialog.Line(block.head.index)) },
     block.head.helpWord(scope.state.program.text)?.let { word ->
-        BlockAction(BlockTexts::help, "help") { scope.onHelp(word) }
+        BlockAction(BlockTexts::help, ProgramTags.HELP) { scope.onHelp(word) }
     },
 )
 
 private fun actionsOnConstruct(block: Block, scope: BlockScope): List<BlockAction> {
     if (block !is Block.Construct) return emptyList()
-    val unwrap = BlockAction(BlockTexts::unwrap, "unwrap") { scope.edit(BlockEdit.Unwrap(block.id)) }
+    val unwrap = BlockAction(BlockTexts::unwrap, ProgramTags.UNWRAP) { scope.edit(BlockEdit.Unwrap(block.id)) }
     if (block.head.form != LineForm.IF) return listOf(unwrap)
     val branch = (scope.state.cursor as? BlockCursor.Branch)?.takeIf { it.block == block.id }
     return listOfNotNull(
         unwrap,
         branch?.let { at ->
-            BlockAction(BlockTexts::removeElse, "remove-else") {
+            BlockAction(BlockTexts::removeElse, ProgramTags.REMOVE_ELSE) {
                 scope.edit(BlockEdit.RemoveElse(block.id, at.slot))
             }
         },
-        BlockAction(BlockTexts::addElseIf, "else-if") {
+        BlockAction(BlockTexts::addElseIf, ProgramTags.ELSE_IF) {
             scope.edit(BlockEdit.AddElse(block.id, ValueUse.CONDITION.example))
         },
-        BlockAction(BlockTexts::addElse, "else") { scope.edit(BlockEdit.AddElse(block.id)) },
+        BlockAction(BlockTexts::addElse, ProgramTags.ELSE) { scope.edit(BlockEdit.AddElse(block.id)) },
     )
 }
 

@@ -23,6 +23,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.setProgress
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import kotlin.math.PI
@@ -47,7 +48,7 @@ internal fun AngleDial(degrees: Double, isLeft: Boolean, diameter: Dp, onTurn: (
     Canvas(
         Modifier
             .size(diameter)
-            .testTag("number-dial")
+            .testTag(ProgramTags.NUMBER_DIAL)
             .pointerInput(Unit) {
                 awaitEachGesture {
                     val down = awaitFirstDown()

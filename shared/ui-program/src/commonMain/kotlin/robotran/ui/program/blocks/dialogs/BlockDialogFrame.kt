@@ -42,6 +42,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -74,7 +75,7 @@ internal fun BlockDialogFrame(
     }
     Surface(
         modifier
-            .testTag("block-sheet")
+            .testTag(ProgramTags.BLOCK_SHEET)
             .onFocusChanged { hasFocus = it.hasFocus }
             .onPreviewKeyEvent { isOfEarlierPress(it, pressed) }
             .onKeyEvent { handleInDialog(it, manager, onClose) }
@@ -129,7 +130,7 @@ internal fun BlockDialogFrame(
 
 @Composable
 private fun CloseDialogButton(onClose: () -> Unit) =
-    IconButton(Icon.CLOSE, BlockTexts.sheetClose(spoken), "block-sheet-close", onClick = onClose)
+    IconButton(Icon.CLOSE, BlockTexts.sheetClose(spoken), ProgramTags.BLOCK_SHEET_CLOSE, onClick = onClose)
 
 /**
  * Whether [event] ends the press of the key that opened the sheet. A button would take it for a click, so that the sheet

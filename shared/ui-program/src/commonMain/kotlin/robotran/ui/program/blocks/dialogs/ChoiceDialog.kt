@@ -7,6 +7,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.unit.dp
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -18,7 +19,7 @@ internal fun ChoiceDialog(part: PhrasePart.Choice, scope: BlockScope, onClose: (
     BlockDialogFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
-                DialogButton(option, "choice-$index", isChosen = option.equals(now, ignoreCase = true)) {
+                DialogButton(option, ProgramTags.choice(index), isChosen = option.equals(now, ignoreCase = true)) {
                     scope.put(option)
                     onClose()
                 }

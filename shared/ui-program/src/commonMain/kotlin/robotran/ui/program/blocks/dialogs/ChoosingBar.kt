@@ -18,6 +18,7 @@ import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockEdit
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.copy
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
@@ -29,7 +30,11 @@ import robotran.workshop.event.BlockEvent
 internal fun ChoosingBar(scope: BlockScope) {
     val clipboard = LocalClipboardManager.current
     val state = scope.state
-    Surface(Modifier.fillMaxWidth().padding(8.dp).testTag("blocks-choosing"), Shapes.LARGE, shadowElevation = 6.dp) {
+    Surface(
+        Modifier.fillMaxWidth().padding(8.dp).testTag(ProgramTags.BLOCKS_CHOOSING),
+        Shapes.LARGE,
+        shadowElevation = 6.dp,
+    ) {
         Column(Modifier.padding(12.dp), Arrangement.spacedBy(8.dp)) {
             Text(
                 BlockTexts.chosen(spoken, state.selected.size),
@@ -40,14 +45,14 @@ internal fun ChoosingBar(scope: BlockScope) {
                 horizontalArrangement = Arrangement.spacedBy(8.dp),
                 verticalArrangement = Arrangement.spacedBy(8.dp),
             ) {
-                DialogButton(BlockTexts.done(spoken), "choosing-done") {
+                DialogButton(BlockTexts.done(spoken), ProgramTags.CHOOSING_DONE) {
                     scope.onEvent(BlockEvent.MultiSelectChanged(false))
                 }
-                DialogButton(EditorTexts.copy(spoken), "choosing-copy") { clipboard.copy(scope) }
-                DialogButton(BlockTexts.duplicate(spoken), "choosing-duplicate") {
+                DialogButton(EditorTexts.copy(spoken), ProgramTags.CHOOSING_COPY) { clipboard.copy(scope) }
+                DialogButton(BlockTexts.duplicate(spoken), ProgramTags.CHOOSING_DUPLICATE) {
                     state.run?.let { scope.edit(BlockEdit.Duplicate(it)) }
                 }
-                DialogButton(BlockTexts.delete(spoken), "choosing-delete") {
+                DialogButton(BlockTexts.delete(spoken), ProgramTags.CHOOSING_DELETE) {
                     scope.edit(BlockEdit.Delete(state.selected.toSet()))
                 }
             }

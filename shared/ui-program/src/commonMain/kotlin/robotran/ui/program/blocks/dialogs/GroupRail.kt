@@ -29,6 +29,7 @@ import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
 import robotran.ui.code.GroupSigns
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockPalette
@@ -45,7 +46,7 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
             .scrollHint(scroll, ground = colours.desk)
             .verticalScroll(scroll)
             .padding(vertical = 4.dp)
-            .testTag("block-groups"),
+            .testTag(ProgramTags.BLOCK_GROUPS),
         Arrangement.spacedBy(2.dp),
     ) {
         for (group in BlockGroup.entries) {
@@ -65,7 +66,7 @@ private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, 
     Column(
         Modifier
             .fillMaxWidth()
-            .testTag("group-${group.name.lowercase()}")
+            .testTag(ProgramTags.group(group))
             .defaultMinSize(minHeight = BUTTON_HEIGHT)
             .focusRing()
             .background(if (isShown) colours.pane else Color.Transparent)
@@ -91,7 +92,7 @@ internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
     val shape = Shapes.MEDIUM
     Row(
         Modifier
-            .testTag("group-${group.name.lowercase()}")
+            .testTag(ProgramTags.group(group))
             .broughtIntoSight(isShown)
             .defaultMinSize(minHeight = Dimensions.TARGET)
             .focusRing()
@@ -118,7 +119,7 @@ internal fun GroupSign(group: BlockGroup, isShown: Boolean, scope: BlockScope, o
     val words = scope.messages.group(group)
     Box(
         Modifier
-            .testTag("group-${group.name.lowercase()}")
+            .testTag(ProgramTags.group(group))
             .size(GRID_CELL)
             .focusRing()
             .border(

@@ -11,6 +11,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -21,11 +22,11 @@ internal fun ItemActions(part: PhrasePart.Value, scope: BlockScope) {
     if (part.value.form != ValueForm.LIST) return
     val count = part.value.parts.count { it is PhrasePart.Value }
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        DialogButton(BlockTexts.itemAdd(spoken), "item-add") {
+        DialogButton(BlockTexts.itemAdd(spoken), ProgramTags.ITEM_ADD) {
             scope.edit(BlockEdit.AddItem(part.span, count, ValueUse.NUMBER.example))
         }
         if (count > 1) {
-            DialogButton(BlockTexts.itemRemove(spoken), "item-remove") {
+            DialogButton(BlockTexts.itemRemove(spoken), ProgramTags.ITEM_REMOVE) {
                 scope.edit(BlockEdit.RemoveItem(part.span, count - 1))
             }
         }
@@ -38,12 +39,12 @@ internal fun ItemActions(part: PhrasePart.Value, scope: BlockScope) {
 internal fun ParameterActions(part: PhrasePart.NamePart, scope: BlockScope, onClose: () -> Unit) {
     val routine = scope.state.program.nameAt(part.span) ?: return
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
-        DialogButton(BlockTexts.parameterAdd(spoken), "parameter-add") {
+        DialogButton(BlockTexts.parameterAdd(spoken), ProgramTags.PARAMETER_ADD) {
             scope.edit(BlockEdit.AddParameter(routine.declaredAt, scope.freeName()))
             onClose()
         }
         if (routine.parameters.isNotEmpty()) {
-            DialogButton(BlockTexts.parameterRemove(spoken), "parameter-remove") {
+            DialogButton(BlockTexts.parameterRemove(spoken), ProgramTags.PARAMETER_REMOVE) {
                 scope.edit(BlockEdit.RemoveParameter(routine.declaredAt, routine.parameters.lastIndex))
                 onClose()
             }

@@ -15,6 +15,7 @@ import robotran.blockediting.namesFor
 import robotran.robolang.outline.NameRole
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -25,7 +26,7 @@ internal fun NameDialog(part: PhrasePart.NamePart, scope: BlockScope, onClose: (
     val isDeclaration = part.role == NameRole.DECLARES || part.role == NameRole.DECLARES_ROUTINE
     BlockDialogFrame(if (isDeclaration) BlockTexts.rename(spoken) else BlockTexts.names(spoken), onClose) {
         if (isDeclaration) {
-            DialogField(scope.textOf(part), BlockTexts.name(spoken), "name") { name ->
+            DialogField(scope.textOf(part), BlockTexts.name(spoken), ProgramTags.NAME) { name ->
                 val declared = scope.state.program.nameAt(part.span)
                 if (declared == null) scope.put(name) else scope.edit(BlockEdit.Rename(declared.declaredAt, name))
                 onClose()
@@ -37,7 +38,7 @@ internal fun NameDialog(part: PhrasePart.NamePart, scope: BlockScope, onClose: (
                 verticalArrangement = Arrangement.spacedBy(8.dp),
             ) {
                 scope.state.program.namesFor(part).forEachIndexed { index, name ->
-                    DialogButton(name.text, "name-$index", isChosen = name.text == scope.textOf(part)) {
+                    DialogButton(name.text, ProgramTags.name(index), isChosen = name.text == scope.textOf(part)) {
                         scope.put(name.text)
                         onClose()
                     }
@@ -56,8 +57,8 @@ internal fun NameDialog(part: PhrasePart.NamePart, scope: BlockScope, onClose: (
 internal fun NewName(scope: BlockScope, onName: (String) -> Unit) {
     var isOpen by remember { mutableStateOf(false) }
     if (isOpen) {
-        DialogField(scope.freeName(), BlockTexts.name(spoken), "new-name", onDone = onName)
+        DialogField(scope.freeName(), BlockTexts.name(spoken), ProgramTags.NEW_NAME, onDone = onName)
     } else {
-        DialogButton(BlockTexts.nameNew(spoken), "new-name") { isOpen = true }
+        DialogButton(BlockTexts.nameNew(spoken), ProgramTags.NEW_NAME) { isOpen = true }
     }
 }

@@ -41,6 +41,7 @@ import robotran.editing.written
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueUse
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 import kotlin.math.round
@@ -81,7 +82,7 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
             .onPreviewKeyEvent(keys::handle)
             .focusRequester(focus)
             .focusable()
-            .testTag("number")
+            .testTag(ProgramTags.NUMBER)
             .semantics {
                 contentDescription = label
                 preview?.let { stateDescription = it }
@@ -160,10 +161,10 @@ private fun Stepper(
     slider: @Composable () -> Unit,
 ) {
     val less: @Composable () -> Unit = {
-        DialogButton("−", "number-less", spoken = BlockTexts.less(spoken), onClick = onLess)
+        DialogButton("−", ProgramTags.NUMBER_LESS, spoken = BlockTexts.less(spoken), onClick = onLess)
     }
     val more: @Composable () -> Unit = {
-        DialogButton("+", "number-more", spoken = BlockTexts.moreOf(spoken), onClick = onMore)
+        DialogButton("+", ProgramTags.NUMBER_MORE, spoken = BlockTexts.moreOf(spoken), onClick = onMore)
     }
     if (room == NumberRoom.NARROW) {
         NumberNow(text, unit, "\n", Modifier.fillMaxWidth())
@@ -195,7 +196,7 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
                 withStyle(SpanStyle(colours.quiet, UNIT_SIZE.sp)) { append(unit) }
             }
         },
-        modifier.testTag("number-now").announced(),
+        modifier.testTag(ProgramTags.NUMBER_NOW).announced(),
         TextStyle(fontSize = size.sp, fontWeight = FontWeight.Medium),
         textAlign = TextAlign.Center,
     )
@@ -207,7 +208,7 @@ private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Uni
     val range = scale.min.toFloat()..scale.max.toFloat()
     Slider(
         now.toFloat().coerceIn(range),
-        SliderWords(label, written(now), "number-slider"),
+        SliderWords(label, written(now), ProgramTags.NUMBER_SLIDER),
         Modifier.fillMaxWidth(),
         range,
     ) { onPut(round(it / scale.step) * scale.step) }

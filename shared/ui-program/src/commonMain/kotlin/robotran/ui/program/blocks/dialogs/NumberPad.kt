@@ -8,6 +8,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -22,14 +23,18 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
     Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
         for (row in if (isLow) LOW_ROWS else ROWS) {
             Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
-                for (key in row) PadKey("$key", "digit-$key", keyWidth, spokenFor(key), signOf(key)) { onKey(key) }
+                for (key in row) {
+                    PadKey("$key", ProgramTags.digit(key), keyWidth, spokenFor(key), signOf(key)) {
+                        onKey(key)
+                    }
+                }
                 if (isLow && row == LOW_ROWS.last()) DoneKey(keyWidth, onDone)
             }
         }
         if (!isLow) {
             Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
                 val half = keyWidth * 2 + GAP
-                PadKey("0", "digit-0", half, "0") { onKey('0') }
+                PadKey("0", ProgramTags.DIGIT_0, half, "0") { onKey('0') }
                 DoneKey(half, onDone)
             }
         }
@@ -37,7 +42,7 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
 
 @Composable
 private fun DoneKey(width: Dp, onDone: () -> Unit) =
-    PadKey("✓", "number-done", width, BlockTexts.done(spoken), ThinIcons.CHECK, onDone)
+    PadKey("✓", ProgramTags.NUMBER_DONE, width, BlockTexts.done(spoken), ThinIcons.CHECK, onDone)
 
 @Composable
 private fun PadKey(label: String, tag: String, width: Dp, spoken: String, sign: Icon? = null, onClick: () -> Unit) =

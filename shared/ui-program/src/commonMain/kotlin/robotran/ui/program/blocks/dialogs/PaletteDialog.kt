@@ -51,6 +51,7 @@ import robotran.robolang.words.BlockGroup
 import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.DoNowButton
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.ui.program.texts.EditorTexts
 import robotran.uikit.*
@@ -101,7 +102,7 @@ internal fun PaletteDialog(
     }
     val showAll: @Composable () -> Unit = {
         if (introduced != null && !scope.isIntroductionFixed) {
-            DialogButton(BlockTexts.showAll(spoken), "palette-all") { showsAll = true }
+            DialogButton(BlockTexts.showAll(spoken), ProgramTags.PALETTE_ALL) { showsAll = true }
         }
     }
     val noneFound: @Composable () -> Unit = {
@@ -122,7 +123,7 @@ internal fun PaletteDialog(
             where
                 .focusRequester(list)
                 .focusGroup()
-                .testTag("palette-blocks")
+                .testTag(ProgramTags.PALETTE_BLOCKS)
                 .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
             items,
             verticalArrangement = Arrangement.spacedBy(8.dp),
@@ -181,7 +182,7 @@ private fun PaletteSearchField(
             val leaves = event.type == KeyEventType.KeyDown && event.key == Key.DirectionDown
             if (leaves) onLeave()
             leaves
-        }.testTag("palette-search"),
+        }.testTag(ProgramTags.PALETTE_SEARCH),
     BlockTexts.search(spoken),
     keyboard = KeyboardOptions(imeAction = ImeAction.Search),
     onKeyboard = KeyboardActions(onSearch = { onTake() }),

@@ -26,6 +26,7 @@ import robotran.ui.program.blocks.BlockDragging
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.blocks.Carrier
 import robotran.ui.program.blocks.carry
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -49,7 +50,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .focusRing()
             .clip(Shapes.SMALL)
             .clickable(role = Role.Button, onClick = onTake)
-            .testTag("take-${block.id}")
+            .testTag(ProgramTags.take(block.id))
             .named(spoken),
         Arrangement.spacedBy(2.dp),
     ) {

@@ -17,6 +17,7 @@ import androidx.compose.ui.text.input.ImeAction
 import robotran.blockediting.BlockEdit
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -26,12 +27,12 @@ internal fun NoteDialog(line: Int, scope: BlockScope, onClose: () -> Unit, modif
     val comment = scope.state.program.outline.lines.getOrNull(line)?.comment
     val now = comment?.let { scope.textOf(it).removePrefix("//").trim() }
     BlockDialogFrame(BlockTexts.note(spoken), onClose, modifier) {
-        DialogField(now.orEmpty(), BlockTexts.note(spoken), "note") {
+        DialogField(now.orEmpty(), BlockTexts.note(spoken), ProgramTags.NOTE) {
             scope.edit(BlockEdit.SetNote(line, it.takeIf { text -> text.isNotBlank() }))
             onClose()
         }
         if (now != null) {
-            DialogButton(BlockTexts.noteDelete(spoken), "note-delete") {
+            DialogButton(BlockTexts.noteDelete(spoken), ProgramTags.NOTE_DELETE) {
                 scope.edit(BlockEdit.SetNote(line, null))
                 onClose()
             }
@@ -44,7 +45,7 @@ internal fun NoteDialog(line: Int, scope: BlockScope, onClose: () -> Unit, modif
 internal fun LineDialog(line: Int, scope: BlockScope, onClose: () -> Unit, modifier: Modifier) {
     val now = scope.state.program.outline.lines.getOrNull(line)?.let { scope.textOf(it.span).trim() }.orEmpty()
     BlockDialogFrame(BlockTexts.line(spoken), onClose, modifier) {
-        DialogField(now, BlockTexts.line(spoken), "line") {
+        DialogField(now, BlockTexts.line(spoken), ProgramTags.LINE) {
             scope.edit(BlockEdit.ReplaceLine(line, it))
             onClose()
         }
@@ -56,7 +57,7 @@ internal fun LineDialog(line: Int, scope: BlockScope, onClose: () -> Unit, modif
 internal fun ShownTextDialog(part: PhrasePart.Text, scope: BlockScope, onClose: () -> Unit) {
     val title = BlockTexts.shownText(spoken)
     BlockDialogFrame(title, onClose) {
-        DialogField(scope.textOf(part).removeSurrounding("\""), title, "shown-text") {
+        DialogField(scope.textOf(part).removeSurrounding("\""), title, ProgramTags.SHOWN_TEXT) {
             scope.put(it)
             onClose()
         }
@@ -81,11 +82,11 @@ internal fun DialogField(
     TextField(
         typed,
         { typed = it },
-        Modifier.fillMaxWidth().focusRequester(focus).testTag("$tag-field"),
+        Modifier.fillMaxWidth().focusRequester(focus).testTag(ProgramTags.field(tag)),
         label,
         keyboard = KeyboardOptions(imeAction = ImeAction.Done),
         onKeyboard = KeyboardActions(onDone = { onDone(typed) }),
     )
-    DialogButton(BlockTexts.done(spoken), "$tag-done") { onDone(typed) }
+    DialogButton(BlockTexts.done(spoken), ProgramTags.done(tag)) { onDone(typed) }
     LaunchedEffect(Unit) { if (takesFocus) focus.requestFocus() }
 }

@@ -10,6 +10,7 @@ import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
+import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
 
@@ -20,17 +21,17 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
     val names = program.offeredNames(part)
     if (names.isNotEmpty()) {
         DialogHeading(BlockTexts.names(spoken))
-        Choices(names, "value-name", onChoose)
+        Choices(names, ProgramTags.VALUE_NAME, onChoose)
     }
     DialogHeading(BlockTexts.values(spoken))
-    Choices(program.offeredValues(part, scope.sensors, scope.brick), "value", onChoose)
+    Choices(program.offeredValues(part, scope.sensors, scope.brick), ProgramTags.VALUE, onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
 @Composable
 internal fun NoteChoice(part: PhrasePart.Value, scope: BlockScope) {
     DialogHeading(BlockTexts.tones(spoken))
-    Choices(MUSICAL_NOTES.map { it.name to "${it.frequency}" }, "tone", scope.textOf(part)) {
+    Choices(MUSICAL_NOTES.map { it.name to "${it.frequency}" }, ProgramTags.TONE, scope.textOf(part)) {
         scope.put(it)
     }
 }
@@ -51,6 +52,6 @@ private fun Choices(choices: List<String>, tag: String, onChoose: (String) -> Un
 private fun Choices(choices: List<Pair<String, String>>, tag: String, now: String?, onChoose: (String) -> Unit) =
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
         choices.forEachIndexed { index, (words, text) ->
-            DialogButton(words, "$tag-$index", isChosen = text == now) { onChoose(text) }
+            DialogButton(words, KitTags.at(tag, index), isChosen = text == now) { onChoose(text) }
         }
     }

@@ -1,0 +1,172 @@
+package robotran.ui.school.tags
+
+import robotran.language.ProgramLanguage
+import robotran.robolang.words.BlockGroup
+
+/** The tags of assignments, as pupils see them and as teachers make them, by which tests and the page find what is on the screen. */
+object AssignmentTags {
+    const val ASSIGNMENT_AUTHOR = "assignment-author"
+    const val ASSIGNMENT_BEGIN_AGAIN = "assignment-begin-again"
+    const val ASSIGNMENT_CARD = "assignment-card"
+    const val ASSIGNMENT_COMMENT = "assignment-comment"
+    const val ASSIGNMENT_DUE = "assignment-due"
+    const val ASSIGNMENT_EDIT = "assignment-edit"
+    const val ASSIGNMENT_FEEDBACK = "assignment-feedback"
+    const val ASSIGNMENT_FEEDBACK_PROGRAM = "assignment-feedback-program"
+    const val ASSIGNMENT_FEEDBACK_TITLE = "assignment-feedback-title"
+    const val ASSIGNMENT_GOAL = "assignment-goal"
+    const val ASSIGNMENT_GOALS = "assignment-goals"
+    const val ASSIGNMENT_HANDED_IN = "assignment-handed-in"
+    const val ASSIGNMENT_HAND_IN = "assignment-hand-in"
+    const val ASSIGNMENT_HAND_INS = "assignment-hand-ins"
+    const val ASSIGNMENT_IS_HAND_IN = "assignment-is-hand-in"
+    const val ASSIGNMENT_MAKE = "assignment-make"
+    const val ASSIGNMENT_NOT_ALLOWED = "assignment-not-allowed"
+    const val ASSIGNMENT_PICTURE = "assignment-picture"
+    const val ASSIGNMENT_PICTURE_BROKEN = "assignment-picture-broken"
+    const val ASSIGNMENT_RESULT = "assignment-result"
+    const val ASSIGNMENT_TEXT = "assignment-text"
+    const val ASSIGNMENT_TRIES = "assignment-tries"
+    const val HAND_IN_ANYWAY = "hand-in-anyway"
+    const val HAND_IN_BACK = "hand-in-back"
+    const val HAND_IN_BEST = "hand-in-best"
+    const val HAND_IN_CANCEL = "hand-in-cancel"
+    const val HAND_IN_CLOSE = "hand-in-close"
+    const val HAND_IN_DECIDES = "hand-in-decides"
+    const val HAND_IN_EDITOR = "hand-in-editor"
+    const val HAND_IN_FILE = "hand-in-file"
+    const val HAND_IN_GO_ON = "hand-in-go-on"
+    const val HAND_IN_LINK = "hand-in-link"
+    const val HAND_IN_MISTAKES = "hand-in-mistakes"
+    const val HAND_IN_NAME = "hand-in-name"
+    const val HAND_IN_PROGRESS = "hand-in-progress"
+    const val HAND_IN_QR = "hand-in-qr"
+    const val HAND_IN_READY = "hand-in-ready"
+    const val HAND_IN_RUNNING = "hand-in-running"
+    const val HAND_IN_SAVED = "hand-in-saved"
+    const val HAND_IN_SHARE = "hand-in-share"
+    const val HAND_IN_SHEET = "hand-in-sheet"
+    const val HAND_IN_STOP = "hand-in-stop"
+    const val HAND_IN_UNCHANGED = "hand-in-unchanged"
+    const val HAND_IN_WHAT = "hand-in-what"
+    const val MAKE = "make"
+    const val MAKE_CHECK = "make-check"
+    const val MAKE_CHECKED = "make-checked"
+    const val MAKE_CHECKED_START = "make-checked-start"
+    const val MAKE_CHECK_PROGRESS = "make-check-progress"
+    const val MAKE_CHECK_SECTION = "make-check-section"
+    const val MAKE_CHECK_STOP = "make-check-stop"
+    const val MAKE_COMPLETE = "make-complete"
+    const val MAKE_DUE = "make-due"
+    const val MAKE_EMBED = "make-embed"
+    const val MAKE_EMBED_CODE = "make-embed-code"
+    const val MAKE_EMBED_COPIED = "make-embed-copied"
+    const val MAKE_EMBED_PROBLEM = "make-embed-problem"
+    const val MAKE_FORM = "make-form"
+    const val MAKE_GIVE_HELP = "make-give-help"
+    const val MAKE_GIVE_SECTION = "make-give-section"
+    const val MAKE_GIVING_CANCEL = "make-giving-cancel"
+    const val MAKE_GIVING_SHARE = "make-giving-share"
+    const val MAKE_GOAL_COUNT = "make-goal-count"
+    const val MAKE_GOAL_SECTION = "make-goal-section"
+    const val MAKE_GRADING_HELP = "make-grading-help"
+    const val MAKE_GRADING_SECTION = "make-grading-section"
+    const val MAKE_HAND_IN_SECTION = "make-hand-in-section"
+    const val MAKE_HINTS_HELP = "make-hints-help"
+    const val MAKE_HINT_ADD = "make-hint-add"
+    const val MAKE_HINT_SECTION = "make-hint-section"
+    const val MAKE_LANGUAGE_ALL = "make-language-all"
+    const val MAKE_MAY_CHANGE = "make-may-change"
+    const val MAKE_MISSING = "make-missing"
+    const val MAKE_NAME = "make-name"
+    const val MAKE_PACKED = "make-packed"
+    const val MAKE_PACKING = "make-packing"
+    const val MAKE_PICTURE = "make-picture"
+    const val MAKE_PICTURE_ERROR = "make-picture-error"
+    const val MAKE_PICTURE_SMALLER = "make-picture-smaller"
+    const val MAKE_PLATFORM_HELP = "make-platform-help"
+    const val MAKE_PLATFORM_SECTION = "make-platform-section"
+    const val MAKE_PREVIEW = "make-preview"
+    const val MAKE_PROGRAM_SECTION = "make-program-section"
+    const val MAKE_PUPIL_FILE = "make-pupil-file"
+    const val MAKE_PUPIL_LINK = "make-pupil-link"
+    const val MAKE_REMOVE = "make-remove"
+    const val MAKE_SAVED = "make-saved"
+    const val MAKE_SEEDS = "make-seeds"
+    const val MAKE_SEEDS_WRONG = "make-seeds-wrong"
+    const val MAKE_SOLUTION = "make-solution"
+    const val MAKE_SOLUTION_FIRST = "make-solution-first"
+    const val MAKE_SOLUTION_SHOW = "make-solution-show"
+    const val MAKE_SOLUTION_TAKE = "make-solution-take"
+    const val MAKE_START_EMPTY = "make-start-empty"
+    const val MAKE_START_REFUSED = "make-start-refused"
+    const val MAKE_TASK = "make-task"
+    const val MAKE_TASK_SECTION = "make-task-section"
+    const val MAKE_TEACHER_FILE = "make-teacher-file"
+    const val MAKE_TEXT = "make-text"
+    const val MAKE_TEXT_HELP = "make-text-help"
+    const val MAKE_TITLE = "make-title"
+    const val MAKE_TRYING = "make-trying"
+    const val MAKE_UNDO = "make-undo"
+    const val MAKE_VARIATION_ADD = "make-variation-add"
+    const val MAKE_WORDS_ALL = "make-words-all"
+    const val MAKE_WORDS_LIST = "make-words-list"
+    const val MAKE_WORLD = "make-world"
+    const val PROGRAM_NOT_ALLOWED = "program-not-allowed"
+    const val TASK_CARD = "task-card"
+    const val TASK_FOLD = "task-fold"
+    const val TASK_HIDE = "task-hide"
+    const val TASK_TEXT = "task-text"
+    const val TASK_TITLE = "task-title"
+    const val WORLD_PROGRAM = "world-program"
+
+    fun label(tag: String) = "$tag-label"
+
+    fun linkCopy(place: String) = "$place-link-copy"
+
+    fun linkShare(place: String) = "$place-link-share"
+
+    fun makeHint(index: Int) = "make-hint-$index"
+
+    fun makeHintAfter(index: Int) = "make-hint-after-$index"
+
+    fun makeHintEarlier(index: Int) = "make-hint-earlier-$index"
+
+    fun makeHintLater(index: Int) = "make-hint-later-$index"
+
+    fun makeHintRemove(index: Int) = "make-hint-remove-$index"
+
+    fun makeHintText(index: Int) = "make-hint-text-$index"
+
+    fun makeHintWhen(index: Int) = "make-hint-when-$index"
+
+    fun makeHintWhenTitle(index: Int) = "make-hint-when-title-$index"
+
+    fun makeHintWord(index: Int) = "make-hint-word-$index"
+
+    fun makeLanguage(language: ProgramLanguage) = "make-language-${language.name.lowercase()}"
+
+    fun makePackage(format: String) = "make-${format.lowercase().replace(' ', '-')}"
+
+    fun makePictureRemove(index: Int) = "make-picture-remove-$index"
+
+    fun makeSeeds(count: Int) = "make-seeds-$count"
+
+    fun makeSolution(index: Int) = "make-solution-$index"
+
+    fun makeStart(index: Int) = "make-start-$index"
+
+    fun makeStartRetake(index: Int) = "make-start-retake-$index"
+
+    fun makeVariation(index: Int) = "make-variation-$index"
+
+    fun makeVariationName(index: Int) = "make-variation-name-$index"
+
+    fun makeVariationOpen(index: Int) = "make-variation-open-$index"
+
+    fun makeVariationRemove(index: Int) = "make-variation-remove-$index"
+
+    fun makeWords(group: BlockGroup) = "make-words-${group.name.lowercase()}"
+
+    fun qr(place: String) = "$place-qr"
+}
