@@ -8,6 +8,7 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.platform.LocalClipboardManager
+import robotran.language.source.SourceSpan
 import robotran.programs.support
 import robotran.textediting.text.TextDocument
 import robotran.ui.program.editor.EditorCommand
@@ -67,7 +68,10 @@ internal fun rememberOpenFile(
         file.actions.perform(EditorCommand.Plain.FIND)
         event(ProgramEvent.SearchOpened)
     }
-    file.actions.matches =
-        remember(state.draft.text, find.isOpen, find.search) { find.matchesIn(state.draft.text) }
     return file
 }
+
+/** The matches of the search in [text]. */
+@Composable
+internal fun OpenFile.rememberMatches(text: String): List<SourceSpan> =
+    remember(text, find.isOpen, find.search) { find.matchesIn(text) }.also { actions.matches = it }

@@ -44,9 +44,10 @@ internal fun ShownFile(
     tutorialStep: Int?,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
+    val matches = file.rememberMatches(state.draft.text)
     val isSheetAlone = state.isEditingBlocks && height == PaneHeight.VERY_LOW
     Column(Modifier.fillMaxSize()) {
-        if (!isSheetAlone) Tools(file, state, onEvent)
+        if (!isSheetAlone) Tools(file, state, matches, onEvent)
         HorizontalDivider()
         SideBySideOrStacked(
             state.translationShown && state.translationKind != null && !isSheetAlone,
@@ -68,7 +69,7 @@ internal fun ShownFile(
                     { onEvent(WorldEditEvent.PenbotChosen(state.shownRobot, it)) },
                     part,
                 ) {
-                    Program(file, state, run, codeSize, tutorialStep, height == PaneHeight.VERY_LOW, onEvent)
+                    Program(file, state, run, matches, codeSize, tutorialStep, height == PaneHeight.VERY_LOW, onEvent)
                 }
             },
             { part -> Translation(file, state, run.runningLine, codeSize, onEvent, part) },
@@ -79,7 +80,7 @@ internal fun ShownFile(
 }
 
 @Composable
-private fun Tools(file: OpenFile, state: ProgramsState, onEvent: (WorkshopEvent) -> Unit) {
+private fun Tools(file: OpenFile, state: ProgramsState, matches: List<SourceSpan>, onEvent: (WorkshopEvent) -> Unit) {
     EditorTools(
         state,
         { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
@@ -88,7 +89,6 @@ private fun Tools(file: OpenFile, state: ProgramsState, onEvent: (WorkshopEvent)
         file::perform,
     )
     if (file.find.isOpen) {
-        val matches = file.actions.matches
         val selected = state.draft.selection
         val place = matches.indexOfFirst { it.start == selected.start && it.end == selected.end } + 1
         FindBar(file.find, matches.size, place, file.actions)
@@ -115,12 +115,12 @@ private fun Program(
     file: OpenFile,
     state: ProgramsState,
     run: ShownProgramRun,
+    matches: List<SourceSpan>,
     codeSize: Float,
     tutorialStep: Int?,
     isVeryLow: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    val matches = file.actions.matches
     val notes = remember(state.notes, state.file.name, run.failure) { notesOf(state, run.failure) }
     BlocksAndText(
         state.view,
