@@ -22,4 +22,9 @@ object BrickColours {
     val OUTPUT = Color(0xFF232527)
     val DRIVEN = Color(0xFFFFB300)
     val LABEL = Color(0xFF211B00)
+
+    /** In pictures of sensors: what is seen through them, and their coloured parts. */
+    val SENSOR_LIGHT = Color(0xFFC3C8CB)
+    val SENSOR_ORANGE = Color(0xFFF07C1A)
+    val SENSOR_BLUE = Color(0xFF2563C9)
 }

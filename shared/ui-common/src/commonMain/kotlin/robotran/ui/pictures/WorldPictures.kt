@@ -23,8 +23,8 @@ fun worldPicturePng(world: World, state: SessionState, fonts: FontFamily.Resolve
     pngOf(renderSheet(world, state, PICTURE_PIXELS, fonts?.let(::labelsWith)))
 
 /**
- * The same as an SVG file, which scales without loss; lamps cast no shadows in it. The result is the same on every
- * platform.
+ * The same as an SVG file, which scales without loss, without the soft shadows of what stands. The result is the same on
+ * every platform.
  */
 fun worldPictureSvg(world: World, state: SessionState): String = SheetSvg(world, state).write()
 

@@ -13,7 +13,7 @@ interface BrickLook {
     val body: Rect
     val display: Rect
 
-    fun RobotBrush.drawBrick(top: BrickTop, colour: RobotColour)
+    fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour)
 
     /**
      * The motors of the wheels, and that of the pen where it shows.
@@ -41,12 +41,12 @@ private object RcxLook : BrickLook {
     override val body = Rect(-3.05f, -4.9f, 3.05f, 4.9f)
     override val display = Rect(-0.95f, -1.5f, 1.05f, 1.5f)
 
-    override fun RobotBrush.drawBrick(top: BrickTop, colour: RobotColour) {
-        plate(top.box, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
-        plate(top.display, RobotColours.GLASS, 0.2f, RobotColours.CHASSIS)
+    override fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour) {
+        box(top.box, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
+        box(top.display, RobotColours.GLASS, 0.2f, RobotColours.CHASSIS)
         for ((place, button) in buttons.zip(RobotColours.BUTTONS)) disc(top.point(place), 0.55f, button)
-        for (place in inputs) plate(top.rect(place), RobotColours.BUMPER, 0.15f)
-        for (place in outputs) plate(top.rect(place), RobotColours.CHASSIS, 0.15f)
+        for (place in inputs) box(top.rect(place), RobotColours.BUMPER, 0.15f)
+        for (place in outputs) box(top.rect(place), RobotColours.CHASSIS, 0.15f)
     }
 
     override fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop> {
@@ -75,15 +75,15 @@ internal object NxtLook : BrickLook {
     override val body = Rect(-3.3f, -5.1f, 3.3f, 5.1f)
     override val display = Rect(-2.05f, -3.4f, 2.05f, -0.9f)
 
-    override fun RobotBrush.drawBrick(top: BrickTop, colour: RobotColour) {
-        plate(top.box, RobotColours.brick(colour), 0.7f, RobotColours.edge(colour))
-        plate(top.rect(face), RobotColours.NXT_FACE, 0.5f, RobotColours.edge(colour))
-        plate(top.rect(frame), RobotColours.BUMPER_EDGE, 0.3f)
-        plate(top.display, RobotColours.GLASS, 0.15f)
-        plate(top.rect(enter), RobotColours.ORANGE, 0.2f)
+    override fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour) {
+        box(top.box, RobotColours.brick(colour), 0.7f, RobotColours.edge(colour))
+        box(top.rect(face), RobotColours.NXT_FACE, 0.5f, RobotColours.edge(colour))
+        box(top.rect(frame), RobotColours.BUMPER_EDGE, 0.3f)
+        box(top.display, RobotColours.GLASS, 0.15f)
+        box(top.rect(enter), RobotColours.ORANGE, 0.2f)
         for (place in arrows) disc(top.point(place), 0.6f, RobotColours.BUMPER)
-        plate(top.rect(escape), RobotColours.BUMPER_EDGE, 0.2f)
-        for (place in motorPorts + sensorPorts) plate(top.rect(place), RobotColours.CHASSIS, 0.1f)
+        box(top.rect(escape), RobotColours.BUMPER_EDGE, 0.2f)
+        for (place in motorPorts + sensorPorts) box(top.rect(place), RobotColours.CHASSIS, 0.1f)
     }
 
     override fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop> {

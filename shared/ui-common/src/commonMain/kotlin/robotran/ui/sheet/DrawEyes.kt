@@ -20,27 +20,20 @@ import kotlin.math.sin
  * @param lids the colour of its brick.
  * @param edge the colour of its brick's edge.
  */
-internal fun DrawScope.drawEyes(eyes: List<Offset>, face: PenbotFace, lids: Color, edge: Color) {
+internal fun DrawTarget.drawEyes(eyes: List<Offset>, face: PenbotFace, lids: Color, edge: Color) {
     eyes.forEach { middle -> drawEye(middle, face, lids, edge) }
 }
 
-private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edge: Color) {
+private fun DrawTarget.drawEye(middle: Offset, face: PenbotFace, lids: Color, edge: Color) {
     val radius = RobotPlan.EYE_RADIUS
     if (face.lid >= CLOSED) {
-        drawCircle(lids, radius, middle)
-        drawEyeArc(
-            middle,
-            edge,
-            LOWER_LID,
-            CLOSED_SWEEP,
-            radius * LINE_RADIUS,
-            Stroke(LID_EDGE, cap = StrokeCap.Round),
-        )
+        disc(middle, radius, lids)
+        eyeArc(middle, edge, LOWER_LID, CLOSED_SWEEP, radius * LINE_RADIUS, Line(LID_EDGE, StrokeCap.Round))
     } else {
-        drawCircle(RobotColours.EYE, radius, middle)
+        disc(middle, radius, RobotColours.EYE)
         val pupil = middle + face.gaze * RobotPlan.GAZE
-        drawCircle(RobotColours.PUPIL, RobotPlan.PUPIL_RADIUS, pupil)
-        drawCircle(RobotColours.EYE, RobotPlan.PUPIL_RADIUS * GLINT, pupil + GLINT_PLACE)
+        disc(pupil, RobotPlan.PUPIL_RADIUS, RobotColours.PUPIL)
+        disc(pupil + GLINT_PLACE, RobotPlan.PUPIL_RADIUS * GLINT, RobotColours.EYE)
         when (face.mood) {
             PenbotMood.CALM -> Unit
 
@@ -51,35 +44,27 @@ private fun DrawScope.drawEye(middle: Offset, face: PenbotFace, lids: Color, edg
             PenbotMood.GLAD -> drawLid(middle, lids, edge, LOWER_LID, GLAD_SWEEP)
         }
     }
-    drawCircle(RobotColours.CHASSIS_EDGE, radius, middle, style = Stroke(EDGE))
+    disc(middle, radius, fill = null, RobotColours.CHASSIS_EDGE, EDGE)
 }
 
 /** A segment of the eye around [angle]: the chord is the edge of the lid. */
-private fun DrawScope.drawLid(middle: Offset, lids: Color, edge: Color, angle: Float, sweep: Float) {
-    drawEyeArc(middle, lids, angle, sweep, RobotPlan.EYE_RADIUS, Fill)
+private fun DrawTarget.drawLid(middle: Offset, lids: Color, edge: Color, angle: Float, sweep: Float) {
+    eyeArc(middle, lids, angle, sweep, RobotPlan.EYE_RADIUS)
     val (from, to) = listOf(-1, 1).map { side ->
         val end = (angle + side * sweep / 2) * (PI / HALF_TURN)
         middle + Offset(cos(end).toFloat(), sin(end).toFloat()) * RobotPlan.EYE_RADIUS
     }
-    drawLine(edge, from, to, LID_EDGE)
+    line(from, to, edge, LID_EDGE)
 }
 
-private fun DrawScope.drawEyeArc(
+private fun DrawTarget.eyeArc(
     middle: Offset,
     colour: Color,
     angle: Float,
     sweep: Float,
     radius: Float,
-    style: DrawStyle,
-) = drawArc(
-    colour,
-    angle - sweep / 2,
-    sweep,
-    false,
-    middle - Offset(radius, radius),
-    Size(2 * radius, 2 * radius),
-    style = style,
-)
+    line: Line? = null,
+) = arc(middle, radius, angle - sweep / 2, sweep, colour, line)
 
 /** Sulking lids hang down at the outer sides of the face. */
 private fun tilt(middle: Offset): Float = if (middle.y < 0) TILT else -TILT

@@ -18,12 +18,12 @@ import kotlin.math.max
 
 class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {
     private val polygon = (region.shape as? Shape.Polygon)?.let(SeamlessPolygon::of)
-    val path = pathOf(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
+    val area = Outline.of(polygon?.let { Shape.Polygon(it.corners) } ?: region.shape, transform)
 
     /** Its visible edge. */
-    val outline: Path = polygon?.outline?.let { pieces ->
-        Path().apply { for (piece in pieces) addLine(piece.map(transform::toPixels)) }
-    } ?: path
+    val edge: Outline = polygon?.outline?.let { pieces ->
+        Outline(pieces.map { Outline.Polyline(it.map(transform::toPixels)) })
+    } ?: area
 
     /** The position of its flag and the space around it. */
     val flag: Rect = roomiestPoint(region.shape).let { (place, room) ->
@@ -36,55 +36,49 @@ class RegionDrawing(val region: GoalRegion, transform: SheetTransform) {
  *
  * @param withFlag whether the flag is drawn on the paper, too.
  */
-internal fun DrawScope.drawRegion(
+internal fun DrawTarget.drawRegion(
     drawing: RegionDrawing,
     goals: List<GoalProgress>,
     transform: SheetTransform,
-    labels: TextMeasurer?,
     withFlag: Boolean = true,
 ) {
-    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS)
+    val width = max(LINE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_LINE_PIXELS * transform.least)
     when (drawing.region.role) {
         RegionRole.TARGET -> {
             val met = drawing.region.isMet(goals)
-            drawPath(drawing.path, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
-            drawPath(drawing.outline, SheetColours.REACH.copy(alpha = LINE_ALPHA), style = Stroke(width))
-            if (withFlag) drawFlag(drawing, transform, labels)
+            shape(drawing.area, SheetColours.REACH.copy(alpha = if (met) MET_ALPHA else FILL_ALPHA))
+            shape(drawing.edge, edge = SheetColours.REACH.copy(alpha = LINE_ALPHA), line = Line(width))
+            if (withFlag) drawFlag(drawing, transform)
         }
 
         RegionRole.FORBIDDEN -> {
-            drawPath(drawing.path, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
-            drawDashes(drawing.outline, SheetColours.STAY_OUT, width, SHORT_DASH)
+            shape(drawing.area, SheetColours.STAY_OUT.copy(alpha = FILL_ALPHA))
+            shape(drawing.edge, edge = SheetColours.STAY_OUT, line = dashed(width, SHORT_DASH))
         }
 
-        RegionRole.PERMITTED -> drawDashes(drawing.outline, SheetColours.STAY_IN, width, LONG_DASH)
+        RegionRole.PERMITTED -> shape(drawing.edge, edge = SheetColours.STAY_IN, line = dashed(width, LONG_DASH))
     }
 }
 
-private fun DrawScope.drawDashes(path: Path, colour: Color, width: Float, dash: Float) {
-    val dashes = PathEffect.dashPathEffect(floatArrayOf(dash * width, SHORT_DASH * width))
-    drawPath(path, colour, style = Stroke(width, pathEffect = dashes))
-}
+private fun dashed(width: Float, dash: Float) = Line(width, dashes = dash * width to SHORT_DASH * width)
 
 /** A chequered flag in the middle of the region, with its number if there is an order. */
-private fun DrawScope.drawFlag(drawing: RegionDrawing, transform: SheetTransform, labels: TextMeasurer?) {
+private fun DrawTarget.drawFlag(drawing: RegionDrawing, transform: SheetTransform) {
     val bounds = drawing.flag
     val size = minOf(bounds.minDimension * FLAG_PART, MAX_FLAG_CENTIMETRES * transform.pixelsPerCentimetre)
-    val number = drawing.region.number
-    val middle = if (number != null && labels != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center
+    val number = drawing.region.number?.takeIf { hasText }
+    val middle = if (number != null) bounds.center - Offset(size * 0.25f, 0f) else bounds.center
     val top = middle - Offset(size * 0.4f, size / 2)
     val cell = Size(size * 0.2f, size * 0.2f)
-    drawLine(SheetColours.FLAG, top, top + Offset(0f, size), max(size / 14, 1f), StrokeCap.Round)
-    drawRect(RobotranColours.CASING, top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS))
+    line(top, top + Offset(0f, size), SheetColours.FLAG, max(size / 14, transform.least), isRound = true)
+    box(Rect(top, Size(cell.width * FLAG_COLUMNS, cell.height * FLAG_ROWS)), RobotranColours.CASING)
     for (row in 0 until FLAG_ROWS) {
-        for (column in 0 until FLAG_COLUMNS) {
-            if ((row + column) % 2 == 0) {
-                drawRect(SheetColours.FLAG, top + Offset(column * cell.width, row * cell.height), cell)
-            }
+        for (column in row % 2 until FLAG_COLUMNS step 2) {
+            box(Rect(top + Offset(column * cell.width, row * cell.height), cell), SheetColours.FLAG)
         }
     }
-    if (number != null && labels != null) {
-        drawLabel(labels, number.toString(), bounds.center + Offset(size * 0.55f, 0f), size * 0.8f, SheetColours.FLAG)
+    if (number != null) {
+        text(number.toString(), bounds.center + Offset(size * 0.55f, 0f), size * 0.8f, SheetColours.FLAG)
     }
 }
 

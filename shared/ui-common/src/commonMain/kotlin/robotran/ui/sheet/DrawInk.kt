@@ -16,7 +16,7 @@ class InkDrawing(private val transform: SheetTransform) {
     private var drawn: List<DrawnStroke> = emptyList()
     private var latest: Ink? = null
 
-    val width = max(transform.toPixels(Penbot.PEN_LINE_WIDTH), MIN_WIDTH_PIXELS)
+    val width = max(transform.toPixels(Penbot.PEN_LINE_WIDTH), MIN_WIDTH_PIXELS * transform.least)
 
     fun strokes(ink: Ink): List<DrawnStroke> {
         if (ink !== latest) {
@@ -48,17 +48,17 @@ class DrawnStroke(stroke: InkStroke, val line: LinePaths) {
 }
 
 /** The pens' lines with the width of a pen; lines outside of [visible] are skipped. */
-internal fun DrawScope.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlacement>, visible: Rect) {
-    val line = Stroke(drawing.width, cap = StrokeCap.Round, join = StrokeJoin.Round)
+internal fun DrawTarget.drawInk(drawing: InkDrawing, ink: Ink, robots: List<RobotPlacement>, visible: Rect) {
+    val line = Line.round(drawing.width)
     for (drawn in drawing.strokes(ink)) {
         val colour = RobotColours.ink(drawn.stroke.robot, robots)
-        drawn.line.dot?.let { drawCircle(colour, drawing.width * BLOT, it) }
+        drawn.line.dot?.let { disc(it, drawing.width * BLOT, colour) }
         if (drawn.line.dot != null) continue
         for (piece in drawn.line.pieces) {
-            if (piece.isIn(visible, drawing.width)) drawPath(piece.path, colour, style = line)
+            if (piece.isIn(visible, drawing.width)) shape(piece.outline, edge = colour, line = line)
         }
         for (end in drawn.line.ends) {
-            if (visible.contains(end)) drawCircle(colour, drawing.width * BLOT, end)
+            if (visible.contains(end)) disc(end, drawing.width * BLOT, colour)
         }
     }
 }

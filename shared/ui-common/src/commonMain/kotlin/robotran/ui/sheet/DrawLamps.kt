@@ -53,111 +53,79 @@ class GlowDrawing(private val world: World, private val transform: SheetTransfor
 
     fun toPixels(length: Double): Float = transform.toPixels(length)
 
-    private fun area(number: Int, lamp: Lamp, point: Point): Path {
-        latest[number]?.let { if (it.place == point) return it.path }
+    private fun area(number: Int, lamp: Lamp, point: Point): Outline {
+        latest[number]?.let { if (it.place == point) return it.area }
         val corners = litArea(point, lamp.direction, lamp.cone, reachOf(lamp.brightness), obstacles)
-        val path = Path().apply { addLine(corners.map(::toPixels), closed = true) }
-        latest[number] = LitByLamp(point, path)
-        return path
+        return Outline(around(corners)).also { latest[number] = LitByLamp(point, it) }
     }
 
-    private fun shadows(point: Point, reach: Double, things: List<List<Point>>): Path? {
-        val shadows = things.mapNotNull { shadowOf(it, point, reach) }
-        if (shadows.isEmpty()) return null
-        return Path().apply { for (corners in shadows) addLine(corners.map(::toPixels), closed = true) }
-    }
+    private fun shadows(point: Point, reach: Double, things: List<List<Point>>): Outline? =
+        Outline(things.mapNotNull { thing -> shadowOf(thing, point, reach)?.let(::around) })
+            .takeIf { it.parts.isNotEmpty() }
+
+    private fun around(corners: List<Point>) = Outline.Polyline(corners.map(::toPixels), isClosed = true)
 }
 
 /** The distance at which the light of a lamp is too weak to be visible, in centimetres. */
-internal fun reachOf(brightness: Double): Double = REACH_CENTIMETRES * sqrt(brightness)
+fun reachOf(brightness: Double): Double = REACH_CENTIMETRES * sqrt(brightness)
 
 /** The area lit by a lamp at [place] if nothing moves. */
-private class LitByLamp(val place: Point, val path: Path)
+private class LitByLamp(val place: Point, val area: Outline)
 
 /**
  * @property area null for a full circle.
  * @property shadows its dark parts; null if there are none.
  */
-class Glow(val place: Point, val reach: Double, val area: Path?, val shadows: Path?)
+class Glow(val place: Point, val reach: Double, val area: Outline?, val shadows: Outline?)
 
-internal fun DrawScope.drawGlow(drawing: GlowDrawing, state: SessionState) =
+internal fun DrawTarget.drawGlow(drawing: GlowDrawing, state: SessionState) =
     drawGlow(drawing, drawing.highlighted(state) + drawing.beacons(state))
 
 /** The light of the world's lamps without the shadows of what moves. */
-internal fun DrawScope.drawStandingGlow(drawing: GlowDrawing, state: SessionState) =
+internal fun DrawTarget.drawStandingGlow(drawing: GlowDrawing, state: SessionState) =
     drawGlow(drawing, drawing.highlighted(state, withShadows = false))
 
-private fun DrawScope.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
+private fun DrawTarget.drawGlow(drawing: GlowDrawing, glows: List<Glow>) {
     for (glow in glows) {
-        val centre = drawing.toPixels(glow.place)
         val radius = drawing.toPixels(glow.reach)
         if (radius <= 0f) continue
-        val light = Brush.radialGradient(
-            *GLOW_STOPS,
-            center = centre,
-            radius = radius,
-        )
-        val shine: DrawScope.() -> Unit = {
-            if (glow.area == null) {
-                drawCircle(light, radius, centre)
-            } else {
-                drawPath(glow.area, light)
-            }
-        }
-        if (glow.shadows == null) shine() else clipPath(glow.shadows, ClipOp.Difference, shine)
+        val shine: DrawTarget.() -> Unit = { light(drawing.toPixels(glow.place), radius, glow.area) }
+        if (glow.shadows == null) shine() else outside(glow.shadows, shine)
     }
 }
 
 /** The lamps: a bulb with rays, or in a shade that is open towards its cone; grey while off. */
-internal fun DrawScope.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
+internal fun DrawTarget.drawLamps(world: World, state: SessionState, transform: SheetTransform) {
     for ((lamp, now) in world.lamps.zip(state.lamps)) {
-        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS)
-        drawLamp(lamp, now.on, transform.toPixels(now.place.x, now.place.y), radius)
+        val radius = max(BULB_CENTIMETRES * transform.pixelsPerCentimetre, MIN_BULB_PIXELS * transform.least)
+        drawLamp(lamp, now.on, transform.toPixels(now.place), radius)
     }
 }
 
-private fun DrawScope.drawLamp(lamp: Lamp, on: Boolean, position: Offset, radius: Float) {
-    val edge = Stroke(radius / 6)
+private fun DrawTarget.drawLamp(lamp: Lamp, on: Boolean, position: Offset, radius: Float) {
+    val edge = if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE
     if (lamp.cone < Lamp.ALL_ROUND) {
-        val box = Size(radius * 3.2f, radius * 3.2f)
         val closed = Lamp.ALL_ROUND.toFloat() - lamp.cone.toFloat()
         val from = -lamp.direction.toFloat() + lamp.cone.toFloat() / 2
-        drawArc(
-            SheetColours.LAMP_SHADE,
-            from,
-            closed,
-            false,
-            position - box.center(),
-            box,
-            style = Stroke(radius / 2, cap = StrokeCap.Round),
-        )
+        arc(position, radius * SHADE, from, closed, SheetColours.LAMP_SHADE, Line(radius / 2, StrokeCap.Round))
     } else {
         for (ray in 0 until RAYS) {
             val angle = ray * 2 * PI / RAYS
             val way = Offset(cos(angle).toFloat(), sin(angle).toFloat())
-            val colour = if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE
-            drawLine(
-                colour,
-                position + way * (radius * 1.35f),
-                position + way * (radius * 1.8f),
-                radius / 5,
-                StrokeCap.Round,
-            )
+            line(position + way * (radius * 1.35f), position + way * (radius * 1.8f), edge, radius / 5, isRound = true)
         }
     }
-    drawCircle(bulbColour(lamp, on), radius, position)
-    if (on) drawCircle(SheetColours.LAMP_CORE, radius * CORE, position)
-    drawCircle(if (on) SheetColours.LAMP_EDGE else SheetColours.LAMP_SHADE, radius, position, style = edge)
+    disc(position, radius, bulbColour(lamp, on))
+    if (on) disc(position, radius * CORE, SheetColours.LAMP_CORE)
+    disc(position, radius, fill = null, edge, radius / 6)
 }
 
 /** The bulb of a lamp: grey while it is off, violet if it sends infrared light. */
-internal fun bulbColour(lamp: Lamp, on: Boolean): Color = when {
+private fun bulbColour(lamp: Lamp, on: Boolean): Color = when {
     !on -> SheetColours.LAMP_OFF
     lamp.infrared -> SheetColours.LAMP_INFRARED
     else -> SheetColours.LAMP
 }
-
-private fun Size.center() = Offset(width / 2, height / 2)
 
 /** Light falls off quickly at first, then slowly: the parts of a lamp's reach, with the light there. */
 internal val GLOW_STOPS = arrayOf(
@@ -170,6 +138,9 @@ internal val GLOW_STOPS = arrayOf(
 
 /** The bright middle of a bulb, relative to its radius. */
 private const val CORE = 0.55f
+
+/** The radius of a shade, relative to that of its bulb. */
+private const val SHADE = 1.6f
 private const val REACH_CENTIMETRES = 45.0
 private const val BULB_CENTIMETRES = 1.3f
 private const val MIN_BULB_PIXELS = 4f

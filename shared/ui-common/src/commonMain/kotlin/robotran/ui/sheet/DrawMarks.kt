@@ -26,18 +26,16 @@ import kotlin.math.floor
 import kotlin.math.max
 import kotlin.math.roundToInt
 
-/** A mark prepared for drawing, in pixels. */
+/** A mark prepared for drawing. */
 sealed interface MarkDrawing {
     /**
      * An area, or a line of a [width].
      *
-     * @property dots the centres of the dots that mark blue for colour-blind pupils; empty for other colours.
+     * @property dots mark blue for colour-blind pupils; null for other colours.
      */
-    class Painted(val path: Path, val colour: Color, val width: Float?, val dots: List<Offset>, val dotSize: Float) :
-        MarkDrawing
+    class Painted(val outline: Outline, val colour: Color, val width: Float?, val dots: Dots?) : MarkDrawing
 
-    /** A picture with one pixel per cell. */
-    class Picture(val image: ImageBitmap, val place: Rect) : MarkDrawing
+    class Picture(val cells: GreyCells, val place: Rect) : MarkDrawing
 }
 
 fun markDrawing(mark: Mark, transform: SheetTransform): MarkDrawing = when (val figure = mark.figure) {
@@ -46,56 +44,40 @@ fun markDrawing(mark: Mark, transform: SheetTransform): MarkDrawing = when (val 
     is MarkFigure.GreyMap -> picture(figure, transform)
 }
 
-internal fun DrawScope.drawMark(mark: MarkDrawing) {
+internal fun DrawTarget.drawMark(mark: MarkDrawing) {
     when (mark) {
-        is MarkDrawing.Painted -> drawPainted(mark)
+        is MarkDrawing.Painted -> {
+            if (mark.width == null) {
+                shape(mark.outline, mark.colour)
+            } else {
+                shape(mark.outline, edge = mark.colour, line = Line.round(mark.width))
+            }
+            mark.dots?.let { dots(it, SheetColours.MARK_DOTS) }
+        }
 
-        is MarkDrawing.Picture -> drawImage(
-            mark.image,
-            dstOffset = IntOffset(mark.place.left.roundToInt(), mark.place.top.roundToInt()),
-            dstSize = IntSize(mark.place.width.roundToInt(), mark.place.height.roundToInt()),
-            filterQuality = FilterQuality.None,
-        )
-    }
-}
-
-private fun DrawScope.drawPainted(mark: MarkDrawing.Painted) {
-    if (mark.width != null) {
-        drawPath(mark.path, mark.colour, style = Stroke(mark.width, cap = StrokeCap.Round, join = StrokeJoin.Round))
-    } else {
-        drawPath(mark.path, mark.colour)
-    }
-    if (mark.dots.isNotEmpty()) {
-        drawPoints(
-            mark.dots,
-            PointMode.Points,
-            SheetColours.MARK_DOTS,
-            mark.dotSize,
-            StrokeCap.Round,
-        )
+        is MarkDrawing.Picture -> cells(mark.cells, mark.place)
     }
 }
 
 private fun area(shape: Shape, shade: Shade, transform: SheetTransform): MarkDrawing {
     val step = dotStep(transform)
     val dots = if (shade.isBlue) {
-        dotsWithin(
-            shape.corners().map {
-                transform.toPixels(it.x, it.y)
-            },
+        Dots(
+            dotsWithin(shape.corners().map(transform::toPixels), step),
             step,
+            step * DOT_PART,
         )
     } else {
-        emptyList()
+        null
     }
-    return MarkDrawing.Painted(pathOf(shape, transform), shade.colour, null, dots, step * DOT_PART)
+    return MarkDrawing.Painted(Outline.of(shape, transform), shade.colour, null, dots)
 }
 
 private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform): MarkDrawing {
-    val points = line.points.map { transform.toPixels(it.x, it.y) }
+    val points = line.points.map(transform::toPixels)
     val width = (line.width * transform.pixelsPerCentimetre).toFloat()
     val step = dotStep(transform)
-    val dots = if (shade.isBlue) {
+    val middles = if (shade.isBlue) {
         placesAlong(
             if (line.closed) points + points.first() else points,
             step,
@@ -103,40 +85,32 @@ private fun line(line: MarkFigure.Line, shade: Shade, transform: SheetTransform)
     } else {
         emptyList()
     }
-    val path = Path().apply { addLine(points, line.closed) }
-    return MarkDrawing.Painted(path, shade.colour, width, dots, minOf(step * DOT_PART, width / 2))
+    val dots = Dots(listOf(middles), step, minOf(step * DOT_PART, width / 2)).takeIf { middles.isNotEmpty() }
+    return MarkDrawing.Painted(Outline(Outline.Polyline(points, line.closed)), shade.colour, width, dots)
 }
 
 private fun picture(map: MarkFigure.GreyMap, transform: SheetTransform): MarkDrawing {
     val columns = map.rows.first().length
-    val image = ImageBitmap(columns, map.rows.size)
-    val canvas = Canvas(image)
-    val paint = Paint()
-    map.rows.forEachIndexed { row, cells ->
-        var from = 0
-        while (from < columns) {
-            var to = from + 1
-            while (to < columns && cells[to] == cells[from]) to++
-            val grey = cells[from].digitToIntOrNull(HEXADECIMAL)
-            if (grey != null) {
-                paint.color = greyColour(grey / (HEXADECIMAL - 1.0))
-                canvas.drawRect(from.toFloat(), row.toFloat(), to.toFloat(), row + 1f, paint)
-            }
-            from = to
-        }
-    }
-    val corner = transform.toPixels(map.corner.x, map.corner.y)
+    val runs = map.rows.flatMapIndexed { row, cells -> runsOf(row, cells) }
+    val corner = transform.toPixels(map.corner)
     val cell = (map.cell * transform.pixelsPerCentimetre).toFloat()
+    val size = Size(cell * columns, cell * map.rows.size)
     return MarkDrawing.Picture(
-        image,
-        Rect(
-            Offset(corner.x, corner.y - cell * map.rows.size),
-            Size(
-                cell * columns,
-                cell * map.rows.size,
-            ),
-        ),
+        GreyCells(columns, map.rows.size, runs),
+        Rect(Offset(corner.x, corner.y - size.height), size),
     )
+}
+
+private fun runsOf(row: Int, cells: String): List<GreyCells.Run> = buildList {
+    var from = 0
+    while (from < cells.length) {
+        var to = from + 1
+        while (to < cells.length && cells[to] == cells[from]) to++
+        cells[from].digitToIntOrNull(HEXADECIMAL)?.let { grey ->
+            add(GreyCells.Run(row, from, to, greyColour(grey / (HEXADECIMAL - 1.0))))
+        }
+        from = to
+    }
 }
 
 internal val Shade.colour: Color
@@ -149,11 +123,12 @@ internal val Shade.isBlue: Boolean get() = this is Shade.Colour && blue > red + 
 
 internal fun greyColour(reflectance: Double): Color = reflectance.toFloat().coerceIn(0f, 1f).let { Color(it, it, it) }
 
-private fun dotStep(transform: SheetTransform) = max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, MIN_DOT_STEP)
+private fun dotStep(transform: SheetTransform) =
+    max(DOT_CENTIMETRES * transform.pixelsPerCentimetre, MIN_DOT_STEP * transform.least)
 
 /** In rows, and none at the edge. */
-private fun dotsWithin(corners: List<Offset>, step: Float): List<Offset> =
-    hatching(corners, step, Offset(0f, 1f), step * DOT_PART).chunked(2).flatMap { (one, other) ->
+private fun dotsWithin(corners: List<Offset>, step: Float): List<List<Offset>> =
+    hatching(corners, step, Offset(0f, 1f), step * DOT_PART).chunked(2).map { (one, other) ->
         val from = minOf(one.x, other.x)
         val to = maxOf(one.x, other.x)
         (ceil(from / step).toInt()..floor(to / step).toInt()).map { Offset(it * step, one.y) }

@@ -20,7 +20,7 @@ import robotran.world.RobotPlacement
  * @param plan of the robot of [build].
  * @param hasEyes whether the eyes are drawn, which may hide sensors.
  */
-fun DrawScope.drawRobot(
+fun DrawTarget.drawRobot(
     robot: RobotState,
     build: RobotPlacement,
     plan: RobotPlan,
@@ -29,70 +29,34 @@ fun DrawScope.drawRobot(
     hasEyes: Boolean = true,
 ) {
     val place = transform.toPixels(robot.pose.x, robot.pose.y)
-    val scale = transform.pixelsPerCentimetre
-    withTransform({
-        translate(place.x, place.y)
-        // The screen's y axis points down, so a counter-clockwise turn is a negative angle.
-        rotate(-robot.pose.heading.toFloat(), Offset.Zero)
-        scale(scale, scale, Offset.Zero)
-    }) {
+    // The y axis points down, so a counter-clockwise turn is a negative angle.
+    group(place, -robot.pose.heading.toFloat(), scale = transform.pixelsPerCentimetre) {
         drawWheel(plan, -plan.wheelMiddle, robot.leftWheelTurn)
         drawWheel(plan, plan.wheelMiddle, robot.rightWheelTurn)
-        CanvasBrush(this).drawBody(plan, build, robot)
+        drawBody(plan, build, robot)
         if (hasEyes) drawEyes(plan.eyes, face, RobotColours.brick(build.colour), RobotColours.edge(build.colour))
         if (plan.hasPen) drawPen(robot.penDown)
         if (build.beacon > 0) drawBeacon(plan.beacon)
     }
 }
 
-private class CanvasBrush(private val scope: DrawScope) : RobotBrush {
-    override fun plate(bounds: Rect, colour: Color, corner: Float, edge: Color?) =
-        scope.plate(bounds, colour, corner, edge)
-
-    override fun disc(middle: Offset, radius: Float, colour: Color, edge: Color?) {
-        scope.drawCircle(colour, radius, middle)
-        if (edge != null) scope.drawCircle(edge, radius, middle, style = Stroke(EDGE_WIDTH))
-    }
-
-    override fun shape(corners: List<Offset>, colour: Color, edge: Color) {
-        val path = pathOf(corners)
-        scope.drawPath(path, colour)
-        scope.drawPath(path, edge, style = Stroke(EDGE_WIDTH))
-    }
-
-    override fun turned(middle: Offset, degrees: Float, content: RobotBrush.() -> Unit) = scope.withTransform({
-        translate(middle.x, middle.y)
-        rotate(degrees, Offset.Zero)
-    }) { content() }
-}
-
-private fun DrawScope.drawWheel(plan: RobotPlan, y: Float, turn: Double) {
+private fun DrawTarget.drawWheel(plan: RobotPlan, y: Float, turn: Double) {
     val tyre = Rect(-plan.wheelRadius, y - plan.wheelWidth / 2, plan.wheelRadius, y + plan.wheelWidth / 2)
-    plate(tyre, RobotColours.TYRE, 0.7f, RobotColours.CHASSIS_EDGE)
+    box(tyre, RobotColours.TYRE, 0.7f, RobotColours.CHASSIS_EDGE)
     for (x in treadPlaces(turn, RobotPlan.TREADS, plan.wheelRadius)) {
-        drawLine(RobotColours.TREAD, Offset(x, tyre.top + 0.3f), Offset(x, tyre.bottom - 0.3f), 0.22f, StrokeCap.Round)
+        line(Offset(x, tyre.top + 0.3f), Offset(x, tyre.bottom - 0.3f), RobotColours.TREAD, 0.22f, isRound = true)
     }
 }
 
 /** The pen in its clip; the tip is red while it touches the paper. */
-private fun DrawScope.drawPen(down: Boolean) {
-    drawCircle(RobotColours.CLIP, RobotPlan.CLIP_RADIUS, RobotPlan.PEN)
-    drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.CLIP_RADIUS, RobotPlan.PEN, style = Stroke(EDGE_WIDTH))
-    drawCircle(if (down) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP, RobotPlan.PEN_RADIUS, RobotPlan.PEN)
-    drawCircle(RobotColours.CHASSIS_EDGE, RobotPlan.PEN_RADIUS, RobotPlan.PEN, style = Stroke(0.12f))
+private fun DrawTarget.drawPen(down: Boolean) {
+    disc(RobotPlan.PEN, RobotPlan.CLIP_RADIUS, RobotColours.CLIP, RobotColours.CHASSIS_EDGE)
+    val tip = if (down) RobotColours.PEN_TIP_DOWN else RobotColours.PEN_TIP_UP
+    disc(RobotPlan.PEN, RobotPlan.PEN_RADIUS, tip, RobotColours.CHASSIS_EDGE, 0.12f)
 }
 
-private fun DrawScope.drawBeacon(position: Offset) {
-    drawCircle(SheetColours.LAMP, RobotPlan.BEACON_RADIUS, position)
-    drawCircle(SheetColours.LAMP_CORE, RobotPlan.BEACON_RADIUS / 2, position)
-    drawCircle(SheetColours.LAMP_EDGE, RobotPlan.BEACON_RADIUS, position, style = Stroke(EDGE_WIDTH))
+private fun DrawTarget.drawBeacon(position: Offset) {
+    disc(position, RobotPlan.BEACON_RADIUS, SheetColours.LAMP)
+    disc(position, RobotPlan.BEACON_RADIUS / 2, SheetColours.LAMP_CORE)
+    disc(position, RobotPlan.BEACON_RADIUS, fill = null, SheetColours.LAMP_EDGE)
 }
-
-private fun DrawScope.plate(bounds: Rect, colour: Color, corner: Float, edge: Color? = null) {
-    val radius = CornerRadius(corner)
-    val size = Size(bounds.width, bounds.height)
-    drawRoundRect(colour, bounds.topLeft, size, radius)
-    if (edge != null) drawRoundRect(edge, bounds.topLeft, size, radius, style = Stroke(EDGE_WIDTH))
-}
-
-private const val EDGE_WIDTH = 0.15f

@@ -19,7 +19,7 @@ import robotran.uikit.*
 internal fun DrawScope.drawSolidShadows(drawing: SheetDrawing, colour: Color) {
     if (colour.alpha == 0f) return
     val far = solidShadow(drawing.transform)
-    for (part in LAYERS) translate(far.x * part, far.y * part) { drawPath(drawing.solids.path, colour) }
+    for (part in LAYERS) translate(far.x * part, far.y * part) { drawPath(drawing.solids.outline.path, colour) }
 }
 
 /** How far the shadow of a wall reaches, in pixels. */
@@ -31,8 +31,9 @@ internal fun DrawScope.drawMovingShadows(drawing: SheetDrawing, state: SessionSt
     val colour = shadow.copy(alpha = shadow.alpha * SINGLE_COPY)
     val scale = drawing.transform.pixelsPerCentimetre
     val ofBlock = LIGHT_WAY * (BLOCK_HEIGHT * scale)
+    val target = CanvasTarget(this)
     for ((block, moved) in drawing.blocks.zip(state.blocks)) {
-        drawBlockShadow(block, moved, drawing.transform, ofBlock, colour)
+        target.atBlock(block, moved, drawing.transform, ofBlock) { shape(block.outline, colour) }
     }
     for ((plan, robot) in drawing.robots.zip(state.robots)) {
         val pose = robot.robot.pose

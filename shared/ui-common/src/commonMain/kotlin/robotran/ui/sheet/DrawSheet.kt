@@ -42,29 +42,37 @@ fun DrawScope.drawSheet(
             drawing.ground.draw(this, colours, grain, visible, isStretched)
         }
         if (SheetLayer.GRID in shown) drawGrid(drawing.transform)
-        if (SheetLayer.GOALS in
-            shown
-        ) {
-            for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform, labels)
+        val target = CanvasTarget(this, labels)
+        if (SheetLayer.GOALS in shown) {
+            for (region in drawing.regions) target.drawRegion(region, state.goals, drawing.transform)
         }
-        drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
+        target.drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
         if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
-        drawGlow(drawing.glow, state)
+        target.drawGlow(drawing.glow, state)
         if (SheetLayer.SENSORS in shown) drawSights(drawing.world, state, drawing.transform)
         drawMovingShadows(drawing, state, colours.shadow)
-        drawSolids(drawing.solids)
-        for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
-        drawing.world.robots.zip(state.robots).forEachIndexed { number, (place, robot) ->
-            val face = penbotFace(state, number, isStill, place.description.drive)
-            drawRobot(robot.robot, place, drawing.robots[number], drawing.transform, face)
-        }
-        drawLamps(drawing.world, state, drawing.transform)
+        target.drawThings(drawing, state, isStill)
     }
     if (labels == null) return
     if (SheetLayer.GRID in shown) drawGridFigures(drawing.world.paper, view, colours, labels)
     if (SheetLayer.NAMES in shown) drawElementNames(drawing.world, state, view, labels)
     if (SheetLayer.NAMES in shown || state.robots.size > 1) drawRobotNames(drawing.world.robots, state, view, labels)
     if (SheetLayer.SENSORS in shown) drawReadings(drawing.world, state, view, labels)
+}
+
+/**
+ * What stands on the paper.
+ *
+ * @param isStill whether the eyes of robots never move.
+ */
+internal fun DrawTarget.drawThings(drawing: SheetDrawing, state: SessionState, isStill: Boolean = false) {
+    drawSolids(drawing.solids)
+    for ((block, pose) in drawing.blocks.zip(state.blocks)) drawBlock(block, pose, drawing.transform)
+    drawing.world.robots.zip(state.robots).forEachIndexed { number, (place, robot) ->
+        val face = penbotFace(state, number, isStill, place.description.drive)
+        drawRobot(robot.robot, place, drawing.robots[number], drawing.transform, face)
+    }
+    drawLamps(drawing.world, state, drawing.transform)
 }
 
 /** Draws in the coordinates of [drawing] and transforms the result to [view]. [draw] receives the visible part. */
@@ -94,13 +102,13 @@ internal fun DrawScope.drawGround(
     visible: Rect = Rect(Offset.Zero, size),
 ) {
     drawPaper(colours, drawing.transform.paper, grain, visible)
-    drawOnPaper(drawing)
+    CanvasTarget(this).drawOnPaper(drawing)
     drawSolidShadows(drawing, colours.shadow)
 }
 
-private fun DrawScope.drawOnPaper(drawing: SheetDrawing) {
-    val paper = drawing.transform.paper
-    clipRect(paper.left, paper.top, paper.right, paper.bottom) { for (mark in drawing.marks) drawMark(mark) }
+/** Marks and the drawing to trace. */
+internal fun DrawTarget.drawOnPaper(drawing: SheetDrawing) {
+    inside(drawing.transform.paper) { for (mark in drawing.marks) drawMark(mark) }
     drawing.template?.let { drawTemplate(it, drawing.transform) }
 }
 
@@ -118,16 +126,16 @@ internal fun DrawScope.drawPaperLayer(
 ) {
     val transform = drawing.transform
     drawRect(colours.paper, transform.paper.topLeft, transform.paper.size)
-    drawOnPaper(drawing)
+    val target = CanvasTarget(this)
+    target.drawOnPaper(drawing)
     drawRect(colours.paperEdge, transform.paper.topLeft, transform.paper.size, style = Stroke(1f))
     if (SheetLayer.GRID in shown) drawGrid(transform)
     if (SheetLayer.GOALS in shown) {
-        for (region in drawing.regions) drawRegion(region, state.goals, transform, labels = null, withFlag = false)
+        for (region in drawing.regions) target.drawRegion(region, state.goals, transform, withFlag = false)
     }
-    drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
+    target.drawInk(drawing.ink, state.ink, drawing.world.robots, visible)
     if (SheetLayer.TRAIL in shown) drawTrail(drawing.trail, state.trail, drawing.world.robots, visible)
-    val paper = transform.paper
-    clipRect(paper.left, paper.top, paper.right, paper.bottom) { drawStandingGlow(drawing.glow, state) }
+    target.inside(transform.paper) { drawStandingGlow(drawing.glow, state) }
 }
 
 private fun DrawScope.drawPaper(colours: SheetColours, paper: Rect, grain: ImageBitmap?, visible: Rect) {

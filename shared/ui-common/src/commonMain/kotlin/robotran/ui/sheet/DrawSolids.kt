@@ -13,9 +13,10 @@ class SolidsDrawing(world: World, transform: SheetTransform) {
     private val outlines = (world.walls.map { it.corners() } + world.barriers.map { it.shape.corners() })
         .map { corners -> corners.map { transform.toPixels(it.x, it.y) } }
 
-    val path = Path().apply { for (corners in outlines) addLine(corners, closed = true) }
+    val outline = Outline(outlines.map { Outline.Polyline(it, isClosed = true) })
+    val edge = Line(2f * transform.least)
 
-    private val step = max(HATCHING_CENTIMETRES * transform.pixelsPerCentimetre, MIN_HATCHING_PIXELS)
+    private val step = max(HATCHING_CENTIMETRES * transform.pixelsPerCentimetre, MIN_HATCHING_PIXELS * transform.least)
     val lineWidth = step / 3
 
     /** The ends of the hatching lines, clipped to the outlines once: clipping in each frame would be much slower. */
@@ -23,11 +24,11 @@ class SolidsDrawing(world: World, transform: SheetTransform) {
 }
 
 /** Walls and barriers from above: brick-red, and hatched for colour-blind pupils. */
-internal fun DrawScope.drawSolids(solids: SolidsDrawing) {
+internal fun DrawTarget.drawSolids(solids: SolidsDrawing) {
     // The outline first: where shapes overlap, there must be none between them.
-    drawPath(solids.path, SheetColours.WALL_HATCHING, style = Stroke(2f))
-    drawPath(solids.path, SheetColours.WALL)
-    drawPoints(solids.hatching, PointMode.Lines, SheetColours.WALL_HATCHING, solids.lineWidth)
+    shape(solids.outline, edge = SheetColours.WALL_HATCHING, line = solids.edge)
+    shape(solids.outline, SheetColours.WALL)
+    lines(solids.hatching, SheetColours.WALL_HATCHING, solids.lineWidth)
 }
 
 private const val HATCHING_CENTIMETRES = 0.7f

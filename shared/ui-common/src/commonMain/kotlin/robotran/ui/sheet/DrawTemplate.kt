@@ -10,21 +10,17 @@ import androidx.compose.ui.unit.dp
 import robotran.world.Template
 import kotlin.math.max
 
-fun templatePath(template: Template, transform: SheetTransform): Path = Path().apply {
-    for (stroke in template.strokes) addLine(stroke.map { transform.toPixels(it.x, it.y) })
-}
+internal fun templateOutline(template: Template, transform: SheetTransform) =
+    Outline(template.strokes.map { Outline.Polyline(it.map(transform::toPixels)) })
 
 /** A faint dotted line for the pen to trace; it stays visible in small pictures. */
-internal fun DrawScope.drawTemplate(path: Path, transform: SheetTransform) {
-    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_WIDTH.toPx())
+internal fun DrawTarget.drawTemplate(outline: Outline, transform: SheetTransform) {
+    val width = max(TEMPLATE_CENTIMETRES * transform.pixelsPerCentimetre, MIN_WIDTH * dp)
     // Dashes of zero length with round ends are dots.
-    val dots = PathEffect.dashPathEffect(floatArrayOf(0f, 2 * width))
-    drawPath(
-        path,
-        SheetColours.TEMPLATE,
-        style = Stroke(width, cap = StrokeCap.Round, join = StrokeJoin.Round, pathEffect = dots),
-    )
+    shape(outline, edge = SheetColours.TEMPLATE, line = Line.round(width, 0f to 2 * width))
 }
 
 private const val TEMPLATE_CENTIMETRES = 0.5f
-private val MIN_WIDTH = 2.2.dp
+
+/** In dp. */
+private const val MIN_WIDTH = 2.2f

@@ -48,7 +48,15 @@ internal fun DrawScope.drawTrail(
     val line = Stroke(drawing.width, cap = StrokeCap.Butt, pathEffect = dashes)
     drawing.lines(trail).forEachIndexed { number, way ->
         val colour = robots.getOrNull(trail[number].robot)?.let { RobotColours.edge(it.colour) } ?: SheetColours.LABEL
-        for (piece in way.pieces) if (piece.isIn(visible, drawing.width)) drawPath(piece.path, colour, style = line)
+        for (piece in way.pieces) {
+            if (piece.isIn(
+                    visible,
+                    drawing.width,
+                )
+            ) {
+                drawPath(piece.outline.path, colour, style = line)
+            }
+        }
     }
 }
 

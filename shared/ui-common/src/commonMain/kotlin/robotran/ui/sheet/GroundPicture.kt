@@ -45,7 +45,7 @@ internal class GroundPicture(private val drawing: SheetDrawing) {
     /** The paper with all shadows. */
     private fun extent(scope: DrawScope): Rect {
         val paper = drawing.transform.paper.inflate(with(scope) { MARGIN.toPx() })
-        val solids = drawing.solids.path.getBounds()
+        val solids = drawing.solids.outline.path.getBounds()
         if (solids.isEmpty) return paper
         val shade = solids.translate(solidShadow(drawing.transform)).inflate(1f)
         return Rect(

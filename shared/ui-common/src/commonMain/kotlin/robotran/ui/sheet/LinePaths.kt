@@ -55,7 +55,7 @@ class LinePaths(private val transform: SheetTransform) {
 
 /** A part of a line, in pixels. */
 class LinePiece(points: List<Offset>) {
-    val path = Path().apply { addLine(points) }
+    val outline = Outline(Outline.Polyline(points))
     private val bounds =
         Rect(points.minOf { it.x }, points.minOf { it.y }, points.maxOf { it.x }, points.maxOf { it.y })
 

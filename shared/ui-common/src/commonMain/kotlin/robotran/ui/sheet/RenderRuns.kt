@@ -23,7 +23,7 @@ fun renderRuns(world: World, runs: List<RobotTrack>, widthPixels: Int = PICTURE_
     renderOn(world, widthPixels) { drawing ->
         drawRect(SheetColours.LIGHT.desk)
         drawGround(drawing, SheetColours.LIGHT)
-        drawSolids(drawing.solids)
+        CanvasTarget(this).drawSolids(drawing.solids)
         runs.forEachIndexed { number, run -> drawTrack(run, runColour(number, runs.size), drawing.transform) }
     }
 

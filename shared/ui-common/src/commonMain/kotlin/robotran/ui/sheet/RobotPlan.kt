@@ -16,9 +16,10 @@ import robotran.world.robot.bumpers
  * its right.
  */
 class RobotPlan(val robot: RobotDescription) {
-    /** The corners of the chassis, and the box around it. */
+    /** The corners of the chassis, the box around it, and what is drawn of it. */
     val chassis: List<Offset> = robot.chassis.outline.map { it.toPlan() }
     val chassisBox: Rect = boxAround(chassis)
+    val chassisOutline = Outline(Outline.Polyline(chassis, isClosed = true))
 
     /** Whether the chassis is as its box. */
     val isBox: Boolean = chassis.size == BOX_CORNERS && chassis.toSet() == cornersOf(chassisBox).toSet()
@@ -60,9 +61,15 @@ class RobotPlan(val robot: RobotDescription) {
         val round = CornerRadius(1f)
         val wheel = wheelMiddle + wheelWidth / 2
         addRoundRect(RoundRect(Rect(-wheelRadius, -wheel, wheelRadius, wheel), round))
-        if (isBox) addRoundRect(RoundRect(chassisBox, round)) else addPath(pathOf(chassis))
+        if (isBox) addRoundRect(RoundRect(chassisBox, round)) else addLine(chassis, closed = true)
         for (bumper in bumpers) {
-            if (bumper.isAhead) addRoundRect(RoundRect(bumper.bar(0f), round)) else addPath(pathOf(bumper.corners))
+            if (bumper.isAhead) {
+                addRoundRect(
+                    RoundRect(bumper.bar(0f), round),
+                )
+            } else {
+                addLine(bumper.corners, closed = true)
+            }
         }
         addRoundRect(RoundRect(brick.box, round))
     }
@@ -117,10 +124,3 @@ internal fun boxAround(corners: List<Offset>) =
     Rect(corners.minOf { it.x }, corners.minOf { it.y }, corners.maxOf { it.x }, corners.maxOf { it.y })
 
 internal fun cornersOf(box: Rect) = listOf(box.topLeft, box.topRight, box.bottomRight, box.bottomLeft)
-
-internal fun pathOf(corners: List<Offset>) = Path().apply {
-    corners.forEachIndexed { number, corner ->
-        if (number == 0) moveTo(corner.x, corner.y) else lineTo(corner.x, corner.y)
-    }
-    close()
-}

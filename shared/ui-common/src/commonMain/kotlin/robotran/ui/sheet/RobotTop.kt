@@ -9,60 +9,48 @@ import robotran.simulation.state.RobotState
 import robotran.uikit.*
 import robotran.world.RobotPlacement
 
-/** Draws or writes the plates and discs of which a robot from above consists, in centimetres. */
-interface RobotBrush {
-    fun plate(bounds: Rect, colour: Color, corner: Float, edge: Color? = null)
-
-    fun disc(middle: Offset, radius: Float, colour: Color, edge: Color? = null)
-
-    fun shape(corners: List<Offset>, colour: Color, edge: Color)
-
-    /** Draws [content] around [middle] turned clockwise by [degrees]. */
-    fun turned(middle: Offset, degrees: Float, content: RobotBrush.() -> Unit)
-}
-
 /** All of a robot but its wheels, eyes, pen and lamp. */
-internal fun RobotBrush.drawBody(plan: RobotPlan, build: RobotPlacement, robot: RobotState) {
+internal fun DrawTarget.drawBody(plan: RobotPlan, build: RobotPlacement, robot: RobotState) {
     plan.bumpers.forEachIndexed { index, bumper -> drawBumper(bumper, robot.isPressed(bumper.part, index)) }
-    plate(plan.axle, RobotColours.TREAD, 0.2f)
+    box(plan.axle, RobotColours.TREAD, 0.2f)
     if (plan.isBox) {
-        plate(plan.chassisBox, RobotColours.CHASSIS, 1f, RobotColours.CHASSIS_EDGE)
+        box(plan.chassisBox, RobotColours.CHASSIS, 1f, RobotColours.CHASSIS_EDGE)
     } else {
-        shape(plan.chassis, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE)
+        shape(plan.chassisOutline, RobotColours.CHASSIS, RobotColours.CHASSIS_EDGE, Line(EDGE_WIDTH))
     }
     for (motor in plan.motors) drawMotor(motor)
     with(plan.brick.look) { drawBrick(plan.brick, build.colour) }
     for (sensor in plan.sensors) {
         val degrees = sensor.degrees - robot.turn(sensor.part).toFloat()
-        turned(sensor.at, degrees) { drawSensor(sensor, plan.robot.brick.sensorCase) }
+        group(sensor.at, degrees) { drawSensor(sensor, plan.robot.brick.sensorCase) }
     }
 }
 
-private fun RobotBrush.drawBumper(bumper: BumperTop, isPressed: Boolean) {
+private fun DrawTarget.drawBumper(bumper: BumperTop, isPressed: Boolean) {
     val way = if (isPressed) BumperTop.TRAVEL else 0f
-    val draw: RobotBrush.() -> Unit = {
-        plate(bumper.armAt(way), RobotColours.BUMPER_EDGE, 0.1f)
+    val draw: DrawTarget.() -> Unit = {
+        box(bumper.armAt(way), RobotColours.BUMPER_EDGE, 0.1f)
         val colour = if (isPressed) RobotColours.BUMPER_EDGE else RobotColours.BUMPER
-        plate(bumper.barAt(way), colour, 0.6f, RobotColours.BUMPER_EDGE)
+        box(bumper.barAt(way), colour, 0.6f, RobotColours.BUMPER_EDGE)
     }
-    if (bumper.isAhead) draw() else turned(bumper.at, bumper.degrees, draw)
+    if (bumper.isAhead) draw() else group(bumper.at, bumper.degrees, content = draw)
 }
 
-private fun RobotBrush.drawMotor(motor: MotorTop) {
+private fun DrawTarget.drawMotor(motor: MotorTop) {
     if (motor.hub == null) {
-        plate(motor.body, RobotColours.MOTOR, 0.4f, RobotColours.CHASSIS_EDGE)
+        box(motor.body, RobotColours.MOTOR, 0.4f, RobotColours.CHASSIS_EDGE)
     } else {
-        plate(motor.body, RobotColours.NXT_GREY, 0.9f, RobotColours.CHASSIS_EDGE)
+        box(motor.body, RobotColours.NXT_GREY, 0.9f, RobotColours.CHASSIS_EDGE)
         disc(motor.hub, 0.95f, RobotColours.ORANGE, RobotColours.CHASSIS_EDGE)
     }
 }
 
 /** Around its place, looking ahead. */
-private fun RobotBrush.drawSensor(sensor: SensorTop, case: SensorCase) {
+private fun DrawTarget.drawSensor(sensor: SensorTop, case: SensorCase) {
     val body = sensor.body
     when (sensor.kind) {
         SensorKind.ULTRASONIC -> {
-            plate(body, RobotColours.NXT_GREY, 0.5f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.NXT_GREY, 0.5f, RobotColours.CHASSIS_EDGE)
             for (y in listOf(-1.15f, 1.15f)) {
                 disc(Offset(body.right - 0.85f, y), 0.8f, RobotColours.CHASSIS)
                 disc(Offset(body.right - 0.85f, y), 0.42f, RobotColours.ORANGE)
@@ -70,17 +58,17 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, case: SensorCase) {
         }
 
         SensorKind.SOUND -> {
-            plate(body, RobotColours.NXT_GREY, 0.4f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.NXT_GREY, 0.4f, RobotColours.CHASSIS_EDGE)
             disc(Offset(body.right - 0.8f, 0f), 0.75f, RobotColours.CHASSIS)
         }
 
         SensorKind.COLOUR -> {
-            plate(body, RobotColours.NXT_FACE, 0.3f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.NXT_FACE, 0.3f, RobotColours.CHASSIS_EDGE)
             for ((x, part) in COLOUR_PARTS) disc(Offset(x, 0f), 0.26f, part)
         }
 
         SensorKind.HITECHNIC_COLOUR -> {
-            plate(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
             for (x in listOf(-0.4f, 0.4f)) disc(Offset(x, 0f), 0.3f, RobotColours.NXT_FACE)
         }
 
@@ -88,12 +76,12 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, case: SensorCase) {
         SensorKind.RCX_LINK,
         -> {
             val isOfHitechnic = sensor.kind == SensorKind.HITECHNIC_ACCELERATION
-            plate(body, if (isOfHitechnic) RobotColours.CHASSIS else RobotColours.CLIP, 0.3f, RobotColours.CHASSIS_EDGE)
-            plate(Rect(-0.1f, -0.1f, 0.65f, 0.1f), RobotColours.NXT_FACE, 0.05f)
+            box(body, if (isOfHitechnic) RobotColours.CHASSIS else RobotColours.CLIP, 0.3f, RobotColours.CHASSIS_EDGE)
+            box(Rect(-0.1f, -0.1f, 0.65f, 0.1f), RobotColours.NXT_FACE, 0.05f)
         }
 
         SensorKind.OPTICAL_DISTANCE -> {
-            plate(body, RobotColours.CHASSIS, 0.2f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.CHASSIS, 0.2f, RobotColours.CHASSIS_EDGE)
             for (y in listOf(-1.1f, 1.1f)) disc(Offset(body.right - 0.7f, y), 0.55f, RobotColours.NXT_FACE)
         }
 
@@ -102,20 +90,20 @@ private fun RobotBrush.drawSensor(sensor: SensorTop, case: SensorCase) {
             for (y in listOf(-0.7f, 0f, 0.7f)) disc(Offset(0.5f, y), 0.22f, RobotColours.NXT_FACE)
         }
 
-        SensorKind.RCX_LIGHT -> plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
+        SensorKind.RCX_LIGHT -> box(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
 
         SensorKind.COMPASS, SensorKind.GYRO -> {
-            plate(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
+            box(body, RobotColours.CHASSIS, 0.3f, RobotColours.CHASSIS_EDGE)
             disc(Offset.Zero, 0.75f, RobotColours.NXT_FACE)
-            plate(Rect(-0.1f, -0.1f, 0.65f, 0.1f), RobotColours.PEN_TIP_DOWN, 0.05f)
+            box(Rect(-0.1f, -0.1f, 0.65f, 0.1f), RobotColours.PEN_TIP_DOWN, 0.05f)
         }
 
         else -> {
             when (case) {
-                SensorCase.STUDDED -> plate(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
+                SensorCase.STUDDED -> box(body, RobotColours.LIGHT_SENSOR, 0.3f, RobotColours.CHASSIS_EDGE)
 
                 SensorCase.ROUNDED -> {
-                    plate(body, RobotColours.NXT_GREY, 0.3f, RobotColours.CHASSIS_EDGE)
+                    box(body, RobotColours.NXT_GREY, 0.3f, RobotColours.CHASSIS_EDGE)
                     disc(Offset(0.2f, 0f), 0.32f, RobotColours.PEN_TIP_DOWN)
                 }
             }

@@ -13,16 +13,6 @@ import kotlin.math.cos
 import kotlin.math.hypot
 import kotlin.math.sin
 
-/** [shape] as a path in pixels. */
-internal fun pathOf(shape: Shape, transform: SheetTransform): Path = Path().apply {
-    if (shape is Shape.Circle) {
-        val radius = (shape.radius * transform.pixelsPerCentimetre).toFloat()
-        addOval(Rect(transform.toPixels(shape.centre.x, shape.centre.y), radius))
-    } else {
-        addLine(shape.corners().map { transform.toPixels(it.x, it.y) }, closed = true)
-    }
-}
-
 /** Adds a polyline through [points]. */
 fun Path.addLine(points: List<Offset>, closed: Boolean = false) {
     val first = points.firstOrNull() ?: return

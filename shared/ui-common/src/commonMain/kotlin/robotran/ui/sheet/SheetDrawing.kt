@@ -12,7 +12,7 @@ import robotran.world.World
  */
 class SheetDrawing(internal val world: World, val transform: SheetTransform) {
     val marks: List<MarkDrawing> = world.marks.map { markDrawing(it, transform) }
-    val template: Path? = world.template?.let { templatePath(it, transform) }
+    val template: Outline? = world.template?.let { templateOutline(it, transform) }
     val regions: List<RegionDrawing> = goalRegions(world.goals).map { RegionDrawing(it, transform) }
     val solids = SolidsDrawing(world, transform)
     val blocks: List<BlockDrawing> = world.blocks.map { BlockDrawing(it.shape, transform) }

@@ -11,8 +11,9 @@ import kotlin.math.min
  * the upper left.
  *
  * @property paper the paper's edges in pixels.
+ * @property least the size of what is just visible, in pixels: thin lines are drawn at least some of these wide.
  */
-class SheetTransform(val pixelsPerCentimetre: Float, val paper: Rect) {
+class SheetTransform(val pixelsPerCentimetre: Float, val paper: Rect, val least: Float = 1f) {
     /** The pixel position of the point [x], [y] in centimetres from the paper's lower left corner. */
     fun toPixels(x: Double, y: Double): Offset =
         Offset(paper.left + x.toFloat() * pixelsPerCentimetre, paper.bottom - y.toFloat() * pixelsPerCentimetre)

@@ -24,9 +24,9 @@ class LinePathsTest {
         assertTrue(line.continues(points.take(900)))
         line.show(points.take(900))
         assertEquals(5, line.pieces.size)
-        assertSame(before[0].path, line.pieces[0].path)
-        assertSame(before[1].path, line.pieces[1].path)
-        assertNotSame(before[2].path, line.pieces[2].path)
+        assertSame(before[0].outline, line.pieces[0].outline)
+        assertSame(before[1].outline, line.pieces[1].outline)
+        assertNotSame(before[2].outline, line.pieces[2].outline)
     }
 
     @Test
@@ -35,7 +35,7 @@ class LinePathsTest {
         for (count in 2..1000 step 3) grown.show(points.take(count))
         grown.show(points)
         val whole = LinePaths(transform).apply { show(points) }
-        assertEquals(whole.pieces.map { it.path.getBounds() }, grown.pieces.map { it.path.getBounds() })
+        assertEquals(whole.pieces.map { it.outline.path.getBounds() }, grown.pieces.map { it.outline.path.getBounds() })
     }
 
     @Test

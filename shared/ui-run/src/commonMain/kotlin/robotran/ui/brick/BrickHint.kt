@@ -60,7 +60,7 @@ fun BrickHint(
                     Modifier.testTag(RunTags.BRICK_HINT).announced(),
                     TextStyles.label,
                 )
-                BelowBrickHint(state, Modifier.padding(top = 8.dp))
+                state.kind.face.BelowHint(state, Modifier.padding(top = 8.dp))
             }
             action()
             if (onClose != null) {

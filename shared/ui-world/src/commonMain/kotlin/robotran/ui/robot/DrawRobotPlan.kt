@@ -26,6 +26,7 @@ import robotran.robotediting.views
 import robotran.simulation.state.RobotState
 import robotran.ui.editing.HandleAt
 import robotran.ui.editing.drawKnob
+import robotran.ui.sheet.CanvasTarget
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetTransform
@@ -54,7 +55,7 @@ internal fun DrawScope.drawPlan(
     drawSquares(transform, colours)
     for (view in robot.views()) drawView(view, transform, isChosen = editing.chosen == RobotElement.Part(view.number))
     val place = RobotPlacement(STANDING.pose, colour = colour, description = robot)
-    drawRobot(STANDING, place, plan, transform, hasEyes = false)
+    CanvasTarget(this).drawRobot(STANDING, place, plan, transform, hasEyes = false)
     for (caster in robot.casters) drawCaster(transform.ofRobot(caster), transform)
     drawMass(transform.ofRobot(robot.chassis.massAt), transform)
     editing.chosen?.let { drawFrame(robot, it, transform) }

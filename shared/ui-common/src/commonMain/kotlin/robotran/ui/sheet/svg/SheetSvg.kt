@@ -1,25 +1,27 @@
 package robotran.ui.sheet.svg
 
-import robotran.simulation.state.InkStroke
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.geometry.Size
 import robotran.simulation.state.SessionState
-import robotran.ui.sheet.RobotColours
 import robotran.ui.sheet.SheetColours
-import robotran.ui.sheet.goalRegions
-import robotran.ui.sheet.penbotFace
-import robotran.world.Lamp
-import robotran.world.Penbot
-import robotran.world.Wall
+import robotran.ui.sheet.SheetDrawing
+import robotran.ui.sheet.SheetTransform
+import robotran.ui.sheet.drawGlow
+import robotran.ui.sheet.drawInk
+import robotran.ui.sheet.drawOnPaper
+import robotran.ui.sheet.drawRegion
+import robotran.ui.sheet.drawThings
 import robotran.world.World
-import robotran.world.geometry.Point
 import robotran.world.robot.box
 
-/** Writes the sheet and everything on it as an SVG picture; a unit is a centimetre, y points down. */
+/**
+ * Writes the sheet and everything on it as an SVG picture, as on a canvas with a pixel per centimetre.
+ */
 class SheetSvg(private val world: World, private val state: SessionState) {
     private val svg = SvgWriter()
-    private val shapes = SvgShapes(svg, world.paper.height)
-    private val elements = SvgElements(svg, shapes)
-    private val regions = SvgRegions(svg, shapes)
-    private val lamps = SvgLamps(svg, shapes)
+    private val paper = Rect(Offset.Zero, Size(world.paper.width.toFloat(), world.paper.height.toFloat()))
+    private val drawing = SheetDrawing(world, SheetTransform(1f, paper, VISIBLE))
 
     fun write(): String {
         val paper = world.paper
@@ -56,85 +58,25 @@ class SheetSvg(private val world: World, private val state: SessionState) {
     }
 
     private fun writeContent(margin: Double) {
-        val paper = world.paper
-        val wide = paper.width + 2 * margin
-        val high = paper.height + 2 * margin
-        SvgDefinitions(svg).write(paper)
-        svg.element(
-            "rect",
-            "x" to -margin,
-            "y" to -margin,
-            "width" to wide,
-            "height" to high,
-            "fill" to hex(SheetColours.LIGHT.desk),
-        )
-        svg.element(
-            "rect",
-            "width" to paper.width,
-            "height" to paper.height,
-            "fill" to hex(SheetColours.LIGHT.paper),
-        )
-        svg.element("g", "clip-path" to "url(#paper)") { world.marks.forEach(elements::mark) }
-        world.template?.let(elements::template)
-        for (region in goalRegions(world.goals)) regions.region(region, region.isMet(state.goals))
-        for (stroke in state.ink.strokes) ink(stroke)
-        glows()
-        world.walls.forEach(::wall)
-        for (barrier in world.barriers) for (fill in SOLID) shapes.shape(barrier.shape, "fill" to fill)
-        for ((block, moved) in world.blocks.zip(state.blocks)) elements.block(block.shape, moved)
-        world.robots.zip(state.robots).forEachIndexed { number, (place, now) ->
-            val face = penbotFace(state, number, drive = place.description.drive)
-            SvgRobot(svg).write(place, now.robot, shapes.down(now.robot.pose.y), face)
+        val all = paper.inflate(margin.toFloat())
+        val target = SvgTarget(svg, VISIBLE, all)
+        with(target) {
+            box(all, SheetColours.LIGHT.desk)
+            box(paper, SheetColours.LIGHT.paper)
+            drawOnPaper(drawing)
+            for (region in drawing.regions) drawRegion(region, state.goals, drawing.transform)
+            drawInk(drawing.ink, state.ink, world.robots, visible = all)
+            drawGlow(drawing.glow, state)
+            drawThings(drawing, state)
         }
-        for ((lamp, now) in world.lamps.zip(state.lamps)) lamps.lamp(lamp, now)
-        if (world.robots.size > 1) names()
+        if (world.robots.size > 1) names(target)
     }
 
-    private fun ink(stroke: InkStroke) {
-        val colour = hex(RobotColours.ink(stroke.robot, world.robots))
-        val single = stroke.points.singleOrNull()
-        if (single != null) {
-            svg.element(
-                "circle",
-                "cx" to single.x,
-                "cy" to shapes.down(single.y),
-                "r" to Penbot.PEN_LINE_WIDTH / 2,
-                "fill" to colour,
-            )
-        } else {
-            shapes.line(stroke.points, closed = false, Penbot.PEN_LINE_WIDTH, "stroke" to colour)
-        }
-    }
-
-    private fun glows() {
-        for ((lamp, now) in world.lamps.zip(state.lamps)) {
-            if (now.on && !lamp.infrared) lamps.glow(now.place, lamp.brightness, lamp.direction, lamp.cone)
-        }
-        for ((place, now) in world.robots.zip(state.robots)) {
-            lamps.glow(Point(now.robot.pose.x, now.robot.pose.y), place.beacon, direction = 0.0, cone = Lamp.ALL_ROUND)
-        }
-    }
-
-    /** A line with square ends has the exact shape of a wall. */
-    private fun wall(wall: Wall) {
-        for (colour in SOLID) {
-            svg.element(
-                "line",
-                "x1" to wall.from.x,
-                "y1" to shapes.down(wall.from.y),
-                "x2" to wall.to.x,
-                "y2" to shapes.down(wall.to.y),
-                "stroke" to colour,
-                "stroke-width" to wall.thickness,
-                "stroke-linecap" to "square",
-            )
-        }
-    }
-
-    private fun names() {
+    private fun names(target: SvgTarget) {
         for ((place, now) in world.robots.zip(state.robots)) {
             val pose = now.robot.pose
-            shapes.label(place.name, Point(pose.x, pose.y - place.description.box.top - NAME_SIZE), NAME_SIZE)
+            val middle = drawing.transform.toPixels(pose.x, pose.y - place.description.box.top - NAME_DOWN)
+            target.name(place.name, middle, NAME_SIZE, SheetColours.LABEL)
         }
     }
 
@@ -144,9 +86,12 @@ class SheetSvg(private val world: World, private val state: SessionState) {
 
         /** In pixels, the default size for programs that need one. */
         const val WIDTH = 1200.0
-        const val NAME_SIZE = 2.4
 
-        /** Drawn on top of each other. */
-        val SOLID = listOf(hex(SheetColours.WALL), "url(#hatching)")
+        /** A millimetre. */
+        const val VISIBLE = 0.1f
+        const val NAME_SIZE = 2.4f
+
+        /** From a robot's lower end to the middle of its name. */
+        const val NAME_DOWN = 1.56
     }
 }

@@ -1,8 +1,8 @@
 package robotran.ui.sheet.svg
 
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.toArgb
-import robotran.world.geometry.Point
 import kotlin.math.abs
 import kotlin.math.floor
 
@@ -63,7 +63,7 @@ class SvgWriter {
 
     private fun written(value: Any): String = when (value) {
         is Double -> figure(value)
-        is Float -> figure(value.toDouble())
+        is Float -> figure(value)
         else -> value.toString()
     }
 
@@ -78,8 +78,12 @@ fun figure(number: Double): String {
     return (if (count < 0) "-" else "") + size / THOUSAND.toLong() + if (decimals.isEmpty()) "" else ".$decimals"
 }
 
+internal fun figure(number: Float): String = figure(number.toDouble())
+
 /** The format of `points`. */
-internal fun parameters(points: List<Point>): String = points.joinToString(" ") { "${figure(it.x)},${figure(it.y)}" }
+internal fun parameters(points: List<Offset>): String = points.joinToString(" ") { parameter(it) }
+
+internal fun parameter(point: Offset, between: String = ",") = figure(point.x) + between + figure(point.y)
 
 /** A colour such as `#16307a`; its alpha needs a separate attribute. */
 fun hex(colour: Color): String = "#" + (colour.toArgb() and RGB).toString(HEXADECIMAL).padStart(RGB_DIGITS, '0')
@@ -92,23 +96,8 @@ private fun escaped(text: String): String = buildString {
             letter == '<' -> append("&lt;")
             letter == '>' -> append("&gt;")
             letter == '"' -> append("&quot;")
-
-            letter.isHighSurrogate() -> append(
-                if (text.getOrNull(place + 1)?.isLowSurrogate() == true) {
-                    letter
-                } else {
-                    MISSING
-                },
-            )
-
-            letter.isLowSurrogate() -> append(
-                if (text.getOrNull(place - 1)?.isHighSurrogate() == true) {
-                    letter
-                } else {
-                    MISSING
-                },
-            )
-
+            letter.isHighSurrogate() && text.getOrNull(place + 1)?.isLowSurrogate() != true -> append(MISSING)
+            letter.isLowSurrogate() && text.getOrNull(place - 1)?.isHighSurrogate() != true -> append(MISSING)
             letter < ' ' && letter != '\n' && letter != '\t' -> append(' ')
             letter == '\uFFFE' || letter == '\uFFFF' -> append(MISSING)
             else -> append(letter)

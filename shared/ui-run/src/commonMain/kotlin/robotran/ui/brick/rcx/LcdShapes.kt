@@ -4,6 +4,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import robotran.rcxrom.display.LcdIcon
+import robotran.ui.brick.front.polygon
 
 private val QUARTERS =
     listOf(
@@ -101,25 +102,9 @@ private fun nearBeam(bounds: Rect): Path {
 
 private fun farBeam(bounds: Rect): Path {
     val x = bounds.center.x
-    return polygon(
-        x - 6.8f,
-        bounds.center.y - 3f,
-        bounds.left,
-        bounds.top,
-        bounds.right,
-        bounds.top,
-        x + 6.8f,
-        bounds.center.y - 3f,
-    )
+    val y = bounds.center.y - 3f
+    return polygon(x - 6.8f, y, bounds.left, bounds.top, bounds.right, bounds.top, x + 6.8f, y)
 }
 
 /** The line width of the battery. */
 private const val BATTERY_LINE = 2.4f
-
-/** A polygon from pairs of x and y. */
-internal fun polygon(vararg places: Float): Path = Path().apply {
-    for (corner in places.indices step 2) {
-        if (corner == 0) moveTo(places[0], places[1]) else lineTo(places[corner], places[corner + 1])
-    }
-    close()
-}

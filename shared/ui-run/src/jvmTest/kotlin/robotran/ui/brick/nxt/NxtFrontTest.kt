@@ -68,17 +68,6 @@ class NxtFrontTest {
     }
 
     @Test
-    fun `its plan fits where that of an RCX does`() = assertEquals(BRICK_ASPECT, NxtPlan.WIDTH / NxtPlan.HEIGHT)
-
-    @Test
-    fun `no two things on the front lie over each other`() {
-        val places = NxtPlan.BUTTONS.values + NxtPlan.MOTORS.values + NxtPlan.SENSORS + NxtPlan.FRAME + NxtPlan.SPEAKER
-        for ((number, place) in places.withIndex()) {
-            assertEquals(emptyList(), places.drop(number + 1).filter { place.overlaps(it) }, "over $place")
-        }
-    }
-
-    @Test
     fun `a screen reader hears the lines of the display, the motors and the sensors`() = show {
         onNodeWithTag(RunTags.LCD).assertContentDescriptionEquals("Display: ${state.display.texts.joinToString("\n")}")
         onNodeWithTag(RunTags.port("A"))

@@ -5,6 +5,9 @@ import androidx.compose.ui.graphics.toPixelMap
 import robotran.language.Language
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.messages.BrickMessages
+import robotran.ui.brick.front.FrontPlan
+import robotran.ui.brick.front.Signal
+import robotran.ui.brick.front.drawFront
 import robotran.ui.common.BrickColours
 import robotran.world.RobotPlacement
 import kotlin.test.Test
@@ -15,10 +18,10 @@ import kotlin.test.assertTrue
 class BrickPictureTest {
     @Test
     fun `only the infrared window changes while the brick sends, and two lamps shine in it`() {
-        val (width, height) = BrickPlan.WIDTH.toInt() to BrickPlan.HEIGHT.toInt()
-        val dark = photograph(width, height) { drawBrickBody(sending = false) }.toPixelMap()
-        val sending = photograph(width, height) { drawBrickBody(sending = true) }.toPixelMap()
-        val window = BrickPlan.INFRARED_WINDOW.inflate(1f)
+        val (width, height) = FrontPlan.WIDTH.toInt() to FrontPlan.HEIGHT.toInt()
+        val dark = photograph(width, height) { drawFront(RcxPlan.front, emptySet()) }.toPixelMap()
+        val sending = photograph(width, height) { drawFront(RcxPlan.front, setOf(Signal.SENDING)) }.toPixelMap()
+        val window = RcxPlan.INFRARED_WINDOW.inflate(1f)
         for (x in 0..<width) {
             for (y in 0..<height) {
                 if (!window.contains(
@@ -29,7 +32,7 @@ class BrickPictureTest {
                 }
             }
         }
-        for (x in BrickPlan.INFRARED_LAMPS) assertEquals(BrickColours.INFRARED_LAMP, sending[x.toInt(), 38])
+        for (x in RcxPlan.INFRARED_LAMPS) assertEquals(BrickColours.INFRARED_LAMP, sending[x.toInt(), 38])
     }
 
     @Test
@@ -59,18 +62,6 @@ class BrickPictureTest {
             val pixels = picture.toPixelMap()
             val dark = (0..<picture.width).sumOf { x -> (0..<picture.height).count { y -> pixels[x, y].green < 0.4f } }
             assertTrue(dark > width * picture.height / 25, "$dark dark pixels at a width of $width")
-        }
-    }
-
-    @Test
-    fun `no two things on the brick's face lie over each other`() {
-        val places =
-            BrickPlan.BUTTONS.values + BrickPlan.INPUTS + BrickPlan.OUTPUTS.values + BrickPlan.DISPLAY +
-                BrickPlan.INFRARED_WINDOW
-        for ((number, place) in places.withIndex()) {
-            places.drop(number + 1).forEach {
-                assertFalse(place.overlaps(it), "$place and $it")
-            }
         }
     }
 }

@@ -19,51 +19,23 @@ import robotran.nxt.display.DisplaySize
 import robotran.nxt.state.NxtState
 import robotran.uikit.*
 
-/**
- * A compact NXT where room is scarce: four rows of its display, and ENTER.
- *
- * @param isLow whether it is as low as a finger allows.
- */
+/** Four rows of the display. */
 @Composable
-internal fun NxtStrip(
-    state: NxtState,
-    down: Set<BrickButton>,
-    onPress: (BrickButton) -> Unit,
-    onRelease: (BrickButton) -> Unit,
-    modifier: Modifier,
-    isLow: Boolean,
-) {
+internal fun NxtRows(state: NxtState, isLow: Boolean) {
     var rows by remember { mutableStateOf(rowsToShow(state)) }
     var before by remember { mutableStateOf(state.display) }
     if (before != state.display) {
         rows = rowsAfter(rows, before.lines, state)
         before = state.display
     }
-    Row(
-        modifier
-            .background(NxtColours.FACE, Shapes.LARGE)
-            .border(1.dp, NxtColours.EDGE, Shapes.LARGE)
-            .padding(if (isLow) 4.dp else 8.dp),
-        horizontalArrangement = Arrangement.spacedBy(8.dp),
-        verticalAlignment = Alignment.CenterVertically,
-    ) {
-        NxtDisplayView(
-            state,
-            2.dp,
-            (if (isLow) Modifier.size(118.dp, 48.dp) else Modifier.size(178.dp, 58.dp))
-                .background(NxtColours.FRAME, Shapes.SMALL)
-                .padding(if (isLow) 1.dp else 4.dp),
-            rows,
-        )
-        NxtButtonView(
-            BrickButton.ENTER,
-            1.dp,
-            BrickButton.ENTER in down,
-            { onPress(BrickButton.ENTER) },
-            { onRelease(BrickButton.ENTER) },
-            if (isLow) Modifier.size(52.dp, 48.dp) else Modifier.size(56.dp, 52.dp),
-        )
-    }
+    NxtDisplayView(
+        state,
+        2.dp,
+        (if (isLow) Modifier.size(118.dp, 48.dp) else Modifier.size(178.dp, 58.dp))
+            .background(NxtColours.FRAME, Shapes.SMALL)
+            .padding(if (isLow) 1.dp else 4.dp),
+        rows,
+    )
 }
 
 /** The rows around the marked entry of a menu, or what is shown from its first row on. */
