@@ -34,6 +34,9 @@ enum class ButtonKind(
     /** The recommended action of the bar of an editor. */
     EDITOR_BAR(ButtonForm.EDITOR_BAR, ButtonTone.YELLOW),
 
+    /** An action among the fields of an editor. */
+    EDITOR(ButtonForm.EDITOR, ButtonTone.FRAME, TextStyles.compact.medium),
+
     /** The recommended action of the run bar. */
     RUN(ButtonForm.RUN_BAR, ButtonTone.YELLOW),
 
@@ -56,6 +59,7 @@ internal enum class ButtonForm(val shape: Shape, val padding: PaddingValues, val
     DIALOG(CircleShape, PaddingValues(24.dp, 8.dp), Dimensions.TARGET / 2, Dimensions.TARGET),
     DIALOG_PLAIN(CircleShape, PaddingValues(12.dp, 8.dp), Dimensions.TARGET / 2, Dimensions.TARGET),
     EDITOR_BAR(Shapes.MEDIUM, PaddingValues(24.dp, 8.dp), Corners.MEDIUM, Dimensions.TARGET),
+    EDITOR(Shapes.MEDIUM, PaddingValues(14.dp, 8.dp), Corners.MEDIUM, Dimensions.TARGET),
     TOOL(Shapes.MEDIUM, PaddingValues(12.dp, 8.dp), Corners.MEDIUM, Dimensions.TARGET),
     RUN_BAR(Shapes.LARGE, PaddingValues(horizontal = 16.dp), Corners.LARGE, 56.dp),
 }

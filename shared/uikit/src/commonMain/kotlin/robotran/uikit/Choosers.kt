@@ -93,25 +93,6 @@ fun SignWord(
 /** Beside what is in a [SignWord]. */
 val SIGN_PADDING = 4.dp
 
-/** A text button. */
-@Composable
-fun WordButton(word: String, tag: String, onClick: () -> Unit, modifier: Modifier = Modifier) {
-    val colours = LocalRobotranColours.current
-    Box(
-        modifier
-            .testTag(tag)
-            .defaultMinSize(minHeight = Dimensions.TARGET)
-            .focusRing()
-            .clip(Shapes.MEDIUM)
-            .border(1.dp, colours.quiet, Shapes.MEDIUM)
-            .clickable(role = Role.Button, onClick = onClick)
-            .padding(horizontal = 14.dp, vertical = 8.dp),
-        Alignment.Center,
-    ) {
-        Text(word, style = TextStyles.compact.medium, textAlign = TextAlign.Center)
-    }
-}
-
 /** A choice of several options, side by side. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable

@@ -82,83 +82,85 @@ private fun DrawScope.drawHead(middle: Offset) {
 }
 
 private fun DrawScope.drawMissing(picture: EmptyPicture, colours: RobotranColours) = when (picture) {
-    EmptyPicture.BOXES -> {
-        for (row in 0..1) {
-            plate(Offset(52f, 14f + row * 24f), Size(38f, 18f), colours.invite, colours.quiet)
-            line(colours.quiet, Offset(58f, 23f + row * 24f), Offset(66f, 23f + row * 24f))
-            plate(Offset(72f, 18f + row * 24f), Size(13f, 10f), colours.pane, colours.quiet)
+    EmptyPicture.BOXES -> drawBoxes(colours)
+    EmptyPicture.LINES -> drawLines(colours)
+    EmptyPicture.CURVE -> drawCurve(colours)
+    EmptyPicture.FLAG -> drawFlag()
+    EmptyPicture.WAY -> drawWay(colours)
+    EmptyPicture.GLASS -> drawGlass(colours)
+    EmptyPicture.SHEETS -> drawSheets(colours)
+    EmptyPicture.BLOCK -> drawBlock(colours)
+}
+
+private fun DrawScope.drawBoxes(colours: RobotranColours) {
+    for (row in 0..1) {
+        plate(Offset(52f, 14f + row * 24f), Size(38f, 18f), colours.invite, colours.quiet)
+        line(colours.quiet, Offset(58f, 23f + row * 24f), Offset(66f, 23f + row * 24f))
+        plate(Offset(72f, 18f + row * 24f), Size(13f, 10f), colours.pane, colours.quiet)
+    }
+}
+
+private fun DrawScope.drawLines(colours: RobotranColours) {
+    plate(Offset(54f, 8f), Size(36f, 52f), colours.paper, colours.quiet)
+    for (row in 0..4) {
+        val y = 17f + row * 9f
+        val colour = if (row == 0) RobotranColours.RUN_GREEN else colours.quiet
+        line(colour, Offset(60f, y), Offset(78f + row % 2 * 5, y))
+    }
+}
+
+private fun DrawScope.drawCurve(colours: RobotranColours) {
+    line(colours.quiet, Offset(52f, 12f), Offset(52f, 58f))
+    line(colours.quiet, Offset(52f, 58f), Offset(92f, 58f))
+    val curve = Path().apply {
+        moveTo(54f, 50f)
+        cubicTo(62f, 50f, 62f, 22f, 70f, 22f)
+        cubicTo(78f, 22f, 78f, 40f, 90f, 36f)
+    }
+    drawPath(curve, colours.focus, style = ROUND)
+}
+
+private fun DrawScope.drawFlag() {
+    line(SheetColours.FLAG, Offset(60f, 10f), Offset(60f, 60f))
+    for (row in 0..2) {
+        for (column in 0..3) {
+            val ground = if ((row + column) % 2 == 0) SheetColours.FLAG else RobotranColours.CASING
+            drawRect(ground, Offset(61f + column * 7, 10f + row * 7), Size(7f, 7f))
         }
     }
+    drawRect(SheetColours.FLAG, Offset(61f, 10f), Size(28f, 21f), style = Stroke(1.2f))
+}
 
-    EmptyPicture.LINES -> {
-        plate(Offset(54f, 8f), Size(36f, 52f), colours.paper, colours.quiet)
-        for (row in 0..4) {
-            val y = 17f + row * 9f
-            line(
-                if (row == 0) {
-                    RobotranColours.RUN_GREEN
-                } else {
-                    colours.quiet
-                },
-                Offset(60f, y),
-                Offset(78f + row % 2 * 5, y),
-            )
-        }
-    }
+private fun DrawScope.drawWay(colours: RobotranColours) {
+    for (piece in 0..4) line(colours.quiet, Offset(46f + piece * 10, 40f), Offset(51f + piece * 10, 40f))
+    drawPath(
+        Path().apply {
+            moveTo(46f, 40f)
+            cubicTo(62f, 40f, 74f, 34f, 90f, 22f)
+        },
+        colours.focus,
+        style = ROUND,
+    )
+}
 
-    EmptyPicture.CURVE -> {
-        line(colours.quiet, Offset(52f, 12f), Offset(52f, 58f))
-        line(colours.quiet, Offset(52f, 58f), Offset(92f, 58f))
-        val curve = Path().apply {
-            moveTo(54f, 50f)
-            cubicTo(62f, 50f, 62f, 22f, 70f, 22f)
-            cubicTo(78f, 22f, 78f, 40f, 90f, 36f)
-        }
-        drawPath(curve, colours.focus, style = ROUND)
-    }
+private fun DrawScope.drawGlass(colours: RobotranColours) {
+    drawCircle(colours.invite, 15f, Offset(68f, 26f))
+    drawCircle(colours.quiet, 15f, Offset(68f, 26f), style = Stroke(3f))
+    drawLine(colours.quiet, Offset(79f, 37f), Offset(90f, 50f), 5f, StrokeCap.Round)
+}
 
-    EmptyPicture.FLAG -> {
-        line(SheetColours.FLAG, Offset(60f, 10f), Offset(60f, 60f))
-        for (row in 0..2) {
-            for (column in 0..3) {
-                val ground = if ((row + column) % 2 == 0) SheetColours.FLAG else RobotranColours.CASING
-                drawRect(ground, Offset(61f + column * 7, 10f + row * 7), Size(7f, 7f))
-            }
-        }
-        drawRect(SheetColours.FLAG, Offset(61f, 10f), Size(28f, 21f), style = Stroke(1.2f))
-    }
+private fun DrawScope.drawSheets(colours: RobotranColours) {
+    rotate(8f, Offset(70f, 36f)) { plate(Offset(54f, 14f), Size(36f, 42f), colours.desk, colours.quiet) }
+    plate(Offset(52f, 12f), Size(36f, 42f), colours.paper, colours.quiet)
+    drawRect(SheetColours.INK, Offset(61f, 22f), Size(18f, 18f), style = Stroke(2.2f, join = StrokeJoin.Round))
+}
 
-    EmptyPicture.WAY -> {
-        for (piece in 0..4) line(colours.quiet, Offset(46f + piece * 10, 40f), Offset(51f + piece * 10, 40f))
-        drawPath(
-            Path().apply {
-                moveTo(46f, 40f)
-                cubicTo(62f, 40f, 74f, 34f, 90f, 22f)
-            },
-            colours.focus,
-            style = ROUND,
-        )
-    }
-
-    EmptyPicture.GLASS -> {
-        drawCircle(colours.invite, 15f, Offset(68f, 26f))
-        drawCircle(colours.quiet, 15f, Offset(68f, 26f), style = Stroke(3f))
-        drawLine(colours.quiet, Offset(79f, 37f), Offset(90f, 50f), 5f, StrokeCap.Round)
-    }
-
-    EmptyPicture.SHEETS -> {
-        rotate(8f, Offset(70f, 36f)) { plate(Offset(54f, 14f), Size(36f, 42f), colours.desk, colours.quiet) }
-        plate(Offset(52f, 12f), Size(36f, 42f), colours.paper, colours.quiet)
-        drawRect(SheetColours.INK, Offset(61f, 22f), Size(18f, 18f), style = Stroke(2.2f, join = StrokeJoin.Round))
-    }
-
-    EmptyPicture.BLOCK -> {
-        plate(Offset(50f, 20f), Size(42f, 16f), colours.invite, colours.quiet)
-        line(colours.quiet, Offset(56f, 28f), Offset(70f, 28f))
-        plate(Offset(75f, 23f), Size(13f, 10f), colours.pane, colours.quiet)
-        line(colours.focus, Offset(71f, 44f), Offset(71f, 58f))
-        line(colours.focus, Offset(64f, 51f), Offset(78f, 51f))
-    }
+private fun DrawScope.drawBlock(colours: RobotranColours) {
+    plate(Offset(50f, 20f), Size(42f, 16f), colours.invite, colours.quiet)
+    line(colours.quiet, Offset(56f, 28f), Offset(70f, 28f))
+    plate(Offset(75f, 23f), Size(13f, 10f), colours.pane, colours.quiet)
+    line(colours.focus, Offset(71f, 44f), Offset(71f, 58f))
+    line(colours.focus, Offset(64f, 51f), Offset(78f, 51f))
 }
 
 private fun DrawScope.plate(corner: Offset, size: Size, fill: Color, edge: Color) {

@@ -40,17 +40,16 @@ import robotran.world.World
  */
 @Composable
 fun SheetCanvas(
-    world: World,
-    session: SessionState,
+    shown: ShownWorld,
     camera: SheetCamera,
     onCamera: (SheetCamera, Boolean) -> Unit,
     modifier: Modifier = Modifier,
-    shown: Set<SheetLayer> = SheetLayer.DEFAULT,
     aside: DpRect = DpRect(0.dp, 0.dp, 0.dp, 0.dp),
     touch: SheetTouch? = null,
     overlay: DrawScope.(SheetTransform) -> Unit = {},
     content: @Composable BoxScope.(SheetTransform) -> Unit = {},
 ) {
+    val world = shown.world
     val colours = LocalRobotranColours.current
     val sheetColours = remember(colours) { SheetColours.of(colours) }
     val grain = remember(colours) { if (colours.isHighContrast) null else paperGrain(colours.paper) }
@@ -82,7 +81,7 @@ fun SheetCanvas(
         }
         Canvas(Modifier.matchParentSize()) {
             val drawing = drawings.at(view.pixelsPerCentimetre, settled == view.pixelsPerCentimetre)
-            drawSheet(drawing, session, sheetColours, labels, shown, view, grain, isStill)
+            drawSheet(drawing, shown.drawn, sheetColours, labels, shown.view.shown, view, grain, isStill)
             overlay(view)
         }
         Box(Modifier.matchParentSize()) { content(view) }

@@ -24,6 +24,7 @@ import robotran.scene3d.camera.PictureWindow
 import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetTouch
+import robotran.ui.sheet.ShownWorld
 import robotran.uikit.*
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetViewState
@@ -34,16 +35,12 @@ import robotran.world.World
  * A world in perspective that reacts to touch, mouse, wheel and keys like [robotran.ui.sheet.SheetCanvas]; only that a
  * finger on no element goes around the paper.
  *
- * @param drawn what is drawn of [session]; cameras follow [session].
  * @param onGround draws on the paper, below all that stands there; [overlay] over everything.
  * @param content composables over the picture, such as focusable elements.
  */
 @Composable
 fun SpaceCanvas(
-    world: World,
-    session: SessionState,
-    drawn: SessionState,
-    view: SheetViewState,
+    shown: ShownWorld,
     onCamera: (SpaceCamera) -> Unit,
     aside: DpRect,
     modifier: Modifier = Modifier,
@@ -52,6 +49,8 @@ fun SpaceCanvas(
     overlay: DrawScope.(Projection) -> Unit = {},
     content: @Composable BoxScope.(Projection, SpaceLook) -> Unit = { _, _ -> },
 ) {
+    val world = shown.world
+    val view = shown.view
     val theme = LocalRobotranColours.current
     val drawing = remember(world, theme) { SpaceDrawing(world, SpaceColours.of(theme)) }
     val isStill = LocalLessMotion.current
@@ -69,12 +68,12 @@ fun SpaceCanvas(
         val cameras = remember(constraints.maxWidth, constraints.maxHeight, aside, density) {
             Cameras(windowOf(constraints.maxWidth, constraints.maxHeight, aside, density), ScreenTrigonometry)
         }
-        val projection = projectionOf(view, session, world, cameras, chase)
+        val projection = projectionOf(view, shown.session, world, cameras, chase)
         val eye = view.spaceCamera.robot.takeIf { view.cameraKind == CameraKind.ROBOT_EYE }
-        val scene = drawing.scene(drawn, view.shown, projection, eye, isStill)
+        val scene = drawing.scene(shown.drawn, view.shown, projection, eye, isStill)
         SideEffect { look.show(view.spaceCamera, view.cameraKind, world.paper, cameras, projection, scene, onCamera) }
         Canvas(Modifier.matchParentSize()) {
-            drawSpace(drawing, scene, drawn, projection, view.shown, labels) { onGround(projection) }
+            drawSpace(drawing, scene, shown.drawn, projection, view.shown, labels) { onGround(projection) }
             overlay(projection)
         }
         Box(Modifier.matchParentSize()) { content(projection, look) }

@@ -2,6 +2,7 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.graphics.asSkiaBitmap
+import androidx.compose.ui.unit.IntSize
 import org.jetbrains.skia.Image
 import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
@@ -84,7 +85,7 @@ class RobotsPictureTest {
     @Test
     fun `all robots look as they did in perspective`() {
         for ((name, turn, tilt) in listOf(Triple("left", 60.0, 40.0), Triple("front", 200.0, 30.0))) {
-            val seen = renderSpace(world, state, WIDTH, 1_000) {
+            val seen = renderSpace(world, state, IntSize(WIDTH, 1_000)) {
                 it.around(world.paper, Point(62.0, 47.0), turn, tilt, 1.1)
             }
             GoldenPicture.check("robots-space-$name", image(seen))
@@ -108,7 +109,9 @@ class RobotsPictureTest {
         val layers = SheetLayer.DEFAULT + SheetLayer.SENSORS
         GoldenPicture.check("robots-turret", picture(room, turned, colours, layers))
         val seen =
-            renderSpace(room, turned, WIDTH, 1_000) { it.around(room.paper, Point(30.0, 20.0), 200.0, 40.0, 1.5) }
+            renderSpace(room, turned, IntSize(WIDTH, 1_000)) {
+                it.around(room.paper, Point(30.0, 20.0), 200.0, 40.0, 1.5)
+            }
         GoldenPicture.check("robots-turret-space", image(seen))
     }
 

@@ -1,6 +1,7 @@
 package robotran.ui.sheet3d
 
 import androidx.compose.ui.graphics.ImageBitmap
+import androidx.compose.ui.unit.IntSize
 import robotran.scene3d.camera.Cameras
 import robotran.scene3d.camera.Projection
 import robotran.simulation.state.SessionState
@@ -46,7 +47,7 @@ class SpaceGalleryPictures {
         colours: SpaceColours = SpaceColours.LIGHT,
         eyeOf: Int? = null,
         camera: (Cameras) -> Projection,
-    ): ImageBitmap = renderSpace(world, state, 1280, 800, colours, eyeOf = eyeOf, camera = camera)
+    ): ImageBitmap = renderSpace(world, state, IntSize(1280, 800), colours, eyeOf = eyeOf, camera = camera)
 
     private fun keep(name: String, picture: ImageBitmap) {
         File(folder, "$name.png").writeBytes(pngOf(picture))

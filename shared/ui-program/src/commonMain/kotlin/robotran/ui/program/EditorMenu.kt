@@ -14,36 +14,32 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
 import robotran.ui.programlanguages.translationTexts
+import robotran.ui.texts.BrickLabels
 import robotran.uikit.*
+import robotran.workshop.state.ProgramsState
 
 /**
  * The menu of the program's tools.
  *
- * @param hasText whether the program is shown as text, so that tools for the text at the caret make sense.
- * @param hasFind whether searching is in the menu.
- * @param sendWords the name of what [onSend] does.
- * @param onSend sends the program to a robot; null if that is not in the menu.
- * @param hasLayout whether the program can be formatted.
- * @param translations what the program can be shown as by the menu.
- * @param shown the one of them that is, or would be, shown.
+ * @param places what is in the row and therefore not here.
  */
 @Composable
 internal fun EditorMenu(
-    hasText: Boolean,
-    hasFind: Boolean,
-    sendWords: Label,
-    onSend: (() -> Unit)?,
-    hasLayout: Boolean,
-    translations: List<ProgramLanguage>,
-    shown: ProgramLanguage?,
-    onTranslation: (ProgramLanguage) -> Unit,
+    state: ProgramsState,
+    places: ToolPlaces,
+    onTranslation: (Boolean, ProgramLanguage) -> Unit,
+    onSend: () -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
+    val shown = state.translationKind
+    val translations = state.translationKinds.filter { it != shown || !places.hasTranslation }
+    val sends = places.send == SendPlace.MENU
     var open by remember { mutableStateOf(false) }
     var chosen: Tool? by remember { mutableStateOf(null) }
     val command by rememberUpdatedState(onCommand)
@@ -59,22 +55,21 @@ internal fun EditorMenu(
                     chosen = null
                 }
             }
-            onSend?.let { send ->
-                MenuItem(sendWords(spoken), CommonTags.SEND_ROBOT) {
+            if (sends) {
+                MenuItem(BrickLabels.of(state.brick).send(spoken), CommonTags.SEND_ROBOT) {
                     open = false
-                    send()
+                    onSend()
                 }
             }
             for (kind in translations) {
                 val tag = if (kind == shown) ProgramTags.TRANSLATION_SWITCH else ProgramTags.translation(kind)
                 MenuItem(kind.translationTexts.switch(spoken), tag) {
                     open = false
-                    onTranslation(kind)
+                    onTranslation(kind != shown || !state.translationShown, kind)
                 }
             }
-            val isSecond = onSend != null || translations.isNotEmpty()
-            if (isSecond) HorizontalDivider()
-            for ((index, group) in toolsFor(hasText, hasFind, hasLayout).withIndex()) {
+            if (sends || translations.isNotEmpty()) HorizontalDivider()
+            for ((index, group) in toolsFor(state, hasFind = !places.hasFind).withIndex()) {
                 if (index > 0) HorizontalDivider()
                 for (tool in group) {
                     ToolItem(tool) {
@@ -117,10 +112,12 @@ private class Tool(
     val isForText: Boolean = false,
 )
 
-private fun toolsFor(hasText: Boolean, hasFind: Boolean, hasLayout: Boolean): List<List<Tool>> =
+private fun toolsFor(state: ProgramsState, hasFind: Boolean): List<List<Tool>> =
     (if (hasFind) listOf(listOf(FIND)) + TOOLS else TOOLS)
-        .map { group -> group.filter { hasText || !it.isForText } }
-        .map { group -> group.filter { hasLayout || it.command != EditorCommand.Plain.FORMAT } }
+        .map { group -> group.filter { state.view.hasText || !it.isForText } }
+        .map { group ->
+            group.filter { state.program.language.support.code.hasFormat || it.command != EditorCommand.Plain.FORMAT }
+        }
         .filter { it.isNotEmpty() }
 
 private val FIND = Tool(EditorCommand.Plain.FIND, EditorTexts::find, "Ctrl F")
@@ -149,5 +146,3 @@ private val TOOLS: List<List<Tool>> = listOf(
         Tool(EditorCommand.Plain.RENAME, EditorTexts::rename, "F2"),
     ),
 )
-
-private val SIGN = 16.dp

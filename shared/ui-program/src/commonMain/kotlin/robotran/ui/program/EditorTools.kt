@@ -41,24 +41,7 @@ internal fun EditorTools(
             Modifier.fillMaxWidth().heightIn(min = Dimensions.TARGET).padding(horizontal = ToolSizes.EDGE),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            IconButton(
-                ThinIcons.UNDO,
-                EditorTexts.undo(spoken),
-                ProgramTags.UNDO,
-                IconButtonKind.TOOL,
-                enabled = state.canUndo,
-            ) {
-                onCommand(EditorCommand.Plain.UNDO)
-            }
-            IconButton(
-                ThinIcons.REDO,
-                EditorTexts.redo(spoken),
-                ProgramTags.REDO,
-                IconButtonKind.TOOL,
-                enabled = state.canRedo,
-            ) {
-                onCommand(EditorCommand.Plain.REDO)
-            }
+            UndoAndRedo(state, onCommand)
             if (places.hasFind) {
                 IconButton(ThinIcons.FIND, EditorTexts.find(spoken), ProgramTags.FIND_OPEN, IconButtonKind.TOOL) {
                     onCommand(EditorCommand.Plain.FIND)
@@ -80,19 +63,29 @@ internal fun EditorTools(
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (places.send != SendPlace.MENU) SendButton(send, places.send == SendPlace.WORDS, onSend)
-            EditorMenu(
-                hasText = state.view.hasText,
-                hasFind = !places.hasFind,
-                sendWords = send,
-                onSend = onSend.takeIf { places.send == SendPlace.MENU },
-                hasLayout = support.code.hasFormat,
-                translations = state.translationKinds.filter { it != translation || !places.hasTranslation },
-                shown = translation,
-                onTranslation = { onTranslation(it != translation || !state.translationShown, it) },
-                onCommand = onCommand,
-            )
+            EditorMenu(state, places, onTranslation, onSend, onCommand)
         }
     }
 }
 
-private val SIGN = 16.dp
+@Composable
+private fun UndoAndRedo(state: ProgramsState, onCommand: (EditorCommand.Plain) -> Unit) {
+    IconButton(
+        ThinIcons.UNDO,
+        EditorTexts.undo(spoken),
+        ProgramTags.UNDO,
+        IconButtonKind.TOOL,
+        enabled = state.canUndo,
+    ) {
+        onCommand(EditorCommand.Plain.UNDO)
+    }
+    IconButton(
+        ThinIcons.REDO,
+        EditorTexts.redo(spoken),
+        ProgramTags.REDO,
+        IconButtonKind.TOOL,
+        enabled = state.canRedo,
+    ) {
+        onCommand(EditorCommand.Plain.REDO)
+    }
+}

@@ -100,78 +100,91 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
             .background(colours.desk.copy(alpha = SHADE))
             .padding(horizontal = 8.dp, vertical = 4.dp),
     ) {
-        Row(verticalAlignment = Alignment.CenterVertically) {
-            val words = EditorTexts.find(spoken)
-            val change = { typed: String -> state.search = state.search.copy(text = typed) }
-            LineField(
-                state.search.text,
-                words,
-                ProgramTags.FIND,
-                change,
-                actions,
-                Modifier.weight(1f).focusRequester(first),
-                actions::next,
-            )
-            val before = EditorTexts.findPrevious(spoken)
-            IconButton(
-                ThinIcons.UP,
-                before,
-                ProgramTags.FIND_PREVIOUS,
-                IconButtonKind.SMALL,
-                enabled = count > 0,
-                onClick = actions::previous,
-            )
-            IconButton(
-                ThinIcons.DOWN,
-                EditorTexts.findNext(spoken),
-                ProgramTags.FIND_NEXT,
-                IconButtonKind.SMALL,
-                enabled = count > 0,
-                onClick = actions::next,
-            )
-            IconButton(
-                ThinIcons.CROSS,
-                EditorTexts.findClose(spoken),
-                ProgramTags.FIND_CLOSE,
-                IconButtonKind.SMALL,
-                onClick = actions::close,
-            )
-        }
-        Row(verticalAlignment = Alignment.CenterVertically) {
-            val words = EditorTexts.replace(spoken)
-            LineField(state.replacement, words, ProgramTags.REPLACE, {
-                state.replacement = it
-            }, actions, Modifier.weight(1f), actions::replaceOne)
-            Button(
-                EditorTexts.replaceOne(spoken),
-                ProgramTags.REPLACE_ONE,
-                ButtonKind.SMALL_LINK,
-                enabled = count > 0,
-                onClick = actions::replaceOne,
-            )
-            Button(
-                EditorTexts.replaceAll(spoken),
-                ProgramTags.REPLACE_ALL,
-                ButtonKind.SMALL_LINK,
-                enabled = count > 0,
-                onClick = actions::replaceAll,
-            )
-        }
-        Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
-            PaneChip(EditorTexts.findCase(spoken), ProgramTags.FIND_CASE, state.search.matchCase) {
-                state.search = state.search.copy(matchCase = !state.search.matchCase)
-            }
-            PaneChip(EditorTexts.findWords(spoken), ProgramTags.FIND_WORDS, state.search.wholeWords) {
-                state.search = state.search.copy(wholeWords = !state.search.wholeWords)
-            }
-            Text(
-                if (state.search.text.isEmpty()) "" else countText(count, index),
-                Modifier.weight(1f).testTag(ProgramTags.FIND_COUNT).announced(),
-                TextStyles.small,
-            )
-        }
+        SearchRow(state, count, actions, Modifier.focusRequester(first))
+        ReplaceRow(state, count, actions)
+        SearchOptions(state, count, index)
     }
 }
+
+@Composable
+private fun SearchRow(state: FindState, count: Int, actions: FindActions, field: Modifier) =
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        val words = EditorTexts.find(spoken)
+        val change = { typed: String -> state.search = state.search.copy(text = typed) }
+        LineField(
+            state.search.text,
+            words,
+            ProgramTags.FIND,
+            change,
+            actions,
+            field.weight(1f),
+            actions::next,
+        )
+        val before = EditorTexts.findPrevious(spoken)
+        IconButton(
+            ThinIcons.UP,
+            before,
+            ProgramTags.FIND_PREVIOUS,
+            IconButtonKind.SMALL,
+            enabled = count > 0,
+            onClick = actions::previous,
+        )
+        IconButton(
+            ThinIcons.DOWN,
+            EditorTexts.findNext(spoken),
+            ProgramTags.FIND_NEXT,
+            IconButtonKind.SMALL,
+            enabled = count > 0,
+            onClick = actions::next,
+        )
+        IconButton(
+            ThinIcons.CROSS,
+            EditorTexts.findClose(spoken),
+            ProgramTags.FIND_CLOSE,
+            IconButtonKind.SMALL,
+            onClick = actions::close,
+        )
+    }
+
+@Composable
+private fun ReplaceRow(state: FindState, count: Int, actions: FindActions) =
+    Row(verticalAlignment = Alignment.CenterVertically) {
+        val words = EditorTexts.replace(spoken)
+        LineField(state.replacement, words, ProgramTags.REPLACE, {
+            state.replacement = it
+        }, actions, Modifier.weight(1f), actions::replaceOne)
+        Button(
+            EditorTexts.replaceOne(spoken),
+            ProgramTags.REPLACE_ONE,
+            ButtonKind.SMALL_LINK,
+            enabled = count > 0,
+            onClick = actions::replaceOne,
+        )
+        Button(
+            EditorTexts.replaceAll(spoken),
+            ProgramTags.REPLACE_ALL,
+            ButtonKind.SMALL_LINK,
+            enabled = count > 0,
+            onClick = actions::replaceAll,
+        )
+    }
+
+/** How to search, and what was found. */
+@Composable
+private fun SearchOptions(state: FindState, count: Int, index: Int) =
+    Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
+        PaneChip(EditorTexts.findCase(spoken), ProgramTags.FIND_CASE, state.search.matchCase) {
+            state.search = state.search.copy(matchCase = !state.search.matchCase)
+        }
+        PaneChip(EditorTexts.findWords(spoken), ProgramTags.FIND_WORDS, state.search.wholeWords) {
+            state.search = state.search.copy(wholeWords = !state.search.wholeWords)
+        }
+        Text(
+            if (state.search.text.isEmpty()) "" else countText(count, index),
+            Modifier.weight(1f).testTag(ProgramTags.FIND_COUNT).announced(),
+            TextStyles.small,
+        )
+    }
 
 @Composable
 private fun countText(count: Int, index: Int): String = if (count == 0) {

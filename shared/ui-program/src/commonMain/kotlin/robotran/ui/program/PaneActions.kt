@@ -9,6 +9,7 @@ import robotran.textediting.find.previousMatch
 import robotran.textediting.find.withAllReplaced
 import robotran.textediting.find.withSelected
 import robotran.textediting.text.TextDocument
+import robotran.ui.program.editor.EditorActions
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.editor.EditorControl
 import robotran.workshop.event.LearningEvent
@@ -30,11 +31,12 @@ internal class PaneActions(
     private val settings: () -> Settings,
     private val onEvent: (WorkshopEvent) -> Unit,
     private val onRename: () -> Unit,
-) : FindActions {
+) : EditorActions,
+    FindActions {
     var matches: List<SourceSpan> = emptyList()
     private var size = 0f
 
-    fun perform(command: EditorCommand.Plain) {
+    override fun perform(command: EditorCommand.Plain) {
         when (command) {
             EditorCommand.Plain.UNDO -> onEvent(ProgramEvent.Undone)
             EditorCommand.Plain.REDO -> onEvent(ProgramEvent.Redone)
@@ -42,7 +44,7 @@ internal class PaneActions(
             EditorCommand.Plain.FIND, EditorCommand.Plain.REPLACE -> find.open(control.draft.selectedText)
             EditorCommand.Plain.FIND_NEXT -> next()
             EditorCommand.Plain.FIND_PREVIOUS -> previous()
-            EditorCommand.Plain.TOGGLE_BREAKPOINT -> onEvent(ProgramEvent.BreakpointToggled(caretLine()))
+            EditorCommand.Plain.TOGGLE_BREAKPOINT -> toggleBreakpoint(caretLine())
             EditorCommand.Plain.NEXT_NOTE -> goToNextNote()
             EditorCommand.Plain.FIX -> fixHere()
             EditorCommand.Plain.LARGER -> resize(settings().codeSize + STEP)
@@ -59,8 +61,12 @@ internal class PaneActions(
         }
     }
 
-    /** Scales the font size by [factor]; small steps accumulate. */
-    fun zoom(factor: Float) {
+    override fun toggleBreakpoint(line: Int) = onEvent(ProgramEvent.BreakpointToggled(line))
+
+    /** Shows help on [word]. */
+    fun help(word: String) = onEvent(LearningEvent.HelpRequested(word, 0))
+
+    override fun zoom(factor: Float) {
         val now = settings().codeSize
         if (size.toInt() != now.toInt()) size = now
         size = (size * factor).coerceIn(SIZES)
@@ -71,7 +77,7 @@ internal class PaneActions(
      * Applies the fix of [diagnostic]. The pressed button disappears, so the focus returns to the text, but no
      * on-screen keyboard opens.
      */
-    fun fix(diagnostic: Diagnostic) {
+    override fun fix(diagnostic: Diagnostic) {
         onEvent(ProgramEvent.FixApplied(diagnostic))
         if (control.hadFocus || !control.isPressedByFinger) focus.requestFocus()
     }

@@ -10,6 +10,7 @@ import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.Immutable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
@@ -51,22 +52,31 @@ import robotran.uikit.*
 /**
  * A program as another text.
  *
- * @param translation null if there never was one, such as before the first errors are fixed.
- * @param kind what it is, or would be, shown as.
- * @param isNow whether it belongs to the current program.
- * @param lit its lines, from 1, that correspond to the line of the caret.
- * @param running its lines, from 1, that correspond to the running line.
+ * @property translation null if there never was one, such as before the first errors are fixed.
+ * @property kind what it is, or would be, shown as.
+ * @property isNow whether it belongs to the current program.
+ * @property highlighted its lines, from 1, that correspond to the line of the caret.
+ * @property running its lines, from 1, that correspond to the running line.
+ */
+@Immutable
+internal class ShownTranslation(
+    val translation: ProgramTranslation?,
+    val kind: ProgramLanguage,
+    val isNow: Boolean,
+    val highlighted: Set<Int>,
+    val running: Set<Int>,
+)
+
+/**
+ * A program as another text.
+ *
  * @param onLine receives the tapped line, from 1.
  * @param onNote receives the tapped note.
  * @param onKeep adds it as a new program; null if there is no room.
  */
 @Composable
 internal fun TranslationPane(
-    translation: ProgramTranslation?,
-    kind: ProgramLanguage,
-    isNow: Boolean,
-    highlighted: Set<Int>,
-    running: Set<Int>,
+    shown: ShownTranslation,
     codeSize: Float,
     onLine: (Int) -> Unit,
     onNote: (TranslationNote) -> Unit,
@@ -74,6 +84,8 @@ internal fun TranslationPane(
     onKeep: (() -> Unit)?,
     modifier: Modifier = Modifier,
 ) {
+    val translation = shown.translation
+    val isNow = shown.isNow
     val colours = LocalRobotranColours.current
     Column(modifier.background(colours.pane).testTag(ProgramTags.TRANSLATION)) {
         Row(
@@ -85,7 +97,7 @@ internal fun TranslationPane(
             verticalAlignment = Alignment.CenterVertically,
         ) {
             val title = when {
-                translation == null -> kind.translationTexts.noneYet(spoken)
+                translation == null -> shown.kind.translationTexts.noneYet(spoken)
                 isNow -> translation.fileName
                 else -> EditorTexts.translationOld(spoken)
             }
@@ -104,8 +116,15 @@ internal fun TranslationPane(
         Box(Modifier.weight(1f).fillMaxWidth()) {
             val look = Modifier.alpha(if (isNow) 1f else OLD)
             if (translation != null) {
-                val marks = remember(isNow, highlighted, running) {
-                    if (isNow) EditorMarks(partners = highlighted, runningPartners = running) else EditorMarks()
+                val marks = remember(isNow, shown.highlighted, shown.running) {
+                    if (isNow) {
+                        EditorMarks(
+                            partners = shown.highlighted,
+                            runningPartners = shown.running,
+                        )
+                    } else {
+                        EditorMarks()
+                    }
                 }
                 TranslatedText(translation, marks, codeSize, onLine, onZoom, look)
             }

@@ -35,9 +35,7 @@ import robotran.workshop.state.RunPaneState
 /** Sensors and motors over time, one lane each, with their values at the current or touched time. */
 @Composable
 internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifier: Modifier = Modifier) {
-    if (state.untouched ||
-        state.drawer.chart.lines.isEmpty()
-    ) {
+    if (state.untouched || state.drawer.chart.lines.isEmpty()) {
         return EmptyDrawer(RunTexts::chartEmpty, EmptyPicture.CURVE, modifier)
     }
     var zoom by rememberSaveable { mutableIntStateOf(0) }
@@ -54,22 +52,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                     }
                 }
             }
-            IconButton(
-                RunIcons.LESS,
-                RunTexts.chartCoarser(spoken),
-                RunTags.CHART_COARSER,
-                IconButtonKind.RUN,
-                enabled = zoom > 0,
-            ) {
-                zoom--
-            }
-            IconButton(
-                RunIcons.MORE,
-                RunTexts.chartFiner(spoken),
-                RunTags.CHART_FINER,
-                IconButtonKind.RUN,
-                enabled = zoom < MAX_ZOOM,
-            ) { zoom++ }
+            Zoom(zoom) { zoom = it }
         }
         if (shown.isEmpty()) {
             return EmptyDrawer(
@@ -85,17 +68,40 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
                         it
                 }
             }
-            Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
-                for (time in listOf(window.from, touched, window.until)) {
-                    Text(
-                        time?.let { "${secondsText(it)} s" }.orEmpty(),
-                        Modifier.testTag(RunTags.CHART_TIME),
-                        TextStyles.small,
-                        color = LocalRobotranColours.current.quiet,
-                    )
-                }
-            }
+            Times(listOf(window.from, touched, window.until))
         }
+    }
+}
+
+@Composable
+private fun Zoom(zoom: Int, onZoom: (Int) -> Unit) {
+    IconButton(
+        RunIcons.LESS,
+        RunTexts.chartCoarser(spoken),
+        RunTags.CHART_COARSER,
+        IconButtonKind.RUN,
+        enabled = zoom > 0,
+    ) {
+        onZoom(zoom - 1)
+    }
+    IconButton(
+        RunIcons.MORE,
+        RunTexts.chartFiner(spoken),
+        RunTags.CHART_FINER,
+        IconButtonKind.RUN,
+        enabled = zoom < MAX_ZOOM,
+    ) { onZoom(zoom + 1) }
+}
+
+@Composable
+private fun Times(times: List<Long?>) = Row(Modifier.fillMaxWidth(), Arrangement.SpaceBetween) {
+    for (time in times) {
+        Text(
+            time?.let { "${secondsText(it)} s" }.orEmpty(),
+            Modifier.testTag(RunTags.CHART_TIME),
+            TextStyles.small,
+            color = LocalRobotranColours.current.quiet,
+        )
     }
 }
 

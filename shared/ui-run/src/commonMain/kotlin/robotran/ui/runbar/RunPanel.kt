@@ -66,22 +66,7 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     onClick = onClose,
                 )
             }
-            Section(RunTexts::speed) {
-                for (speed in RunSpeed.entries) {
-                    Chip(speed.word(spoken), speed == state.speed, RunTags.panelSpeed(speed)) {
-                        onEvent(RunEvent.SpeedChosen(speed))
-                    }
-                }
-            }
-            if (state.world.robots.size > 1) {
-                Section(RunTexts::robot) {
-                    state.world.robots.forEachIndexed { number, robot ->
-                        Chip(robot.name, number == state.watched, RunTags.robot(number)) {
-                            onEvent(RunEvent.DebuggedRobotChosen(number))
-                        }
-                    }
-                }
-            }
+            SpeedAndRobot(state, onEvent)
             Section(RunTexts::look) {
                 for (tab in DrawerTab.entries) {
                     Chip(tab.word(spoken), tab == state.drawer.tab, RunTags.panel(tab)) {
@@ -89,26 +74,49 @@ internal fun RunPanel(state: RunPaneState, cursor: Breakpoint, onEvent: (RunEven
                     }
                 }
             }
-            Section(RunTexts::steps) {
-                PanelAction(RunTexts::stepOver, RunTexts::stepOverHelp, RunTags.PANEL_STEP_OVER) {
-                    andClose(RunEvent.StepPressed(StepKind.OVER))
-                }
-                PanelAction(RunTexts::stepOut, RunTexts::stepOutHelp, RunTags.PANEL_STEP_OUT) {
-                    andClose(RunEvent.StepPressed(StepKind.OUT))
-                }
-                PanelAction(RunTexts::toLine, RunTexts::toLineHelp, RunTags.PANEL_TO_LINE) {
-                    andClose(RunEvent.RunToLine(cursor))
-                }
-                PanelAction(RunTexts::startOver, RunTexts::startOverHelp, RunTags.START_OVER) {
-                    andClose(RunEvent.StartedOver)
-                }
-                if (state.hasRecording) {
-                    PanelAction(RunTexts::playRecording, RunTexts::playRecordingHelp, RunTags.PLAY_RECORDING) {
-                        andClose(RunEvent.RecordingPlayed)
-                    }
+            Steps(cursor, state.hasRecording) { andClose(it) }
+            RunSettings(state, onEvent)
+        }
+    }
+}
+
+@Composable
+private fun SpeedAndRobot(state: RunPaneState, onEvent: (RunEvent) -> Unit) {
+    Section(RunTexts::speed) {
+        for (speed in RunSpeed.entries) {
+            Chip(speed.word(spoken), speed == state.speed, RunTags.panelSpeed(speed)) {
+                onEvent(RunEvent.SpeedChosen(speed))
+            }
+        }
+    }
+    if (state.world.robots.size > 1) {
+        Section(RunTexts::robot) {
+            state.world.robots.forEachIndexed { number, robot ->
+                Chip(robot.name, number == state.watched, RunTags.robot(number)) {
+                    onEvent(RunEvent.DebuggedRobotChosen(number))
                 }
             }
-            RunSettings(state, onEvent)
+        }
+    }
+}
+
+@Composable
+private fun Steps(cursor: Breakpoint, hasRecording: Boolean, onEvent: (RunEvent) -> Unit) = Section(RunTexts::steps) {
+    PanelAction(RunTexts::stepOver, RunTexts::stepOverHelp, RunTags.PANEL_STEP_OVER) {
+        onEvent(RunEvent.StepPressed(StepKind.OVER))
+    }
+    PanelAction(RunTexts::stepOut, RunTexts::stepOutHelp, RunTags.PANEL_STEP_OUT) {
+        onEvent(RunEvent.StepPressed(StepKind.OUT))
+    }
+    PanelAction(RunTexts::toLine, RunTexts::toLineHelp, RunTags.PANEL_TO_LINE) {
+        onEvent(RunEvent.RunToLine(cursor))
+    }
+    PanelAction(RunTexts::startOver, RunTexts::startOverHelp, RunTags.START_OVER) {
+        onEvent(RunEvent.StartedOver)
+    }
+    if (hasRecording) {
+        PanelAction(RunTexts::playRecording, RunTexts::playRecordingHelp, RunTags.PLAY_RECORDING) {
+            onEvent(RunEvent.RecordingPlayed)
         }
     }
 }

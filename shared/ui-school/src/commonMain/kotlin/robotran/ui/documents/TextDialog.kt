@@ -5,6 +5,7 @@ import androidx.compose.foundation.text.KeyboardActions
 import androidx.compose.foundation.text.KeyboardOptions
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.MutableState
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -32,29 +33,26 @@ import robotran.workshop.state.DocumentDialog
 
 @Composable
 internal fun RenameDialog(dialog: DocumentDialog.Renaming, onEvent: (DocumentEvent) -> Unit) {
-    var name by remember { mutableStateOf(TextFieldValue(dialog.name, TextRange(0, dialog.name.length))) }
-    val done = { onEvent(DocumentEvent.Renamed(name.text)) }
+    val name = remember { mutableStateOf(TextFieldValue(dialog.name, TextRange(0, dialog.name.length))) }
     TextDialog(
         title = DocumentTexts.renameTitle(spoken),
         label = DocumentTexts.nameLabel(spoken),
-        value = name,
-        onValue = { name = it },
+        typed = name,
         doneWords = DocumentTexts.nameDone(spoken),
-        onDone = done,
+        onDone = { onEvent(DocumentEvent.Renamed(it)) },
         onEvent = onEvent,
     )
 }
 
 @Composable
 internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (DocumentEvent) -> Unit) {
-    var link by remember { mutableStateOf(TextFieldValue()) }
+    val link = remember { mutableStateOf(TextFieldValue()) }
     TextDialog(
         title = DocumentTexts.pasteTitle(spoken),
         label = DocumentTexts.linkLabel(spoken),
-        value = link,
-        onValue = { link = it },
+        typed = link,
         doneWords = DocumentTexts.pasteDone(spoken),
-        onDone = { onEvent(DocumentEvent.LinkOpened(link.text)) },
+        onDone = { onEvent(DocumentEvent.LinkOpened(it)) },
         onEvent = onEvent,
         help = DocumentTexts.pasteHelp(spoken),
         error = dialog.error,
@@ -66,26 +64,27 @@ internal fun PasteLinkDialog(dialog: DocumentDialog.PastingLink, onEvent: (Docum
 private fun TextDialog(
     title: String,
     label: String,
-    value: TextFieldValue,
-    onValue: (TextFieldValue) -> Unit,
+    typed: MutableState<TextFieldValue>,
     doneWords: String,
-    onDone: () -> Unit,
+    onDone: (String) -> Unit,
     onEvent: (DocumentEvent) -> Unit,
     help: String? = null,
     error: String? = null,
 ) {
+    var value by typed
     val close = { onEvent(DocumentEvent.DialogClosed) }
     val mayBeDone = value.text.isNotBlank()
+    val done = { onDone(value.text) }
     Dialog(
         title,
         close,
         buttons = {
             Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
-            Button(doneWords, DocumentTags.DOCUMENT_DONE, ButtonKind.DIALOG_MAIN, enabled = mayBeDone, onClick = onDone)
+            Button(doneWords, DocumentTags.DOCUMENT_DONE, ButtonKind.DIALOG_MAIN, enabled = mayBeDone, onClick = done)
         },
     ) {
         if (help != null) Explanation(help)
-        OneLine(value, onValue, label, error != null) { if (mayBeDone) onDone() }
+        OneLine(value, { value = it }, label, error != null) { if (mayBeDone) done() }
         if (error != null) {
             val announced = Modifier.testTag(DocumentTags.DOCUMENT_TROUBLE).announced()
             Explanation(error, announced, bad = true)

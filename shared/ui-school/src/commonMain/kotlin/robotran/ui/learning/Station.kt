@@ -46,13 +46,9 @@ internal class Stop(
 /** One stop on the map: a green disc with a check mark if it is done, a yellow one if it is next, or an open one. */
 @Composable
 internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = Modifier) {
-    val colours = LocalRobotranColours.current
-    val isDone = stop.isDone
-    val isNext = stop.isNext
-    val title = stop.title
     val state = when {
-        isDone -> LearningTexts.mapDone(spoken)
-        isNext -> LearningTexts.mapNext(spoken)
+        stop.isDone -> LearningTexts.mapDone(spoken)
+        stop.isNext -> LearningTexts.mapNext(spoken)
         else -> LearningTexts.mapOpen(spoken)
     }
     val condition = listOfNotNull(state, stop.note).joinToString(", ")
@@ -63,7 +59,7 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
             .focusRing()
             .clickable(role = Role.Button, onClick = stop.onClick)
             .semantics {
-                contentDescription = "$number $title"
+                contentDescription = "$number ${stop.title}"
                 stateDescription = condition
                 traversalIndex = number.toFloat()
             }
@@ -71,48 +67,60 @@ internal fun Station(stop: Stop, number: Int, height: Dp, modifier: Modifier = M
         Arrangement.Top,
         Alignment.CenterHorizontally,
     ) {
-        val ground = when {
-            isNext -> RobotranColours.YELLOW
-            isDone -> RobotranColours.RUN_GREEN
-            else -> colours.pane
-        }
-        Box(
-            Modifier
-                .size(STATION_SIZE)
-                .clip(CircleShape)
-                .background(ground)
-                .border(2.dp, if (isDone || isNext) ground else colours.quiet, CircleShape),
-            Alignment.Center,
-        ) {
-            if (isDone) {
-                SmallIcon(DONE_ICON, RobotranColours.ON_YELLOW, size = 28.dp)
-            } else {
-                Text(
-                    "$number",
-                    Modifier.clearAndSetSemantics { },
-                    TextStyles.lead.strong,
-                    color = if (isNext) RobotranColours.ON_YELLOW else colours.onPane,
-                )
-            }
-        }
-        Text(
-            title,
-            Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
-            TextStyles.small.strongIf(isNext).copy(lineHeight = TITLE_LINE),
-            textAlign = TextAlign.Center,
-            maxLines = TITLE_LINES,
-            overflow = TextOverflow.Ellipsis,
-        )
-        stop.note?.let { note ->
+        Disc(stop, number)
+        Words(stop)
+    }
+}
+
+@Composable
+private fun Disc(stop: Stop, number: Int) {
+    val colours = LocalRobotranColours.current
+    val ground = when {
+        stop.isNext -> RobotranColours.YELLOW
+        stop.isDone -> RobotranColours.RUN_GREEN
+        else -> colours.pane
+    }
+    Box(
+        Modifier
+            .size(STATION_SIZE)
+            .clip(CircleShape)
+            .background(ground)
+            .border(2.dp, if (stop.isDone || stop.isNext) ground else colours.quiet, CircleShape),
+        Alignment.Center,
+    ) {
+        if (stop.isDone) {
+            SmallIcon(DONE_ICON, RobotranColours.ON_YELLOW, size = 28.dp)
+        } else {
             Text(
-                note,
-                Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
-                TextStyles.small.copy(lineHeight = TITLE_LINE),
-                color = colours.quiet,
-                textAlign = TextAlign.Center,
-                maxLines = 1,
-                overflow = TextOverflow.Ellipsis,
+                "$number",
+                Modifier.clearAndSetSemantics { },
+                TextStyles.lead.strong,
+                color = if (stop.isNext) RobotranColours.ON_YELLOW else colours.onPane,
             )
         }
+    }
+}
+
+@Composable
+private fun Words(stop: Stop) {
+    val colours = LocalRobotranColours.current
+    Text(
+        stop.title,
+        Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+        TextStyles.small.strongIf(stop.isNext).copy(lineHeight = TITLE_LINE),
+        textAlign = TextAlign.Center,
+        maxLines = TITLE_LINES,
+        overflow = TextOverflow.Ellipsis,
+    )
+    stop.note?.let { note ->
+        Text(
+            note,
+            Modifier.clearAndSetSemantics { }.background(colours.pane).padding(horizontal = 4.dp),
+            TextStyles.small.copy(lineHeight = TITLE_LINE),
+            color = colours.quiet,
+            textAlign = TextAlign.Center,
+            maxLines = 1,
+            overflow = TextOverflow.Ellipsis,
+        )
     }
 }

@@ -56,27 +56,37 @@ import robotran.workshop.state.OpenCourseTask
 import robotran.world.World
 
 /**
- * The title and the task of [world], until it is closed; a long task scrolls. In a world of the gallery, also the help
+ * What there is to do in [world].
+ *
+ * @property assignment the assignment that the task is of; null if it is of none.
+ * @property canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
+ * @property course where the assignment is in its course; null if it is in none.
+ */
+class OpenTask(
+    val world: World,
+    val learning: LearningState,
+    val assignment: AssignmentState?,
+    val goals: List<GoalProgress>,
+    val canHandIn: Boolean,
+    val course: OpenCourseTask?,
+)
+
+/**
+ * The title and the text of [task], until it is closed; a long task scrolls. In a world of the gallery, also the help
  * with its task, and in an assignment all about that.
  *
- * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
- * @param course where the assignment is in its course; null if it is in none.
  * @param isFolded whether only the title is shown and, of an assignment, the goals.
  * @param areButtonsFixed whether there is room for buttons that do not scroll.
  */
 @Composable
 fun TaskCard(
-    world: World,
-    learning: LearningState,
-    assignment: AssignmentState?,
-    goals: List<GoalProgress>,
+    task: OpenTask,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-    canHandIn: Boolean = true,
-    course: OpenCourseTask? = null,
     isFolded: Boolean = false,
     areButtonsFixed: Boolean = true,
 ) {
+    val assignment = task.assignment
     val colours = LocalRobotranColours.current
     Column(
         modifier
@@ -107,7 +117,7 @@ fun TaskCard(
                 )
             }
             val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
-            Title(world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
+            Title(task.world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
             IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) LearningTexts.taskUnfold(spoken) else LearningTexts.taskFold(spoken),
@@ -117,9 +127,9 @@ fun TaskCard(
             HideTask(onEvent)
         }
         when {
-            assignment == null -> if (!isFolded) TaskOfWorld(world, learning, onEvent)
-            isFolded -> FoldedAssignment(learning, assignment, goals, canHandIn, onEvent)
-            else -> WholeAssignment(world, learning, assignment, goals, onEvent, canHandIn, areButtonsFixed, course)
+            assignment == null -> if (!isFolded) TaskOfWorld(task.world, task.learning, onEvent)
+            isFolded -> FoldedAssignment(task, assignment, onEvent)
+            else -> WholeAssignment(task, assignment, areButtonsFixed, onEvent)
         }
     }
 }
@@ -140,46 +150,41 @@ private fun ColumnScope.TaskOfWorld(world: World, learning: LearningState, onEve
 /** A hint that has just come, the goals, the tries and handing in, so that the world can be seen. */
 @Composable
 private fun ColumnScope.FoldedAssignment(
-    learning: LearningState,
+    task: OpenTask,
     assignment: AssignmentState,
-    goals: List<GoalProgress>,
-    canHandIn: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) = Scrolling {
-    HintCards(assignment.hints.asReversed(), learning.isInBlocks)
-    Goals(goals)
-    if (canHandIn) Line(triesText(assignment.tries), AssignmentTags.ASSIGNMENT_TRIES, isNews = true)
+    HintCards(assignment.hints.asReversed(), task.learning.isInBlocks)
+    Goals(task.goals)
+    if (task.canHandIn) Line(triesText(assignment.tries), AssignmentTags.ASSIGNMENT_TRIES, isNews = true)
     HandedInLine(assignment)
     // After a try it is one touch away; before, there is nothing to hand in.
-    if (canHandIn && assignment.isOpenForTries && assignment.tries.tries > 0) {
+    if (task.canHandIn && assignment.isOpenForTries && assignment.tries.tries > 0) {
         HandInButton(assignment, AssignmentTags.ASSIGNMENT_HAND_IN, onEvent)
     }
 }
 
 @Composable
 private fun ColumnScope.WholeAssignment(
-    world: World,
-    learning: LearningState,
+    task: OpenTask,
     assignment: AssignmentState,
-    goals: List<GoalProgress>,
-    onEvent: (WorkshopEvent) -> Unit,
-    canHandIn: Boolean,
     hasRoom: Boolean,
-    course: OpenCourseTask?,
+    onEvent: (WorkshopEvent) -> Unit,
 ) {
+    val learning = task.learning
     // With large text they would leave no room.
     val areButtonsFixed = hasRoom && LocalDensity.current.fontScale <= LARGE
     Scrolling {
         HintCards(assignment.hints.asReversed(), learning.isInBlocks)
         assignment.handIn?.let { HandInLine(it) }
         assignment.feedback?.let { FeedbackCard(it, assignment.isProgramHandedIn) }
-        TaskText(world)
-        AssignmentCard(assignment, goals, onEvent)
-        if (canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
-        course?.let { CourseLine(it, onEvent) }
+        TaskText(task.world)
+        AssignmentCard(assignment, task.goals, onEvent)
+        if (task.canHandIn && !areButtonsFixed) AssignmentButtons(assignment, onEvent)
+        task.course?.let { CourseLine(it, onEvent) }
         learning.worldTask?.let { WorldTaskHelp(it, learning.isInBlocks, learning.solved != null, onEvent) }
     }
-    if (canHandIn && areButtonsFixed) {
+    if (task.canHandIn && areButtonsFixed) {
         AssignmentButtons(assignment, onEvent, Modifier.padding(start = START, bottom = 12.dp))
     }
 }

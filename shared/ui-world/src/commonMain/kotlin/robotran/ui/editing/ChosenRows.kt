@@ -27,7 +27,6 @@ internal fun ChosenName(text: String, tag: String) = Text(
     text,
     Modifier.testTag(tag).semantics { heading() },
     TextStyles.lead.strong,
-    color = LocalRobotranColours.current.onPane,
 )
 
 /** Something in a list, for choosing without seeing or pointing, with a sign if it [isWrong]. */
@@ -54,7 +53,7 @@ internal fun ChoosingRow(
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        Text(text, Modifier.weight(1f), TextStyles.body, color = colours.onPane)
+        Text(text, Modifier.weight(1f), TextStyles.body)
         if (isWrong) IconView(EditIcons.WARNING, colours.error, size = 22.dp)
     }
 }

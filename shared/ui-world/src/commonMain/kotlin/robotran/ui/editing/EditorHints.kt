@@ -56,8 +56,10 @@ internal fun EditorHints(
                 .padding(start = 16.dp, top = 12.dp, bottom = 12.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in sentences) Text(sentence, style = TextStyles.compact, color = colours.onPane)
-            if (show != null) WordButton(WorldEditorTexts.showErrors(spoken), show.tag, show.onClick)
+            for (sentence in sentences) Text(sentence, style = TextStyles.compact)
+            if (show != null) {
+                Button(WorldEditorTexts.showErrors(spoken), show.tag, ButtonKind.EDITOR, onClick = show.onClick)
+            }
         }
         IconButton(Icon.CLOSE, CommonTexts.noticeClose(spoken), KitTags.close(tag), onClick = onClose)
     }

@@ -82,11 +82,13 @@ private fun <T : Any> OneOfField(field: Field.OneOf<T>, scope: EditScope<T>) {
 private fun <T : Any> Buttons(field: Field.Buttons<T>, scope: EditScope<T>) {
     val only = field.buttons.singleOrNull()
     if (only != null) {
-        WordButton(only.label(spoken), only.tag, { scope.make(only.value) }, Modifier.padding(top = 8.dp))
+        Button(only.label(spoken), only.tag, ButtonKind.EDITOR, Modifier.padding(top = 8.dp)) { scope.make(only.value) }
     } else {
         Row(Modifier.padding(top = 4.dp), Arrangement.spacedBy(8.dp)) {
             for (button in field.buttons) {
-                WordButton(button.label(spoken), button.tag, { scope.make(button.value) }, Modifier.weight(1f))
+                Button(button.label(spoken), button.tag, ButtonKind.EDITOR, Modifier.weight(1f)) {
+                    scope.make(button.value)
+                }
             }
         }
     }

@@ -43,7 +43,7 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
     }
     Column(Modifier.fillMaxWidth()) {
         Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(label, Modifier.weight(1f), TextStyles.compact, color = LocalRobotranColours.current.onPane)
+            Text(label, Modifier.weight(1f), TextStyles.compact)
             IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), WorldTags.less(field.tag)) {
                 stepBy(-spec.step)
             }

@@ -41,7 +41,7 @@ internal fun <T> Swatches(
 ) {
     val colours = LocalRobotranColours.current
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
-        Text(title, style = TextStyles.compact, color = colours.onPane)
+        Text(title, style = TextStyles.compact)
         FlowRow(Modifier.selectableGroup(), Arrangement.spacedBy(4.dp), Arrangement.spacedBy(4.dp)) {
             choices.forEachIndexed { place, (value, word) ->
                 val isChosen = value == chosen
@@ -63,7 +63,7 @@ internal fun <T> Swatches(
                             28.dp,
                         ).background(colourOf(value), CircleShape).border(1.dp, colours.quiet, CircleShape),
                     )
-                    Text(word, style = TextStyles.sign, color = colours.onPane, maxLines = 1)
+                    Text(word, style = TextStyles.sign, maxLines = 1)
                 }
             }
         }

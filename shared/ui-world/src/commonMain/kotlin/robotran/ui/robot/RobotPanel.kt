@@ -98,24 +98,15 @@ private fun WholeRobotPanel(scope: RobotScope) {
     RowHeading(RobotTexts.ready(spoken))
     HelpText(RobotTexts.readyHelp(spoken))
     for ((name, ready) in ReadyRobots.all) {
-        WordButton(
-            readyRobotWithBrick(name),
-            WorldTags.robotReady(name),
-            { scope.make(RobotEdit.Replace(ready)) },
-            Modifier.fillMaxWidth(),
-        )
+        Button(readyRobotWithBrick(name), WorldTags.robotReady(name), ButtonKind.EDITOR, Modifier.fillMaxWidth()) {
+            scope.make(RobotEdit.Replace(ready))
+        }
     }
     HorizontalDivider(Modifier.padding(vertical = 8.dp))
-    WordButton(
-        RobotTexts.open(spoken),
-        WorldTags.ROBOT_OPEN,
-        { scope.perform(RobotEditEvent.OpenRequested) },
-        Modifier.fillMaxWidth(),
-    )
-    WordButton(
-        RobotTexts.save(spoken),
-        WorldTags.ROBOT_SAVE,
-        { scope.perform(RobotEditEvent.SaveRequested) },
-        Modifier.fillMaxWidth(),
-    )
+    Button(RobotTexts.open(spoken), WorldTags.ROBOT_OPEN, ButtonKind.EDITOR, Modifier.fillMaxWidth()) {
+        scope.perform(RobotEditEvent.OpenRequested)
+    }
+    Button(RobotTexts.save(spoken), WorldTags.ROBOT_SAVE, ButtonKind.EDITOR, Modifier.fillMaxWidth()) {
+        scope.perform(RobotEditEvent.SaveRequested)
+    }
 }

@@ -100,18 +100,11 @@ private fun MeasuringHandle(
             .onKeyEvent { event ->
                 if (event.type != KeyEventType.KeyDown || event.hasModifier) return@onKeyEvent false
                 val step = if (event.isShiftPressed) FINE_STEP else STEP
-                when (event.key) {
-                    Key.DirectionLeft -> move(-step, 0.0)
-                    Key.DirectionRight -> move(step, 0.0)
-                    Key.DirectionUp -> move(0.0, step)
-                    Key.DirectionDown -> move(0.0, -step)
-                    Key.Enter, Key.NumPadEnter, Key.Spacebar -> goToNext()
-
-                    Key.Escape -> {
-                        put(null)
-                        true
-                    }
-
+                val way = WAYS[event.key]
+                when {
+                    way != null -> move(way.x * step, way.y * step)
+                    event.key in ENTER -> goToNext()
+                    event.key == Key.Escape -> true.also { put(null) }
                     else -> false
                 }
             }
@@ -127,6 +120,14 @@ private fun MeasuringHandle(
 }
 
 private val KeyEvent.hasModifier: Boolean get() = isAltPressed || isCtrlPressed || isMetaPressed
+
+private val WAYS = mapOf(
+    Key.DirectionLeft to Point(-1.0, 0.0),
+    Key.DirectionRight to Point(1.0, 0.0),
+    Key.DirectionUp to Point(0.0, 1.0),
+    Key.DirectionDown to Point(0.0, -1.0),
+)
+private val ENTER = setOf(Key.Enter, Key.NumPadEnter, Key.Spacebar)
 
 /** In centimetres. */
 private const val FINE_STEP = 0.1

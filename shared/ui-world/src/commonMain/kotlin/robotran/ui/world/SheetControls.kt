@@ -10,6 +10,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.KEY_ZOOM
+import robotran.ui.sheet.ShownWorld
 import robotran.ui.sheet3d.leastZoom
 import robotran.ui.texts.CommonTexts
 import robotran.ui.world.tags.WorldTags
@@ -37,9 +38,7 @@ import robotran.world.World
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun SheetControls(
-    world: World,
-    view: SheetViewState,
-    session: SessionState,
+    shown: ShownWorld,
     inputs: FrameThrottledInput,
     upright: Boolean,
     withZoom: Boolean,
@@ -47,6 +46,8 @@ internal fun SheetControls(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
+    val world = shown.world
+    val view = shown.view
     val buttons: @Composable () -> Unit = {
         if (withZoom) {
             if (view.isIn3D) SpaceZoomButtons(view, onEvent) else ZoomButtons(view.camera, onEvent)
@@ -57,10 +58,10 @@ internal fun SheetControls(
         ViewMenu(view, robotToFollow(view), onEvent)
         val isMeasuring = view.measuring != null
         IconSwitch(SheetIcons.MEASURE, SheetTexts.measure(spoken), WorldTags.SHEET_MEASURE, isMeasuring) {
-            val ruler = if (isMeasuring) null else measuringFrom(world, session, robotToFollow(view))
+            val ruler = if (isMeasuring) null else measuringFrom(world, shown.session, robotToFollow(view))
             onEvent(SheetEvent.MeasuringChanged(ruler))
         }
-        if (noticesSurroundings(world)) AmbientConditionsMenu(world, session.surroundings, inputs)
+        if (noticesSurroundings(world)) AmbientConditionsMenu(world, shown.session.surroundings, inputs)
         IconSwitch(SheetIcons.SPACE, SheetTexts.spaceView(spoken), WorldTags.SHEET_3D, view.isIn3D) {
             onEvent(SheetEvent.SpaceSwitched(!view.isIn3D))
         }

@@ -19,6 +19,7 @@ import androidx.compose.ui.unit.dp
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.geometry.Vector3
 import robotran.simulation.state.SessionState
+import robotran.ui.sheet.ShownWorld
 import robotran.ui.sheet.drawShortfallLines
 import robotran.ui.sheet.drawShortfallPins
 import robotran.ui.sheet3d.SpaceCanvas
@@ -41,24 +42,20 @@ import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
 
-/**
- * The world in perspective with its interactive elements: the same as on the sheet.
- *
- * @param drawn what is drawn of [session]: the same, or with a robot that dances.
- */
+/** The world in perspective with its interactive elements: the same as on the sheet. */
 @Composable
 internal fun TouchableSpace(
-    world: World,
-    session: SessionState,
-    drawn: SessionState,
-    view: SheetViewState,
+    shown: ShownWorld,
+    marks: WorldMarks,
     aside: DpRect,
     inputs: FrameThrottledInput,
-    preview: SheetPreview?,
-    shortfalls: List<ShortfallMark>,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    val missing = if (SheetLayer.GOALS in view.shown) shortfalls else emptyList()
+    val world = shown.world
+    val session = shown.session
+    val view = shown.view
+    val preview = marks.preview
+    val missing = if (SheetLayer.GOALS in view.shown) marks.shortfalls else emptyList()
     val labels = rememberTextMeasurer()
     val now = rememberUpdatedState(session to view.chosen)
     val choose = rememberUpdatedState { thing: SheetElement? -> onEvent(SheetEvent.ElementChosen(thing)) }
@@ -68,10 +65,7 @@ internal fun TouchableSpace(
     val description = describeWorld(world, announced)
     val camera = view.cameraKind.words(spoken)
     SpaceCanvas(
-        world,
-        session,
-        drawn,
-        view,
+        shown,
         { onEvent(SheetEvent.SpaceCameraMoved(it)) },
         aside,
         Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {

@@ -17,6 +17,7 @@ import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
+import robotran.ui.sheet.ShownWorld
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
 import robotran.ui.sheet.drawStrayed
@@ -40,11 +41,21 @@ import robotran.world.World
 import robotran.world.geometry.Point
 
 /**
+ * What is shown over a world.
+ *
+ * @property preview what a number that is edited would do; null for nothing.
+ * @property shortfalls what was missing for the goals.
+ * @property isSolved whether the task is solved; the robot dances when it becomes so, which the hand does not feel.
+ */
+class WorldMarks(
+    val preview: SheetPreview? = null,
+    val shortfalls: List<ShortfallMark> = emptyList(),
+    val isSolved: Boolean = false,
+)
+
+/**
  * The sheet of paper on the desk with its interactive elements, and the buttons of the view.
  *
- * @param preview what a number that is edited would do; null for nothing.
- * @param shortfalls what was missing for the goals.
- * @param isSolved whether the task is solved; the robot dances when it becomes so, which the hand does not feel.
  * @param canShow whether there is a button to show what was made.
  */
 @Composable
@@ -54,12 +65,10 @@ fun WorldPane(
     view: SheetViewState,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
-    preview: SheetPreview? = null,
-    shortfalls: List<ShortfallMark> = emptyList(),
+    marks: WorldMarks = WorldMarks(),
     canShow: Boolean = true,
-    isSolved: Boolean = false,
 ) {
-    val drawn = dancing(session, isSolved)
+    val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
         // The buttons are on the side with more space beside the paper.
@@ -68,14 +77,12 @@ fun WorldPane(
         val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
         val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
         if (view.isIn3D) {
-            TouchableSpace(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
+            TouchableSpace(shown, marks, aside, inputs, onEvent)
         } else {
-            TouchableSheet(world, session, drawn, view, aside, inputs, preview, shortfalls, onEvent)
+            TouchableSheet(shown, marks, aside, inputs, onEvent)
         }
         SheetControls(
-            world,
-            view,
-            session,
+            shown,
             inputs,
             upright,
             withZoom,
@@ -89,16 +96,16 @@ fun WorldPane(
 
 @Composable
 private fun TouchableSheet(
-    world: World,
-    session: SessionState,
-    drawn: SessionState,
-    view: SheetViewState,
+    shown: ShownWorld,
+    marks: WorldMarks,
     aside: DpRect,
     inputs: FrameThrottledInput,
-    preview: SheetPreview?,
-    shortfalls: List<ShortfallMark>,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
+    val world = shown.world
+    val session = shown.session
+    val view = shown.view
+    val preview = marks.preview
     val labels = rememberTextMeasurer()
     val strayed = remember(world, session) { strayedRobots(world, session) }
     val now = rememberUpdatedState(session to view.chosen)
@@ -117,18 +124,16 @@ private fun TouchableSheet(
     val announced = rememberAnnounced(session)
     val description = describeWorld(world, announced)
     SheetCanvas(
-        world,
-        drawn,
+        shown,
         cameraNow(view, session),
         { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
         Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {
             contentDescription = description
         },
-        view.shown,
         aside,
         if (measuring == null) hand else ruler,
         overlay = { sheet ->
-            if (SheetLayer.GOALS in view.shown) drawShortfalls(shortfalls, sheet, labels)
+            if (SheetLayer.GOALS in view.shown) drawShortfalls(marks.shortfalls, sheet, labels)
             drawStrayed(strayed, world, sheet)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)

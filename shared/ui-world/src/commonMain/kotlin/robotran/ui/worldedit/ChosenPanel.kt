@@ -57,12 +57,14 @@ internal fun ChosenPanel(editor: EditorScope) {
 @Composable
 private fun BuildButton(editor: EditorScope, robot: Int) {
     if (robot == 0) HelpText(WorldEditorTexts.ownRobot(spoken))
-    WordButton(
+    Button(
         RobotTexts.build(spoken),
         WorldTags.BUILD_ROBOT,
-        { editor.perform(RobotEditEvent.BenchOpened(robot)) },
+        ButtonKind.EDITOR,
         Modifier.fillMaxWidth().padding(top = 8.dp),
-    )
+    ) {
+        editor.perform(RobotEditEvent.BenchOpened(robot))
+    }
 }
 
 /** What is on a port, which a program has to name. */

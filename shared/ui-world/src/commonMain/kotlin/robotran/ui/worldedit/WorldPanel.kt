@@ -18,8 +18,8 @@ internal fun WorldPanel(editor: EditorScope) {
     Form(fieldsOf(editor.world.parameters).making { WorldEdit.ChangeSheet(it) }, editor)
     val newTitle = WorldEditorTexts.newTitle(spoken)
     RowHeading(WorldEditorTexts.startOver(spoken))
-    WordButton(WorldEditorTexts.newWorld(spoken), WorldTags.NEW_WORLD, {
+    Button(WorldEditorTexts.newWorld(spoken), WorldTags.NEW_WORLD, ButtonKind.EDITOR) {
         editor.makeAtOnce(WorldEdit.NewWorld(newTitle))
-    })
+    }
     HelpText(WorldEditorTexts.newWorldHelp(spoken))
 }

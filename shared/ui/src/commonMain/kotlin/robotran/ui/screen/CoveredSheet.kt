@@ -23,8 +23,10 @@ import robotran.ui.brick.brickHintWords
 import robotran.ui.common.AutosaveBanner
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
+import robotran.ui.task.OpenTask
 import robotran.ui.task.TaskCard
 import robotran.ui.world.SHEET_BUTTON_STEP
+import robotran.ui.world.WorldMarks
 import robotran.ui.world.WorldPane
 import robotran.ui.world.hasZoomButtons
 import robotran.ui.world.sheetButtonColumns
@@ -58,10 +60,12 @@ internal fun CoveredSheet(
             state.run.drawn,
             state.sheet,
             onEvent,
-            preview = state.sheetPreview,
-            shortfalls = state.run.shortfalls,
+            marks = WorldMarks(
+                state.sheetPreview,
+                state.run.shortfalls,
+                isSolved = state.learning.solved != null && state.run.isSolved,
+            ),
             canShow = withNotice,
-            isSolved = state.learning.solved != null && state.run.isSolved,
         )
         Messages(state, onEvent, withHint, withNotice, onWholeBrick)
         if (isOutcomeAbove(state) && !isOutcomeReplaced(state)) LowerOutcome(state, onEvent, withNotice)
@@ -111,14 +115,16 @@ private fun BoxWithConstraintsScope.Messages(
             val saysMore = state.assignment?.let { state.untouched || it.hints.isNotEmpty() } ?: false
             val room = if (saysMore) tall else max
             TaskCard(
-                state.world,
-                state.learning,
-                state.assignment,
-                state.session.goals,
+                OpenTask(
+                    state.world,
+                    state.learning,
+                    state.assignment,
+                    state.session.goals,
+                    canHandIn = withNotice,
+                    course = state.course.open.takeIf { withNotice },
+                ),
                 onEvent,
                 Modifier.heightIn(max = room),
-                canHandIn = withNotice,
-                course = state.course.open.takeIf { withNotice },
                 isFolded = isFolded,
                 areButtonsFixed = hasRoom,
             )

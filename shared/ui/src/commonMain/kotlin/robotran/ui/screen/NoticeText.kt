@@ -16,6 +16,7 @@ import robotran.uikit.*
 import robotran.workshop.state.Notice
 import robotran.workshop.state.NoticeAction
 import robotran.world.messages.sentence
+import robotran.world.robot.DraftError
 
 /** The localised text of [notice]. */
 @Composable
@@ -23,13 +24,7 @@ fun noticeText(notice: Notice): String = when (notice) {
     is Notice.ExternalError -> notice.sentence
     is Notice.WithWarnings -> withWarnings(notice)
     Notice.Unexpected -> DocumentTexts.unexpected(spoken)
-
-    is Notice.ProgramTooLong -> ScreenTexts.programTooLong(
-        spoken,
-        notice.maxThousandCharacters,
-        notice.maxThousandLines,
-    )
-
+    is Notice.ProgramTooLong -> tooLong(notice)
     Notice.FixOutdated -> ScreenTexts.programFixGone(spoken)
     Notice.NoSlotForTask -> LearningTexts.worldNoRoom(spoken)
     Notice.NoSlotForExample -> LearningTexts.helpNoRoom(spoken)
@@ -48,20 +43,8 @@ fun noticeText(notice: Notice): String = when (notice) {
     Notice.ReplayEmpty -> DocumentTexts.replayEmpty(spoken)
     is Notice.KitNeedsCorrectProgram -> DocumentTexts.kitMistake(spoken, notice.line)
     Notice.CompilerMissing -> RunTexts.statusNoCompiler(spoken)
-
-    is Notice.ProjectOpenElsewhere -> DocumentTexts.workElsewhere(
-        spoken,
-        notice.name.ifEmpty {
-            DocumentTexts.untitled(spoken)
-        },
-    )
-
-    is Notice.LastProjectOpenElsewhere -> if (notice.name.isEmpty()) {
-        DocumentTexts.ownElsewhere(spoken)
-    } else {
-        DocumentTexts.lastElsewhere(spoken, notice.name)
-    }
-
+    is Notice.ProjectOpenElsewhere -> openElsewhere(notice)
+    is Notice.LastProjectOpenElsewhere -> openElsewhere(notice)
     Notice.OwnProjectOpenElsewhere -> DocumentTexts.ownElsewhere(spoken)
     is Notice.ProjectUnusable -> DocumentTexts.workUnusable(spoken, notice.reason)
     is Notice.ProjectNotDeleted -> DocumentTexts.deleteFailed(spoken, notice.reason)
@@ -72,32 +55,13 @@ fun noticeText(notice: Notice): String = when (notice) {
     Notice.BegunAgain -> SchoolTexts.assignmentBegunAgain(spoken)
     Notice.WorldOfAssignment -> SchoolTexts.assignmentWorldLocked(spoken)
     is Notice.WorldSolved -> LearningTexts.worldDone(spoken, notice.title)
-
-    is Notice.SensorsPluggedIn -> notice.ports.singleOrNull()?.let { RunTexts.pluggedIn(spoken, it) }
-        ?: RunTexts.pluggedInSeveral(spoken, portNumbers(notice.ports))
-
+    is Notice.SensorsPluggedIn -> pluggedIn(notice)
     is Notice.RobotReplaced -> RobotTexts.replaced(spoken, notice.robot, robotTitle(notice.description))
     Notice.FirstProgramRuns -> ScreenTexts.noticeTryChange(spoken)
-
-    is Notice.HandInOpened -> notice.run?.let { run ->
-        val world = worldName(run.world)
-        SchoolTexts.handInNoticeRun(spoken, notice.name, world, run.seed)
-    } ?: SchoolTexts.handInNotice(spoken, notice.name)
-
+    is Notice.HandInOpened -> opened(notice)
     Notice.HandInOpen -> ""
-
-    is Notice.RobotImpossible -> RobotTexts.impossible(
-        spoken,
-        notice.draft.draft.title,
-        notice.draft.error.sentence(LocalLanguage.current),
-    )
-
-    is Notice.RobotKeptAsDraft -> RobotTexts.keptAsDraft(
-        spoken,
-        notice.draft.draft.title,
-        notice.draft.error.sentence(LocalLanguage.current),
-    )
-
+    is Notice.RobotImpossible -> RobotTexts.impossible(spoken, notice.draft.draft.title, faultOf(notice.draft))
+    is Notice.RobotKeptAsDraft -> RobotTexts.keptAsDraft(spoken, notice.draft.draft.title, faultOf(notice.draft))
     Notice.EscapeAlone -> NxtTexts.escapeAlone(spoken)
     Notice.NewBranch -> RunTexts.newFuture(spoken)
 }
@@ -114,6 +78,35 @@ internal fun noticeActionText(action: NoticeAction): Label = when (action) {
     NoticeAction.BringRobotBack -> DocumentTexts::undo
     is NoticeAction.BuildOn -> RobotTexts::toBench
 }
+
+@Composable
+private fun tooLong(notice: Notice.ProgramTooLong): String =
+    ScreenTexts.programTooLong(spoken, notice.maxThousandCharacters, notice.maxThousandLines)
+
+@Composable
+private fun openElsewhere(notice: Notice.ProjectOpenElsewhere): String =
+    DocumentTexts.workElsewhere(spoken, notice.name.ifEmpty { DocumentTexts.untitled(spoken) })
+
+@Composable
+private fun openElsewhere(notice: Notice.LastProjectOpenElsewhere): String = if (notice.name.isEmpty()) {
+    DocumentTexts.ownElsewhere(spoken)
+} else {
+    DocumentTexts.lastElsewhere(spoken, notice.name)
+}
+
+@Composable
+private fun pluggedIn(notice: Notice.SensorsPluggedIn): String =
+    notice.ports.singleOrNull()?.let { RunTexts.pluggedIn(spoken, it) }
+        ?: RunTexts.pluggedInSeveral(spoken, portNumbers(notice.ports))
+
+@Composable
+private fun opened(notice: Notice.HandInOpened): String = notice.run?.let { run ->
+    val world = worldName(run.world)
+    SchoolTexts.handInNoticeRun(spoken, notice.name, world, run.seed)
+} ?: SchoolTexts.handInNotice(spoken, notice.name)
+
+@Composable
+private fun faultOf(robot: DraftError): String = robot.error.sentence(LocalLanguage.current)
 
 @Composable
 private fun notSaved(notice: Notice.FileNotSaved): String =

@@ -99,21 +99,29 @@ internal fun PaneDivider(
                 onDragStopped = { put(dragged, true) },
             )
             .focusable()
-            .semantics {
-                contentDescription = description
-                progressBarRangeInfo = ProgressBarRangeInfo(now.coerceIn(shares.shares), shares.shares)
-                setProgress {
-                    put(it.coerceIn(shares.shares), true)
-                    true
-                }
-                customActions = listOf(
-                    CustomAccessibilityAction(reset) {
-                        put(null, true)
-                        true
-                    },
-                )
-            }
+            .adjustedByReaders(description, reset, now.coerceIn(shares.shares), shares.shares) { put(it, true) }
             .drawBehind { drawGrip(isUpright, colours.line, colours.quiet) },
+    )
+}
+
+private fun Modifier.adjustedByReaders(
+    description: String,
+    reset: String,
+    share: Float,
+    shares: ClosedFloatingPointRange<Float>,
+    onShare: (Float?) -> Unit,
+) = semantics {
+    contentDescription = description
+    progressBarRangeInfo = ProgressBarRangeInfo(share, shares)
+    setProgress {
+        onShare(it.coerceIn(shares))
+        true
+    }
+    customActions = listOf(
+        CustomAccessibilityAction(reset) {
+            onShare(null)
+            true
+        },
     )
 }
 

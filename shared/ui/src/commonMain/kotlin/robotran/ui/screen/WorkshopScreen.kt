@@ -66,15 +66,9 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
         val layout = ScreenLayout.of(maxWidth, maxHeight + LocalKeyboardHeight.current, scale)
         val ofPanes = paneBackEvents(state, isWide = layout != ScreenLayout.NARROW)
         BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
-        val form = if (maxWidth >= BROAD_WIDTH * scale &&
-            maxHeight >= BROAD_HEIGHT
-        ) {
-            WindowForm.BROAD
-        } else {
-            WindowForm.ACROSS
-        }
+        val isBroad = maxWidth >= BROAD_WIDTH * scale && maxHeight >= BROAD_HEIGHT
+        val form = if (isBroad) WindowForm.BROAD else WindowForm.ACROSS
         var foot by remember { mutableStateOf(0) }
-        val makingPlace = remember { MakingPlace() }
         val runBar = @Composable {
             RunBar(state.run, state.status, state.caretLine, onEvent, Modifier.onSizeChanged { foot = it.height }) {
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
@@ -85,53 +79,72 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             ProvideAssignmentRestrictions(state, onEvent) {
-                val edit = state.worldEdit
-                val bench = state.robotEdit
                 CompositionLocalProvider(LocalBrickKind provides state.part { run.brick.kind }) {
-                    when {
-                        edit != null && bench != null -> RobotEditPane(
-                            bench,
-                            edit,
-                            state.session,
-                            state.document,
-                            onEvent,
-                        ) {
-                            val ofFile = state.notice?.takeIf { it is Notice.FileSaved || it is Notice.FileNotSaved }
-                            ofFile?.let { NoticeBar(it, onEvent) }
-                        }
-
-                        edit != null -> Box {
-                            WorldEditPane(edit, state.session, state.document, onEvent)
-                            state.notice?.takeIf { it is Notice.RobotKeptAsDraft }?.let {
-                                val place = Modifier.align(Alignment.TopCenter).widthIn(max = NOTICE_WIDTH)
-                                NoticeBar(it, onEvent, place.padding(top = BELOW_BAR).padding(8.dp))
-                            }
-                        }
-
-                        layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
-                        layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
-                        else -> NarrowScreen(state, onEvent)
-                    }
+                    Panes(state, layout, form, onEvent, runBar)
                 }
             }
         }
         val footHeight = with(LocalDensity.current) { foot.toDp() }.takeIf { layout != ScreenLayout.NARROW } ?: 0.dp
-        LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
-        state.course.page?.let { CoursePages(it, onEvent) }
-        state.making?.let { AssignmentEditorPage(it, makingPlace, onEvent) }
-        if (state.settingsShown) {
-            SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
-        }
-        state.handIns?.let { HandInsPage(it, onEvent) }
-        val ofPages = pageBackEvents(state)
-        // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
-        // then.
-        if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
-        DocumentDialogs(state.document, { noticeText(it) }, onEvent)
-        state.send?.let { SendDialog(it, onEvent) }
-        state.show?.let { ExportDialog(it, state.world, state.session, onEvent) }
-        state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
+        Pages(state, footHeight, onEvent)
     }
+}
+
+/** The editor that is open, or the panes of the desk. */
+@Composable
+private fun Panes(
+    state: WorkshopState,
+    layout: ScreenLayout,
+    form: WindowForm,
+    onEvent: (WorkshopEvent) -> Unit,
+    runBar: @Composable () -> Unit,
+) {
+    val edit = state.worldEdit
+    val bench = state.robotEdit
+    when {
+        edit != null && bench != null -> RobotEditPane(
+            bench,
+            edit,
+            state.session,
+            state.document,
+            onEvent,
+        ) {
+            val ofFile = state.notice?.takeIf { it is Notice.FileSaved || it is Notice.FileNotSaved }
+            ofFile?.let { NoticeBar(it, onEvent) }
+        }
+
+        edit != null -> Box {
+            WorldEditPane(edit, state.session, state.document, onEvent)
+            state.notice?.takeIf { it is Notice.RobotKeptAsDraft }?.let {
+                val place = Modifier.align(Alignment.TopCenter).widthIn(max = NOTICE_WIDTH)
+                NoticeBar(it, onEvent, place.padding(top = BELOW_BAR).padding(8.dp))
+            }
+        }
+
+        layout == ScreenLayout.WIDE -> WideScreen(state, form, onEvent, runBar)
+        layout == ScreenLayout.UPRIGHT -> UprightScreen(state, onEvent, runBar)
+        else -> NarrowScreen(state, onEvent)
+    }
+}
+
+/** The pages and dialogs over the panes. */
+@Composable
+private fun Pages(state: WorkshopState, footHeight: Dp, onEvent: (WorkshopEvent) -> Unit) {
+    val makingPlace = remember { MakingPlace() }
+    LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
+    state.course.page?.let { CoursePages(it, onEvent) }
+    state.making?.let { AssignmentEditorPage(it, makingPlace, onEvent) }
+    if (state.settingsShown) {
+        SettingsPage(state.settings, state.siteRequested, asksForSite = !state.hasPage, onEvent)
+    }
+    state.handIns?.let { HandInsPage(it, onEvent) }
+    val ofPages = pageBackEvents(state)
+    // Composed only when a page opens, so that earlier handlers, such as that of the find bar, stay active until
+    // then.
+    if (ofPages.isNotEmpty()) BackGesture(ofPages.size) { onEvent(ofPages.first()) }
+    DocumentDialogs(state.document, { noticeText(it) }, onEvent)
+    state.send?.let { SendDialog(it, onEvent) }
+    state.show?.let { ExportDialog(it, state.world, state.session, onEvent) }
+    state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
 }
 
 /** [content], which offers the blocks and languages that the open assignment allows; programs say what it does not. */

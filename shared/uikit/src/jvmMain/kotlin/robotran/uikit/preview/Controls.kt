@@ -59,7 +59,6 @@ fun Controls(onPress: (String) -> Unit) = Column(
     FlowRow(Modifier, Arrangement.spacedBy(Space.SMALL), Arrangement.spacedBy(Space.SMALL)) {
         Chip("All", true, "chip") { onPress("chip") }
         SmallChip("Aa", false, "small-chip", Color.Unspecified) { onPress("small-chip") }
-        WordButton("Open", "word", { onPress("word") })
         DialogButton("7", "key") { onPress("key") }
     }
     ChipRow("Side", listOf(1 to "left", 2 to "right"), 1, "side") { onPress("side-${it - 1}") }

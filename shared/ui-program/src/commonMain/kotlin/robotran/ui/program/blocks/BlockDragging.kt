@@ -6,6 +6,7 @@ import androidx.compose.runtime.Stable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
+import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.Density
@@ -23,10 +24,11 @@ import robotran.workshop.event.BlockEvent
 /**
  * Carries blocks and values over the list [rows]. Positions are in pixels from its upper left corner.
  *
- * @param focus whether the list has the keyboard's focus.
+ * @param hasFocus whether the list has the keyboard's focus.
  */
 @Stable
-internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolean> = mutableStateOf(false)) : Carrier {
+internal class BlockDragging(val rows: LazyListState, hasFocus: MutableState<Boolean> = mutableStateOf(false)) :
+    Carrier {
     lateinit var state: BlocksState
     lateinit var density: Density
     lateinit var onEvent: (BlockEvent) -> Unit
@@ -34,10 +36,10 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
     val sockets = SocketPlaces()
 
     /** Whether the list has the keyboard's focus. */
-    var hasFocus by focus
+    var hasFocus by hasFocus
 
     /** Gives the list the keyboard's focus. */
-    var takeFocus: () -> Unit = {}
+    var focus: FocusRequester? = null
 
     /** Whether Shift was held when a pointer went down last. */
     var isShiftHeld = false
@@ -82,7 +84,7 @@ internal class BlockDragging(val rows: LazyListState, focus: MutableState<Boolea
 
     override fun onDown(isShiftHeld: Boolean) {
         this.isShiftHeld = isShiftHeld
-        takeFocus()
+        focus?.requestFocus()
     }
 
     override fun take(position: Offset): Boolean {

@@ -36,30 +36,20 @@ import robotran.workshop.state.InlineDiagnostic
  * The code editor. It lays out and draws only the visible lines, so that editing long programs is as fast as short
  * ones.
  *
- * @param hint the placeholder for empty text.
- * @param notes the diagnostics at the lines, in order.
- * @param pointedOut whether to highlight the first error.
  * @param codeSize the font size in sp.
- * @param onCommand handles commands that need more than the text.
- * @param onBreakpoint receives the line, from 1, whose breakpoint the user toggles.
  */
 @Composable
 internal fun CodeEditor(
     control: EditorControl,
-    view: EditorView,
-    draft: TextDocument,
-    hint: String,
-    marks: EditorMarks,
-    notes: List<InlineDiagnostic>,
-    pointedOut: Boolean,
+    text: EditorText,
     codeSize: Float,
     focus: FocusRequester,
-    onCommand: (EditorCommand) -> Unit,
-    onBreakpoint: (Int) -> Unit,
-    onZoom: (Float) -> Unit,
-    onFix: (Diagnostic) -> Unit,
+    actions: EditorActions,
     modifier: Modifier = Modifier,
 ) {
+    val view = control.view
+    val draft = text.draft
+    val marks = text.marks
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
     val brick = remember(draft.lines, control.brick) { control.syntax.brickOf(draft.lines) ?: control.brick }
@@ -67,10 +57,11 @@ internal fun CodeEditor(
     val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.syntax, brick) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<SourceSpan?>(null) }
-    val shownNotes = notesBesideTyping(notes, draft, hasFocus && !pointedOut)
+    val shownNotes = notesBesideTyping(text.notes, draft, hasFocus && !text.isErrorPointedOut)
     val paint =
         remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
-    val touch = rememberTouch(control, view, layouts, pieces, draft, focus, onBreakpoint, onZoom)
+    val onCommand = { command: EditorCommand -> if (command is EditorCommand.Plain) actions.perform(command) }
+    val touch = rememberTouch(control, layouts, pieces, draft, focus, actions)
     KeepInSight(view, draft, layouts, pieces, marks, hasFocus)
     Box(modifier.padding(top = 6.dp)) {
         EditorField(
@@ -79,7 +70,7 @@ internal fun CodeEditor(
             view,
             layouts,
             { composing = it },
-            Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, onBreakpoint) {
+            Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, actions::toggleBreakpoint) {
                 control.hasFocus = it
                 if (!it) {
                     control.isEditing = false
@@ -100,10 +91,9 @@ internal fun CodeEditor(
                 .scrolls(view)
                 .pointerInput(touch) { listenFor(touch) },
         ) {
-            val first = shownNotes.firstOrNull { !it.isWarning }
-            for (note in shownNotes) LineNote(note, draft.lines.lineOfFix(note), pointedOut && note === first, onFix)
+            Notes(shownNotes, text, actions)
         }
-        if (draft.text.isEmpty()) Hint(hint, codeSize, view)
+        if (draft.text.isEmpty()) Hint(text.hint, codeSize, view)
         Overlays(control, view, draft, layouts, pieces, codeSize, hasFocus, onCommand)
     }
 }
@@ -142,9 +132,13 @@ private fun KeepInSight(
     }
 }
 
-private fun TextLines.lineOfFix(note: InlineDiagnostic): String {
-    val line = note.diagnostic.fix?.range?.line ?: return ""
-    return if (line in 1..count) line(line - 1) else ""
+@Composable
+private fun Notes(notes: List<InlineDiagnostic>, text: EditorText, actions: EditorActions) {
+    val first = notes.firstOrNull { !it.isWarning }
+    for (note in notes) {
+        val standsOut = text.isErrorPointedOut && note === first
+        LineNote(note, text.draft.lines.lineOfFix(note), standsOut, actions::fix)
+    }
 }
 
 @Composable

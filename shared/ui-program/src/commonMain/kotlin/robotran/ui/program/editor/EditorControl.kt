@@ -44,7 +44,7 @@ import robotran.textediting.wordErasedForwards
 @Stable
 internal class EditorControl(
     val language: ProgramLanguage,
-    private val view: EditorView,
+    val view: EditorView,
     var brick: BrickKind,
     private val hasRoom: (TextDocument) -> Boolean = { true },
     private val onWritten: (TextDocument, EditKind) -> Unit,

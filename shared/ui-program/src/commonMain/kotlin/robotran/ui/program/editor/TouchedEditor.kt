@@ -26,18 +26,16 @@ internal fun Modifier.scrolls(view: EditorView): Modifier {
 @Composable
 internal fun rememberTouch(
     control: EditorControl,
-    view: EditorView,
     layouts: LineLayouts,
     pieces: CodeTokens,
     draft: TextDocument,
     focus: FocusRequester,
-    onBreakpoint: (Int) -> Unit,
-    onZoom: (Float) -> Unit,
+    actions: EditorActions,
 ): EditorTouch {
+    val view = control.view
     val keyboard = LocalSoftwareKeyboardController.current
     val now by rememberUpdatedState(Triple(draft, layouts, pieces))
-    val breakpoint by rememberUpdatedState(onBreakpoint)
-    val zoom by rememberUpdatedState(onZoom)
+    val act by rememberUpdatedState(actions)
     return remember(control, view) {
         object : EditorTouch {
             override fun pressed(byFinger: Boolean) {
@@ -48,7 +46,7 @@ internal fun rememberTouch(
             override fun tapped(position: Offset, times: Int, selecting: Boolean, byFinger: Boolean) {
                 val line = view.geometry.lineAt(position.y + view.scrollY) + 1
                 if (position.x < view.gutter - GUTTER_EDGE) {
-                    breakpoint(line)
+                    act.toggleBreakpoint(line)
                     return
                 }
                 focus.requestFocus()
@@ -74,7 +72,7 @@ internal fun rememberTouch(
                 control.showsSelectionBar = hadBar
             }
 
-            override fun zoomed(factor: Float) = zoom(factor)
+            override fun zoomed(factor: Float) = act.zoom(factor)
 
             private fun offsetAt(position: Offset) = now.let { (text, lines, parts) ->
                 view.offsetAt(position, text, lines, parts)

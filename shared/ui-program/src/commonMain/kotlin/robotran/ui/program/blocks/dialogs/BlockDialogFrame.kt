@@ -81,15 +81,7 @@ internal fun BlockDialogFrame(
             .onKeyEvent { handleInDialog(it, manager, onClose) }
             // Arrows walk about in the sheet; only Tab leaves it.
             .focusProperties {
-                exit = {
-                    if (it in
-                        DIRECTIONS.values
-                    ) {
-                        FocusRequester.Cancel
-                    } else {
-                        FocusRequester.Default
-                    }
-                }
+                exit = { if (it in DIRECTIONS.values) FocusRequester.Cancel else FocusRequester.Default }
             }
             .focusGroup()
             .semantics { paneTitle = title },
@@ -99,33 +91,50 @@ internal fun BlockDialogFrame(
         val scrolling = if (scrolls) Modifier.verticalScroll(rememberScrollState()) else Modifier
         val focused = Modifier.focusRequester(inside).focusGroup()
         if (LocalSheetPlace.current == SheetPlace.OVER) {
-            // The title has no room, but screen readers say that of the pane.
-            Row(Modifier.fillMaxWidth()) {
-                val inner = scrolling.padding(start = 16.dp, end = 8.dp, top = 8.dp, bottom = 8.dp)
-                Column(Modifier.weight(1f).then(inner).then(focused), Arrangement.spacedBy(8.dp), content = content)
-                CloseDialogButton(onClose)
-            }
+            TitlelessContent(onClose, scrolling, focused, content)
         } else {
-            Column(Modifier.fillMaxWidth()) {
-                Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-                    Text(
-                        title,
-                        Modifier.weight(1f).heading(),
-                        TextStyles.body.medium,
-                        maxLines = 2,
-                        overflow = TextOverflow.Ellipsis,
-                    )
-                    CloseDialogButton(onClose)
-                }
-                val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
-                Column(
-                    Modifier.weight(1f, fill = false).then(scrolling).then(inner).then(focused),
-                    Arrangement.spacedBy(8.dp),
-                    content = content,
-                )
-            }
+            TitledContent(title, onClose, scrolling, focused, content)
         }
     }
+}
+
+/** The title has no room, but screen readers say that of the pane. */
+@Composable
+private fun TitlelessContent(
+    onClose: () -> Unit,
+    scrolling: Modifier,
+    focused: Modifier,
+    content: @Composable ColumnScope.() -> Unit,
+) = Row(Modifier.fillMaxWidth()) {
+    val inner = scrolling.padding(start = 16.dp, end = 8.dp, top = 8.dp, bottom = 8.dp)
+    Column(Modifier.weight(1f).then(inner).then(focused), Arrangement.spacedBy(8.dp), content = content)
+    CloseDialogButton(onClose)
+}
+
+@Composable
+private fun TitledContent(
+    title: String,
+    onClose: () -> Unit,
+    scrolling: Modifier,
+    focused: Modifier,
+    content: @Composable ColumnScope.() -> Unit,
+) = Column(Modifier.fillMaxWidth()) {
+    Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
+        Text(
+            title,
+            Modifier.weight(1f).heading(),
+            TextStyles.body.medium,
+            maxLines = 2,
+            overflow = TextOverflow.Ellipsis,
+        )
+        CloseDialogButton(onClose)
+    }
+    val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
+    Column(
+        Modifier.weight(1f, fill = false).then(scrolling).then(inner).then(focused),
+        Arrangement.spacedBy(8.dp),
+        content = content,
+    )
 }
 
 @Composable

@@ -78,92 +78,121 @@ internal fun PaletteDialog(
     var showsAll by remember { mutableStateOf(false) }
     val introduced = scope.introduced.takeIf { !showsAll }
     val shown = remember(palette, scope.state.program, scope.state.cursor, introduced, scope.brick) {
-        shownBlocks(scope.state, introduced, scope.brick)
+        PaletteContent(shownBlocks(scope.state, introduced, scope.brick), introduced != null)
     }
-    val (values, lines) = shown.partition { it.isValue }
-    val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
     val list = remember { FocusRequester() }
-    val isOver = room.dialogs == SheetPlace.OVER
     val input = LocalInputModeManager.current
     val take = { block: PaletteBlock ->
         scope.onEvent(BlockEvent.Taken(block))
         // A finger often takes several blocks; the keyboard goes on at the new one.
         if (input.areKeysInUse) onClose()
     }
-    // While a block is carried out of it, the sheet stays, because its touches come from there.
-    val place = modifier
-        .graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
-        .onGloballyPositioned {
-            val top = it.positionInRoot().y - dragging.corner.y
-            dragging.coveredFrom = if (room.dialogs == SheetPlace.BELOW) top else Float.MAX_VALUE
-        }
     val search: @Composable () -> Unit = {
-        PaletteSearchField(palette, turn, { list.requestFocus() }) { (lines + values).firstOrNull()?.let(take) }
+        PaletteSearchField(palette, turn, { list.requestFocus() }) { shown.first?.let(take) }
     }
     val showAll: @Composable () -> Unit = {
-        if (introduced != null && !scope.isIntroductionFixed) {
+        if (shown.isIntroduction && !scope.isIntroductionFixed) {
             DialogButton(BlockTexts.showAll(spoken), ProgramTags.PALETTE_ALL) { showsAll = true }
         }
     }
-    val noneFound: @Composable () -> Unit = {
-        Text(
-            when {
-                introduced == null -> BlockTexts.noneFound(spoken)
-                scope.isIntroductionFixed -> EditorTexts.assignmentBlocksNone(spoken)
-                else -> BlockTexts.notYet(spoken)
-            },
-            style = TextStyles.body,
-            color = LocalRobotranColours.current.onPane,
-        )
-    }
-    // Other blocks begin at the top.
-    val items = remember(palette) { LazyListState() }
-    val blocks: @Composable (Modifier, Boolean) -> Unit = { where, hasAll ->
-        LazyColumn(
-            where
-                .focusRequester(list)
-                .focusGroup()
-                .testTag(ProgramTags.PALETTE_BLOCKS)
-                .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
-            items,
-            verticalArrangement = Arrangement.spacedBy(8.dp),
-        ) {
-            if (hasAll && palette.query.isBlank()) item { DialogHeading(scope.messages.group(palette.group)) }
-            if (hasAll && shown.isEmpty()) item { noneFound() }
-            val allLines = {
-                items(lines) { block ->
-                    Row(verticalAlignment = Alignment.Top) {
-                        Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { take(block) } }
-                        DoNowButton(block, scope)
-                    }
-                }
-            }
-            if (!valuesFirst) allLines()
-            if (values.isNotEmpty()) item { DialogHeading(BlockTexts.paletteValues(spoken)) }
-            items(values) { block -> PaletteItem(block, scope, dragging) { take(block) } }
-            if (valuesFirst) {
-                if (lines.isNotEmpty()) item { DialogHeading(BlockTexts.paletteLines(spoken)) }
-                allLines()
-            }
-            if (hasAll && introduced != null) item { showAll() }
-        }
-    }
-    BlockDialogFrame(BlockTexts.palette(spoken), onClose, place, scrolls = false) {
-        if (isOver) {
+    BlockDialogFrame(BlockTexts.palette(spoken), onClose, modifier.seenThrough(dragging, room), scrolls = false) {
+        if (room.dialogs == SheetPlace.OVER) {
             Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
                 Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
                     search()
                     GroupGrid(scope, turn)
                 }
-                blocks(Modifier.weight(1f).fillMaxHeight(), true)
+                PaletteList(
+                    shown,
+                    scope,
+                    dragging,
+                    take,
+                    Modifier.weight(1f).fillMaxHeight().focusRequester(list),
+                    showAll,
+                )
             }
         } else {
             search()
             if (!room.hasGroups) GroupChips(scope, turn)
-            if (shown.isEmpty()) noneFound()
+            if (shown.isEmpty) NoneFound(shown, scope)
             showAll()
-            blocks(Modifier.fillMaxWidth(), false)
+            PaletteList(shown, scope, dragging, take, Modifier.fillMaxWidth().focusRequester(list))
         }
+    }
+}
+
+/**
+ * The blocks that the palette shows.
+ *
+ * @property isIntroduction whether they are only those that the tutorial has introduced.
+ */
+private class PaletteContent(blocks: List<PaletteBlock>, val isIntroduction: Boolean) {
+    val values = blocks.filter { it.isValue }
+    val lines = blocks.filterNot { it.isValue }
+    val isEmpty: Boolean get() = values.isEmpty() && lines.isEmpty()
+    val first: PaletteBlock? get() = lines.firstOrNull() ?: values.firstOrNull()
+}
+
+/** While a block is carried out of it, the sheet stays, because its touches come from there. */
+private fun Modifier.seenThrough(dragging: BlockDragging, room: BlocksRoom): Modifier =
+    graphicsLayer { alpha = if (dragging.isNew) CARRIED_FROM else 1f }
+        .onGloballyPositioned {
+            val top = it.positionInRoot().y - dragging.corner.y
+            dragging.coveredFrom = if (room.dialogs == SheetPlace.BELOW) top else Float.MAX_VALUE
+        }
+
+@Composable
+private fun NoneFound(shown: PaletteContent, scope: BlockScope) = Text(
+    when {
+        !shown.isIntroduction -> BlockTexts.noneFound(spoken)
+        scope.isIntroductionFixed -> EditorTexts.assignmentBlocksNone(spoken)
+        else -> BlockTexts.notYet(spoken)
+    },
+    style = TextStyles.body,
+    color = LocalRobotranColours.current.onPane,
+)
+
+/** @param after what stands below the blocks; null where it stands above them, as what else there is to say does. */
+@Composable
+private fun PaletteList(
+    shown: PaletteContent,
+    scope: BlockScope,
+    dragging: BlockDragging,
+    onTake: (PaletteBlock) -> Unit,
+    modifier: Modifier,
+    after: (@Composable () -> Unit)? = null,
+) {
+    val palette = scope.state.palette
+    // Other blocks begin at the top.
+    val items = remember(palette) { LazyListState() }
+    val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
+    val hasAll = after != null
+    LazyColumn(
+        modifier
+            .focusGroup()
+            .testTag(ProgramTags.PALETTE_BLOCKS)
+            .scrolledByReaders(items) { items.layoutInfo.viewportSize.height },
+        items,
+        verticalArrangement = Arrangement.spacedBy(8.dp),
+    ) {
+        if (hasAll && palette.query.isBlank()) item { DialogHeading(scope.messages.group(palette.group)) }
+        if (hasAll && shown.isEmpty) item { NoneFound(shown, scope) }
+        val allLines = {
+            items(shown.lines) { block ->
+                Row(verticalAlignment = Alignment.Top) {
+                    Box(Modifier.weight(1f)) { PaletteItem(block, scope, dragging) { onTake(block) } }
+                    DoNowButton(block, scope)
+                }
+            }
+        }
+        if (!valuesFirst) allLines()
+        if (shown.values.isNotEmpty()) item { DialogHeading(BlockTexts.paletteValues(spoken)) }
+        items(shown.values) { block -> PaletteItem(block, scope, dragging) { onTake(block) } }
+        if (valuesFirst) {
+            if (shown.lines.isNotEmpty()) item { DialogHeading(BlockTexts.paletteLines(spoken)) }
+            allLines()
+        }
+        if (after != null && shown.isIntroduction) item { after() }
     }
 }
 
