@@ -34,6 +34,7 @@ class ComposePlugin : Plugin<Project> {
             }
             kotlin.sourceSets.getByName("jvmTest").dependencies {
                 implementation(kotlin("test"))
+                implementation(libraries.findLibrary("coroutines-swing").get())
                 implementation(libraries.findLibrary("coroutines-test").get())
                 implementation(libraries.findLibrary("compose-ui-test").get())
                 implementation(DesktopDependencies.currentOs)
@@ -45,6 +46,8 @@ class ComposePlugin : Plugin<Project> {
             PropertyTests.configure(project, test)
             test.environment("SKIKO_RENDER_API", "SOFTWARE")
             test.systemProperty("java.awt.headless", "true")
+            // A limit of time in a screen's coroutine ends on the event thread, on which its tests run, not on one of its own.
+            test.systemProperty("kotlinx.coroutines.main.delay", "true")
             // The UI uses the system language by default; the tests expect English.
             test.systemProperty("user.language", "en")
             // `-PrecordPictures` saves the screenshots of the tests as the new reference images.
