@@ -103,15 +103,8 @@ class ProgramCompiler private constructor(
     }
 
     private fun compileUnverified(source: ProgramSource, read: ParsedText? = null): ProgramResult = when (source) {
-        is Program -> compilerOf(source.language).let {
-            if (read ==
-                null
-            ) {
-                it.compile(source)
-            } else {
-                it.compile(source, read)
-            }
-        }
+        is Program -> compilerOf(source.language).run { if (read == null) compile(source) else compile(source, read) }
+
         is ProgramSource.CompiledClasses -> javaTools.link(source)
         is ProgramSource.FirmwareImage -> source.compile(language)
     }
