@@ -9,6 +9,7 @@ class AndroidLibraryPlugin : Plugin<Project> {
     override fun apply(project: Project) {
         project.pluginManager.apply("com.android.library")
         project.pluginManager.apply(AndroidPlugin::class.java)
-        project.extensions.configure(LibraryExtension::class.java) { it.namespace = "robotran.${project.name}" }
+        val name = project.name.replace('-', '.') // a namespace is a package
+        project.extensions.configure(LibraryExtension::class.java) { it.namespace = "robotran.$name" }
     }
 }
