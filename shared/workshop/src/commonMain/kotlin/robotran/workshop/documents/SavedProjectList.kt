@@ -100,24 +100,30 @@ internal class SavedProjectList(
         guard.begin(id)
         when (val reading = autosaver.repository.read(id)) {
             is SavedProjectResult.Found -> {
-                replacement.replace {
+                val isOpen = replacement.replace {
                     editor.openProject(reading.work.project)
                     autosaver.resume(reading.work, claim)
                     view.show(null)
                 }
-                replacement.claimFile()
+                if (isOpen) replacement.claimFile() else leave(claim)
             }
 
             is SavedProjectResult.Unusable -> {
-                claim.release()
+                leave(claim)
                 tell(Notice.ProjectUnusable(reading.reason(preferences.language)))
             }
 
             SavedProjectResult.Missing -> {
-                claim.release()
+                leave(claim)
                 showAll()
             }
         }
+    }
+
+    /** The project of [claim] is not opened after all. */
+    private fun leave(claim: ProjectLock) {
+        claim.release()
+        guard.settled()
     }
 
     /** Says that the project [id] stopped the app the last time, and offers what can be done. */

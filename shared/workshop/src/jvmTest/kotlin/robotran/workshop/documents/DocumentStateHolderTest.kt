@@ -248,6 +248,25 @@ class DocumentStateHolderTest {
     }
 
     @Test
+    fun `a project that takes the place of nothing after all can be opened in another window`() {
+        val workshop = machine.window()
+        workshop.write("forward 1")
+        workshop.handle(DocumentEvent.NewRequested)
+        workshop.write("forward 2")
+        val other = machine.projects(workshop).single { !it.isOpen }.entry.id
+        machine.store.full = true
+        workshop.write("forward 3")
+        workshop.handle(DocumentEvent.SavedProjectChosen(other))
+        assertEquals(DocumentDialog.WouldBeLost, workshop.state.document.dialog)
+        workshop.handle(DocumentEvent.DialogClosed)
+        assertEquals("forward 3", workshop.state.programText)
+        machine.store.full = false
+        val second = machine.window()
+        second.handle(DocumentEvent.SavedProjectChosen(other))
+        assertEquals("forward 1", second.state.programText)
+    }
+
+    @Test
     fun `a work that cannot be kept can be left nevertheless, or saved first`() {
         val workshop = machine.window()
         machine.store.full = true
