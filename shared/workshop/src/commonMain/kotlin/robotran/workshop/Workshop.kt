@@ -1,50 +1,22 @@
 package robotran.workshop
 
-import androidx.compose.runtime.derivedStateOf
-import androidx.compose.runtime.getValue
-import androidx.compose.runtime.snapshotFlow
-import androidx.compose.runtime.withFrameNanos
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.flow.collectLatest
-import kotlinx.coroutines.withTimeoutOrNull
 import robotran.language.Language
 import robotran.projects.Project
 import robotran.simulation.RecordedInput
 import robotran.simulation.RunReport
 import robotran.simulation.physics.PhysicsEngine
-import robotran.workshop.documents.DocumentStateHolder
-import robotran.workshop.event.AssignmentEvent
-import robotran.workshop.event.DocumentEvent
-import robotran.workshop.event.ProgramEvent
-import robotran.workshop.event.RobotEditEvent
-import robotran.workshop.event.RunEvent
-import robotran.workshop.event.SchoolEvent
-import robotran.workshop.event.ScreenEvent
-import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
-import robotran.workshop.event.WorldEditEvent
-import robotran.workshop.event.WorldEvent
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Platform
-import robotran.workshop.programs.ProgramRoom
-import robotran.workshop.run.RunRoom
-import robotran.workshop.school.SchoolRoom
-import robotran.workshop.screen.ScreenStateHolder
-import robotran.workshop.service.ProjectRoomEvent
-import robotran.workshop.service.RoomEvent
-import robotran.workshop.service.RoomEvents
 import robotran.workshop.service.Services
-import robotran.workshop.settings.SettingsStateHolder
-import robotran.workshop.state.DocumentDialog
-import robotran.workshop.state.NoticeAction
 import robotran.workshop.state.Settings
 import robotran.workshop.state.WorkshopState
-import robotran.workshop.world.WorldRoom
 
 /**
- * The view model of the app: composes the rooms, hands each [WorkshopEvent] to the room that it is for, and publishes
- * their states as one [WorkshopState]. What a room must tell others are [RoomEvent]s. Not thread-safe.
+ * The view model of the app: takes each [WorkshopEvent], publishes the states of the rooms as one [WorkshopState], and
+ * follows the life of the window. Not thread-safe.
  *
  * @param project the initial project; it gets the square program if it has none.
  * @param settings the stored settings of this machine.
@@ -56,114 +28,30 @@ class Workshop(
     settings: Settings = Settings(),
     scope: CoroutineScope = CoroutineScope(Dispatchers.Unconfined),
 ) {
-    private val events = RoomEvents()
-    private val settingsHolder = SettingsStateHolder(platform, scope, settings, events)
-    private val screen: ScreenStateHolder =
-        ScreenStateHolder(events, { state.hasTask }) { handle(SettingsEvent.SiteRequested) }
-    private val notices: NoticeStateHolder =
-        NoticeStateHolder({ school.handIns.isVisiting }, ::canUndo) { run.state.outcome }
-    private val open: OpenProject = OpenProject(project, events, { programs.programs }, { run.run })
+    private val rooms = Rooms(project, physics, platform, settings, scope)
 
     /** What the rooms share. */
-    val services: Services = Services(
-        platform = platform,
-        scope = scope,
-        preferences = settingsHolder,
-        current = open,
-        editor = open,
-        assignments = open,
-        navigator = screen,
-        notices = notices,
-        events = events,
-        tabs = { programs },
-        runControls = { run },
-    )
-    private val programs: ProgramRoom = ProgramRoom(project, services, open::roomForPrograms)
-    private val run: RunRoom = RunRoom(project, physics, programs.programs, services)
-    private val world = WorldRoom(services) { school.assignment.state?.isWorldLocked == true }
-    private val document: DocumentStateHolder =
-        DocumentStateHolder(services, { school.course.opened(it) }) { school.handIns.takes(it) }
-    private val school: SchoolRoom<DocumentStateHolder> =
-        SchoolRoom(services, physics, document) { document.state.name.ifEmpty { open.world.title } }
-
-    init {
-        // Each follows those before it: the task is shown as the lesson says, an undo is offered if it is still there.
-        for (room in listOf(
-            programs::on,
-            run::on,
-            world::on,
-            school::on,
-            settingsHolder::on,
-            screen::on,
-            notices::on,
-            document::on,
-        )) {
-            events.subscribe(room)
-        }
-    }
+    val services: Services get() = rooms.services
 
     /** The current UI state, always the same object. */
-    val state: WorkshopState = object : WorkshopState {
-        override val programs get() = this@Workshop.programs.state
-        override val run get() = this@Workshop.run.state
-        override val sheet get() = this@Workshop.world.sheet.state
-        override val worldEdit get() = this@Workshop.world.editors.world
-        override val robotEdit get() = this@Workshop.world.editors.robot
-        override val document by derivedStateOf {
-            this@Workshop.document.state.copy(
-                hasGoals = run.world.goals.isNotEmpty(),
-                canSend = programs.brick.receivesPrograms,
-                hasFirmwareImage = programs.program.isForLegoFirmware,
-            )
-        }
-        override val settings get() = settingsHolder.state
-        override val learning by derivedStateOf { school.learning.state.copy(isInBlocks = programs.view.hasBlocks) }
-        override val pane get() = screen.pane
-        override val fullPane get() = screen.fullPane
-        override val taskShown get() = screen.taskShown
-        override val taskFolded get() = screen.taskFolded
-        override val notice get() = notices.shown
-        override val settingsShown get() = settingsHolder.shown
-        override val siteRequested get() = settingsHolder.siteRequested
-        override val send get() = school.send.state
-        override val show get() = school.export.state
-        override val handIns get() = school.handIns.state
-        override val assignment get() = school.assignment.state
-        override val handIn get() = school.assignment.handIn
-        override val making get() = school.assignment.making
-        override val course get() = school.course.state
-        override val hasPage get() = platform.pageAddress.isNotEmpty()
-    }
+    val state: WorkshopState get() = rooms.state
 
-    val project: Project get() = open.project
+    val project: Project get() = rooms.open.project
 
     /** [project] with the inputs of the session and the programs that Run started. It reproduces the session. */
-    val replay: Project get() = open.replay
+    val replay: Project get() = rooms.open.replay
 
     /** The recorded inputs of the current session. */
-    val inputs: List<RecordedInput> get() = open.inputs
-    val settings: Settings get() = settingsHolder.settings
-    val language: Language get() = settingsHolder.language
-    val hasLessMotion: Boolean get() = settingsHolder.hasLessMotion
+    val inputs: List<RecordedInput> get() = rooms.open.inputs
+    val settings: Settings get() = rooms.settings.settings
+    val language: Language get() = rooms.settings.language
+    val hasLessMotion: Boolean get() = rooms.settings.hasLessMotion
 
     /** Whether time runs on the sheet, so that frames are needed. */
-    val isAwake: Boolean get() = run.state.awake
+    val isAwake: Boolean get() = rooms.run.state.awake
 
     /** Handles a user action. */
-    fun handle(event: WorkshopEvent) {
-        when (event) {
-            is ProgramEvent -> programs.handle(event)
-            is RunEvent -> run.handle(event)
-            is WorldEvent -> world.handle(event)
-            is SchoolEvent -> school.handle(event)
-            is DocumentEvent -> document.handle(event)
-            is SettingsEvent -> settingsHolder.handle(event)
-            is ScreenEvent -> screen.handle(event)
-            WorkshopEvent.NoticeDismissed -> notices.dismiss()
-            WorkshopEvent.NoticeTaken -> takeNotice()
-        }
-        events.publish(ProjectRoomEvent.Touched)
-    }
+    fun handle(event: WorkshopEvent) = rooms.handle(event)
 
     /**
      * Restores the last project or opens the files passed to this window, and restores the learning progress. Must be
@@ -171,11 +59,11 @@ class Workshop(
      */
     suspend fun start(welcoming: Boolean) {
         val isReloaded = platform.window.projectId != null
-        school.assignment.start()
-        school.course.start()
-        document.start()
-        if (isReloaded) school.handIns.restore()
-        school.learning.start(welcoming && document.isFresh)
+        rooms.school.assignment.start()
+        rooms.school.course.start()
+        rooms.document.start()
+        if (isReloaded) rooms.school.handIns.restore()
+        rooms.school.learning.start(welcoming && rooms.document.isFresh)
     }
 
     /**
@@ -183,7 +71,7 @@ class Workshop(
      */
     suspend fun runCompiler() {
         while (true) {
-            programs.programs.awaitCompile()
+            rooms.programs.programs.awaitCompile()
             compilePrograms()
         }
     }
@@ -192,90 +80,54 @@ class Workshop(
      * Watches that what was opened is compiled and drawn, so that it may be opened again; never returns. Call it once
      * while the workshop is on the screen, in the scope of its frames.
      */
-    suspend fun runOpeningGuard() {
-        snapshotFlow { document.opening to mayBeOpened }.collectLatest { (opening, mayBeOpened) ->
-            if (!opening.first || !mayBeOpened) return@collectLatest
-            // A hidden page draws nothing. It lives, as the pause shows.
-            withTimeoutOrNull(UNDRAWN_MILLISECONDS) { repeat(DRAWN_FRAMES) { withFrameNanos { } } }
-            document.openingSettled()
-        }
-    }
-
-    /** The pictures in the list of projects are drawn one after the other, so that list is open as long as it is shown. */
-    private val mayBeOpened: Boolean
-        get() = programs.state.compileStatus.isOver && document.state.dialog !is DocumentDialog.ProjectList
+    suspend fun runOpeningGuard() = OpeningGuard(rooms).run()
 
     /** Autosaves the project on changes; never returns. Call it once while the workshop is on the screen. */
-    suspend fun runAutosave() = document.runAutosave()
+    suspend fun runAutosave() = rooms.document.runAutosave()
 
     /** Autosaves changes at once; false on failure. */
     suspend fun saveDocumentNow(): Boolean {
         saveSettings()
-        return document.saveNow()
+        return rooms.document.saveNow()
     }
 
     /** Autosaves changes at once when the window is hidden, since it may be ended without notice. */
     suspend fun hideDocument() {
-        document.windowHidden()
+        rooms.document.windowHidden()
         saveSettings()
     }
 
     /** Saves changes at once and asks the user if that fails. Returns whether the window may close. */
     suspend fun closeDocument(): Boolean {
         saveSettings()
-        return document.close()
+        return rooms.document.close()
     }
 
     private suspend fun saveSettings() {
-        settingsHolder.saveNow()
-        school.saveNow()
+        rooms.settings.saveNow()
+        rooms.school.saveNow()
     }
 
     /** Compiles all programs that have changed, then runs the actions that waited for the result. */
     suspend fun compilePrograms() {
-        programs.programs.compile()
-        programs.programs.loadHelp()
+        rooms.programs.programs.compile()
+        rooms.programs.programs.loadHelp()
     }
 
     /** Called before each frame. [nanoseconds] is monotonic time; virtual time follows it while [isAwake]. */
-    fun frame(nanoseconds: Long) = if (school.coversSheet) run.run.standStill() else run.frame(nanoseconds)
+    fun frame(nanoseconds: Long) =
+        with(rooms) { if (school.coversSheet) run.run.standStill() else run.frame(nanoseconds) }
 
     /** Advances virtual time by [milliseconds] at once, without the sounds of the brick. */
-    fun advance(milliseconds: Int) = run.advance(milliseconds)
+    fun advance(milliseconds: Int) = rooms.run.advance(milliseconds)
 
     /** The result of the run so far. */
-    fun report(): RunReport = run.run.report()
+    fun report(): RunReport = rooms.run.run.report()
 
     /** Releases the session and the document's claims. No function may be called afterwards. */
     fun close() {
-        school.close()
-        document.release()
-        run.run.close()
-    }
-
-    private fun canUndo(action: NoticeAction): Boolean = when (action) {
-        NoticeAction.BeginningUndone -> school.assignment.canUndoBeginning
-        else -> world.editors.canUndo(action)
-    }
-
-    private fun takeNotice() {
-        when (val action = notices.take()) {
-            NoticeAction.ShowProjects -> document.handle(DocumentEvent.ProjectListRequested)
-            is NoticeAction.GoBack -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            is NoticeAction.GoOn -> document.handle(DocumentEvent.SavedProjectChosen(action.project))
-            NoticeAction.ChangeNumber -> programs.editFirstLength()
-            NoticeAction.BackToHandIns -> school.handIns.goBack()
-            NoticeAction.BeginningUndone -> school.handle(AssignmentEvent.BeginningUndone)
-            NoticeAction.UnplugSensors -> world.handle(WorldEditEvent.PlugUndone)
-            NoticeAction.BringRobotBack -> world.handle(WorldEditEvent.RobotBroughtBack)
-            is NoticeAction.BuildOn -> world.handle(RobotEditEvent.BenchOpened(action.robot))
-            null -> Unit
-        }
-    }
-
-    private companion object {
-        /** The second frame begins once the first is drawn. */
-        const val DRAWN_FRAMES = 3
-        const val UNDRAWN_MILLISECONDS = 3_000L
+        rooms.school.close()
+        rooms.document.release()
+        rooms.run.run.close()
     }
 }
