@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.robolang.syntax.ParsedText
+import robotran.languagesupport.ParsedSource
 
 /** Compiles programs in one language for one robot. Not thread-safe. */
 internal interface LanguageCompiler {
@@ -17,7 +17,7 @@ internal interface LanguageCompiler {
     fun compile(program: Program): ProgramResult
 
     /** The same for a program of which an editor has [read] the text. */
-    fun compile(program: Program, read: ParsedText): ProgramResult = compile(program)
+    fun compile(program: Program, read: ParsedSource): ProgramResult = compile(program)
 
     /** The class files of [program] for leJOS, with the compiler that [java] makes; only for languages of leJOS. */
     suspend fun compileToClasses(program: Program, java: suspend () -> TimedJavaProgramCompiler): CompiledSource =

@@ -6,9 +6,9 @@ import robotran.javacompiler.CompilerNotLoadedException
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
+import robotran.languagesupport.ParsedSource
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.syntax.ParsedText
 import robotran.tinyvm.config.LejosVersion
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.messages.TinyVmMessages
@@ -94,15 +94,15 @@ class ProgramCompiler private constructor(
      *
      * The fixes of its mistakes are known to help; only those of a slow compiler are not tried out.
      *
-     * @param read its text in Robolang, if an editor has read it; it is not read again then.
+     * @param read its text, if an editor has read it; a language that knows it does not read it again.
      */
-    fun compileNow(source: ProgramSource, read: ParsedText? = null): ProgramResult {
+    fun compileNow(source: ProgramSource, read: ParsedSource? = null): ProgramResult {
         wrongBrick(source)?.let { return ProgramResult.Failure(listOf(it)) }
         val result = compileUnverified(source, read)
         return if (source.language?.support?.hasSlowCompiler == true) result else fixes.verified(source, result)
     }
 
-    private fun compileUnverified(source: ProgramSource, read: ParsedText? = null): ProgramResult = when (source) {
+    private fun compileUnverified(source: ProgramSource, read: ParsedSource? = null): ProgramResult = when (source) {
         is Program -> compilerOf(source.language).run { if (read == null) compile(source) else compile(source, read) }
 
         is ProgramSource.CompiledClasses -> javaTools.link(source)

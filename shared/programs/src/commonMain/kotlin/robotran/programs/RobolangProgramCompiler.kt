@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.languagesupport.ParsedSource
 import robotran.programs.messages.ProgramMessages
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
@@ -11,7 +12,8 @@ internal class RobolangProgramCompiler(private val settings: CompilerSettings) :
 
     override fun compile(program: Program): ProgramResult = resultOf(robolang(program))
 
-    override fun compile(program: Program, read: ParsedText): ProgramResult = resultOf(robolang(program, read))
+    override fun compile(program: Program, read: ParsedSource): ProgramResult =
+        resultOf(robolang(program, read as? ParsedText))
 
     private fun resultOf(result: RobolangResult): ProgramResult = when (result) {
         is RobolangResult.Success -> ProgramResult.Success(result.program, result.warnings)

@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.brick.kind.BrickKind
+import robotran.languagesupport.ParsedSource
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 
@@ -13,7 +14,7 @@ class ParsedText internal constructor(
     internal val program: ParsedProgram,
     private val namedBrick: BrickKind?,
     private val found: DiagnosticSink,
-) {
+) : ParsedSource {
     /** The mistakes of the scanner and the parser, to which the checker may add its own, as those of the file [name]. */
     internal fun diagnostics(name: String = ""): DiagnosticSink = found.copied(name)
 
