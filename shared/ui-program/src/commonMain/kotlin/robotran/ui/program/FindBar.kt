@@ -1,15 +1,11 @@
 package robotran.ui.program
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.border
 import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.text.BasicTextField
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.Stable
@@ -22,7 +18,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
-import androidx.compose.ui.graphics.SolidColor
 import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.input.key.isShiftPressed
@@ -30,10 +25,6 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
 import robotran.language.source.SourceSpan
 import robotran.textediting.find.Search
@@ -110,16 +101,11 @@ internal fun FindBar(state: FindState, count: Int, index: Int, actions: FindActi
 private fun SearchRow(state: FindState, count: Int, actions: FindActions, field: Modifier) =
     Row(verticalAlignment = Alignment.CenterVertically) {
         val words = EditorTexts.find(spoken)
-        val change = { typed: String -> state.search = state.search.copy(text = typed) }
-        LineField(
+        FindField(
             state.search.text,
-            words,
-            ProgramTags.FIND,
-            change,
-            actions,
-            field.weight(1f),
-            actions::next,
-        )
+            FieldWords(words, ProgramTags.FIND, hint = words),
+            field.weight(1f).findKeys(actions, actions::next),
+        ) { state.search = state.search.copy(text = it) }
         val before = EditorTexts.findPrevious(spoken)
         IconButton(
             ThinIcons.UP,
@@ -150,9 +136,11 @@ private fun SearchRow(state: FindState, count: Int, actions: FindActions, field:
 private fun ReplaceRow(state: FindState, count: Int, actions: FindActions) =
     Row(verticalAlignment = Alignment.CenterVertically) {
         val words = EditorTexts.replace(spoken)
-        LineField(state.replacement, words, ProgramTags.REPLACE, {
-            state.replacement = it
-        }, actions, Modifier.weight(1f), actions::replaceOne)
+        FindField(
+            state.replacement,
+            FieldWords(words, ProgramTags.REPLACE, hint = words),
+            Modifier.weight(1f).findKeys(actions, actions::replaceOne),
+        ) { state.replacement = it }
         Button(
             EditorTexts.replaceOne(spoken),
             ProgramTags.REPLACE_ONE,
@@ -194,56 +182,23 @@ private fun countText(count: Int, index: Int): String = if (count == 0) {
 }
 
 @Composable
-private fun LineField(
-    text: String,
-    label: String,
-    tag: String,
-    onChange: (String) -> Unit,
-    actions: FindActions,
-    modifier: Modifier,
-    onEnter: () -> Unit,
-) {
-    val colours = LocalRobotranColours.current
-    BasicTextField(
-        text,
-        onChange,
-        modifier
-            .testTag(tag)
-            .defaultMinSize(minHeight = Dimensions.TARGET)
-            .padding(vertical = 4.dp)
-            .named(label)
-            .onPreviewKeyEvent { event ->
-                val isDown = event.type == KeyEventType.KeyDown
-                when (event.key) {
-                    Key.Enter, Key.NumPadEnter -> when {
-                        !isDown -> Unit
-                        event.isShiftPressed -> actions.previous()
-                        else -> onEnter()
-                    }
+private fun FindField(text: String, words: FieldWords, modifier: Modifier, onChange: (String) -> Unit) =
+    CompactField(text, words, modifier.padding(vertical = 4.dp), style = editorStyle(FIELD_SIZE), onText = onChange)
 
-                    Key.Escape -> if (isDown) actions.close()
-                    else -> return@onPreviewKeyEvent false
-                }
-                true
-            },
-        singleLine = true,
-        textStyle = editorStyle(FIELD_SIZE),
-        cursorBrush = SolidColor(colours.focus),
-        decorationBox = { inner ->
-            Box(
-                Modifier.background(
-                    colours.pane,
-                    SHAPE,
-                ).border(1.dp, colours.quiet, SHAPE).padding(horizontal = 12.dp, vertical = 10.dp),
-                Alignment.CenterStart,
-            ) {
-                if (text.isEmpty()) Text(label, style = TextStyles.compact, color = colours.quiet, maxLines = 1)
-                inner()
-            }
-        },
-    )
+private fun Modifier.findKeys(actions: FindActions, onEnter: () -> Unit) = onPreviewKeyEvent { event ->
+    val isDown = event.type == KeyEventType.KeyDown
+    when (event.key) {
+        Key.Enter, Key.NumPadEnter -> when {
+            !isDown -> Unit
+            event.isShiftPressed -> actions.previous()
+            else -> onEnter()
+        }
+
+        Key.Escape -> if (isDown) actions.close()
+        else -> return@onPreviewKeyEvent false
+    }
+    true
 }
 
-private val SHAPE = Shapes.SMALL
 private const val FIELD_SIZE = 15f
 private const val SHADE = 0.5f

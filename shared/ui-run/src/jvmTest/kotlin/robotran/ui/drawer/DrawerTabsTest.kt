@@ -1,23 +1,17 @@
 package robotran.ui.drawer
 
 import androidx.compose.ui.test.ExperimentalTestApi
-import androidx.compose.ui.test.onNodeWithTag
-import robotran.language.Language
 import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.assertWhole
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.saysThereIsMore
-import robotran.ui.screen.scroll
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
-import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
-import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertFalse
-import kotlin.test.assertTrue
 
 @OptIn(ExperimentalTestApi::class)
 class DrawerTabsTest {

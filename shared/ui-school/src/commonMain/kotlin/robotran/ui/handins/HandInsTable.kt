@@ -1,15 +1,9 @@
 package robotran.ui.handins
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.PaddingValues
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.lazy.grid.GridCells
-import androidx.compose.foundation.lazy.grid.GridItemSpan
-import androidx.compose.foundation.lazy.grid.LazyGridScope
 import androidx.compose.foundation.lazy.grid.LazyGridState
-import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.itemsIndexed
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.LaunchedEffect
@@ -21,7 +15,6 @@ import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
-import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.empty.EmptyPicture
@@ -56,19 +49,11 @@ internal fun HandInsTable(
         // Above the rows are the head, the summary and, in a table, the titles of columns.
         if (index >= 0) list.show(index + if (form == TableForm.TABLE) 3 else 2)
     }
-    LazyVerticalGrid(
-        GridCells.Fixed(form.columns),
-        Modifier.fillMaxSize().testTag(HandInTags.HAND_IN_LIST).scrolledByReaders(list) {
-            list.layoutInfo.viewportSize.height
-        },
-        list,
-        PaddingValues(if (form == TableForm.CARDS) Space.MEDIUM else Space.PAGE),
-        horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
-        verticalArrangement = Arrangement.spacedBy(Space.SMALL),
-    ) {
-        whole("head") { HandInsHead(state, hasActions, onEvent) }
+    val padding = if (form == TableForm.CARDS) Space.MEDIUM else Space.PAGE
+    CardGrid(GridCells.Fixed(form.columns), list, HandInTags.HAND_IN_LIST, Space.SMALL, padding) {
+        wholeRow("head") { HandInsHead(state, hasActions, onEvent) }
         if (state.rows.isEmpty() && !state.isReading) {
-            whole("empty") {
+            wholeRow("empty") {
                 EmptyState(
                     EmptyPicture.SHEETS,
                     SchoolTexts.handInsEmpty(spoken),
@@ -77,8 +62,8 @@ internal fun HandInsTable(
                 )
             }
         } else {
-            whole("summary") { HandInsSummary(state, onEvent) }
-            if (form == TableForm.TABLE) whole("columns") { ColumnTitles(rowPictureSize(state.tasks.first().plan)) }
+            wholeRow("summary") { HandInsSummary(state, onEvent) }
+            if (form == TableForm.TABLE) wholeRow("columns") { ColumnTitles(rowPictureSize(state.tasks.first().plan)) }
         }
         itemsIndexed(state.rows, { _, row -> "row ${row.id}" }) { index, row ->
             val isWanted = row.id == wanted
@@ -114,10 +99,6 @@ private suspend fun LazyGridState.show(index: Int) {
     }
     if (!isInSight) scrollToItem(index)
 }
-
-/** An item as wide as the page. */
-private fun LazyGridScope.whole(key: String, content: @Composable () -> Unit) =
-    item(key, { GridItemSpan(maxLineSpan) }) { content() }
 
 /** How hand-ins are arranged: in [columns]. */
 internal enum class TableForm(val columns: Int) {

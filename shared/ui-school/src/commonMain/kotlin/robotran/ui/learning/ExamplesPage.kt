@@ -1,22 +1,11 @@
 package robotran.ui.learning
 
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.PaddingValues
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.lazy.grid.GridCells
-import androidx.compose.foundation.lazy.grid.GridItemSpan
 import androidx.compose.foundation.lazy.grid.LazyGridScope
-import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.LocalDensity
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.heading
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
@@ -31,22 +20,12 @@ import robotran.workshop.event.LearningEvent
  */
 @Composable
 internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (LearningEvent) -> Unit) {
-    val scale = LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)
     val cards = rememberLazyGridState()
     Page(LearningTexts.examples(spoken), LearningTags.EXAMPLES_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
-        LazyVerticalGrid(
-            columns = GridCells.Adaptive(CARD_WIDTH * scale),
-            modifier = Modifier.fillMaxSize().testTag(LearningTags.EXAMPLE_CARDS).scrolledByReaders(cards) {
-                cards.layoutInfo.viewportSize.height
-            },
-            state = cards,
-            contentPadding = PaddingValues(20.dp),
-            horizontalArrangement = Arrangement.spacedBy(16.dp),
-            verticalArrangement = Arrangement.spacedBy(16.dp),
-        ) {
-            item(span = { GridItemSpan(maxLineSpan) }, key = "added") {
+        CardGrid(pictureCardColumns(CARD_WIDTH), cards, LearningTags.EXAMPLE_CARDS) {
+            wholeRow("added") {
                 Text(
                     LearningTexts.examplesAdded(spoken),
                     style = TextStyles.body,
@@ -60,7 +39,7 @@ internal fun ExamplesPage(current: ProgramLanguage, brick: BrickKind, onEvent: (
 }
 
 private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> Unit) {
-    item(span = { GridItemSpan(maxLineSpan) }, key = set.name) {
+    wholeRow(set.name) {
         val words = Modifier.padding(top = 8.dp).heading()
         Text(set.title(spoken), words, TextStyles.lead.strong)
     }
@@ -81,5 +60,4 @@ private fun ExampleCard(name: String, id: String, about: String, onClick: () -> 
 }
 
 private val CARD_WIDTH = 200.dp
-private const val MAX_SCALE = 1.4f
 private const val PICTURE_ASPECT = 4f / 3f

@@ -3,10 +3,6 @@ package robotran.ui.learning
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.SchoolTexts
 import robotran.uikit.*

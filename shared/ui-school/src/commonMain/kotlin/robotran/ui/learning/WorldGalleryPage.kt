@@ -4,14 +4,9 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.PaddingValues
-import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.widthIn
-import androidx.compose.foundation.lazy.grid.GridCells
-import androidx.compose.foundation.lazy.grid.GridItemSpan
-import androidx.compose.foundation.lazy.grid.LazyVerticalGrid
 import androidx.compose.foundation.lazy.grid.items
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.runtime.Composable
@@ -23,12 +18,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
-import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import robotran.assignments.course.OwnCourses
 import robotran.brick.kind.BrickKind
@@ -57,20 +47,11 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
     Page(LearningTexts.worlds(spoken), LearningTags.WORLDS_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
-        LazyVerticalGrid(
-            columns = GridCells.Adaptive(CARD_WIDTH * LocalDensity.current.fontScale.coerceAtMost(MAX_SCALE)),
-            modifier = Modifier.fillMaxSize().testTag(LearningTags.WORLD_CARDS).scrolledByReaders(cards) {
-                cards.layoutInfo.viewportSize.height
-            },
-            state = cards,
-            contentPadding = PaddingValues(20.dp),
-            horizontalArrangement = Arrangement.spacedBy(16.dp),
-            verticalArrangement = Arrangement.spacedBy(16.dp),
-        ) {
-            item(span = { GridItemSpan(maxLineSpan) }, key = "kept") {
+        CardGrid(pictureCardColumns(CARD_WIDTH), cards, LearningTags.WORLD_CARDS) {
+            wholeRow("kept") {
                 Text(LearningTexts.worldsKept(spoken), style = TextStyles.body, color = colours.quiet)
             }
-            item(span = { GridItemSpan(maxLineSpan) }, key = "search") {
+            wholeRow("search") {
                 Column(verticalArrangement = Arrangement.spacedBy(8.dp)) {
                     Search(state.query) { onEvent(LearningEvent.WorldSearchChanged(it)) }
                     BrickFilter(brick) { brick = it }
@@ -80,9 +61,9 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
                 WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
             }
             if (found.isEmpty()) {
-                item(span = { GridItemSpan(maxLineSpan) }, key = "none") { NothingFound() }
+                wholeRow("none") { NothingFound() }
             } else {
-                item(span = { GridItemSpan(maxLineSpan) }, key = "save") {
+                wholeRow("save") {
                     Column {
                         SaveOwnCourse(OwnCourses.WORLDS, LearningTexts.worlds(spoken), saved, onEvent)
                     }
@@ -134,6 +115,3 @@ private fun NothingFound() = EmptyState(
 
 private val NOTHING_HEIGHT = 220.dp
 private val CARD_WIDTH = 264.dp
-
-/** Above this scale, text on the cards only wraps more; a phone then shows one card per row. */
-private const val MAX_SCALE = 1.4f

@@ -59,7 +59,7 @@ internal fun FieldPanel(
                 .padding(horizontal = 12.dp, vertical = 8.dp),
             Arrangement.spacedBy(4.dp),
         ) {
-            for (sentence in wrong) Wrong(sentence, Modifier.testTag(wrongTag))
+            for (sentence in wrong) FieldError(sentence, Modifier.testTag(wrongTag))
         }
     }
 }

@@ -32,7 +32,7 @@ private fun <T : Any> FormRow(field: Field<T>, scope: EditScope<T>, refusal: Str
     when (field) {
         is Field.Heading -> RowHeading(field.label(spoken))
         is Field.Help -> HelpText(field.label(spoken))
-        is Field.Wrong -> Wrong(field.label(spoken))
+        is Field.Wrong -> FieldError(field.label(spoken))
         is Field.Flag -> FlagField(field, scope)
         is Field.Number -> NumberField(field, scope)
 

@@ -47,26 +47,24 @@ internal fun <T : Any> NumberField(field: Field.Number<T>, scope: EditScope<T>) 
             IconButton(EditIcons.SMALLER, WorldEditorTexts.less(spoken, label), WorldTags.less(field.tag)) {
                 stepBy(-spec.step)
             }
-            EditFieldBox(wrong != null, Modifier.width(figureWidth())) {
-                EditField(
-                    draft ?: written(value),
-                    FieldWords(label, field.tag, wrong),
-                    EditFieldKind.NUMBER,
-                    onText = { text ->
-                        draft = text
-                        accepted(text)?.let(change)
-                    },
-                    onLeft = {
-                        draft = null
-                        scope.settle()
-                    },
-                )
+            CompactField(
+                draft ?: written(value),
+                FieldWords(label, field.tag, wrong),
+                Modifier.width(figureWidth()),
+                CompactFieldKind.NUMBER,
+                onLeft = {
+                    draft = null
+                    scope.settle()
+                },
+            ) { text ->
+                draft = text
+                accepted(text)?.let(change)
             }
             IconButton(EditIcons.LARGER, WorldEditorTexts.more(spoken, label), WorldTags.more(field.tag)) {
                 stepBy(spec.step)
             }
         }
-        if (wrong != null) Wrong(wrong)
+        if (wrong != null) FieldError(wrong)
         spec.slider?.let { slider ->
             val usual = slider.start.toFloat()..slider.endInclusive.toFloat()
             Slider(

@@ -36,22 +36,20 @@ internal fun <T : Any> TextField(field: Field.Text<T>, scope: EditScope<T>, refu
     }
     Column(Modifier.fillMaxWidth().padding(top = 8.dp), Arrangement.spacedBy(4.dp)) {
         Text(title, style = TextStyles.compact)
-        EditFieldBox(wrong != null, Modifier.fillMaxWidth()) {
-            EditField(
-                typed ?: field.text,
-                FieldWords(title, field.tag, wrong, field.hint?.invoke(spoken).orEmpty()),
-                if (spec.kind == TextKind.LINE) EditFieldKind.LINE else EditFieldKind.TALL,
-                onText = { new ->
-                    val text = if (isProse) new.replace("\r\n", "\n").replace('\t', ' ') else new
-                    draft = text
-                    if (spec.accepts(text)) field.with(text)?.let(scope::make)
-                },
-                onLeft = {
-                    draft = null
-                    scope.settle()
-                },
-            )
+        CompactField(
+            typed ?: field.text,
+            FieldWords(title, field.tag, wrong, field.hint?.invoke(spoken).orEmpty()),
+            Modifier.fillMaxWidth(),
+            if (spec.kind == TextKind.LINE) CompactFieldKind.LINE else CompactFieldKind.TALL,
+            onLeft = {
+                draft = null
+                scope.settle()
+            },
+        ) { new ->
+            val text = if (isProse) new.replace("\r\n", "\n").replace('\t', ' ') else new
+            draft = text
+            if (spec.accepts(text)) field.with(text)?.let(scope::make)
         }
-        if (wrong != null) Wrong(wrong)
+        if (wrong != null) FieldError(wrong)
     }
 }

@@ -8,7 +8,6 @@ import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
-import robotran.simulation.state.SessionState
 import robotran.ui.sheet.KEY_ZOOM
 import robotran.ui.sheet.ShownWorld
 import robotran.ui.sheet3d.leastZoom

@@ -30,14 +30,11 @@ import robotran.ui.sheet3d.previewEnd3D
 import robotran.ui.sheet3d.toOffset
 import robotran.ui.world.tags.WorldTags
 import robotran.uikit.*
-import robotran.workshop.blocks.SheetPreview
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
-import robotran.workshop.state.SheetViewState
-import robotran.workshop.state.ShortfallMark
 import robotran.world.World
 import robotran.world.geometry.Point
 import robotran.world.geometry.Pose

@@ -9,7 +9,6 @@ import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.pass
 import robotran.ui.world.tags.WorldTags
 import robotran.uikit.KitTags
-import robotran.world.Goal
 import robotran.world.GoalCondition.InOrder
 import robotran.world.GoalCondition.Reach
 import robotran.world.LightFacing

@@ -67,6 +67,10 @@ fun Controls(onPress: (String) -> Unit) = Column(
     Tabs(listOf(Tab("Program", "tab-0"), Tab("World", "tab-1")), 0) { onPress("tab-$it") }
     Slider(0.5f, SliderWords("Speed", "half", "slider")) { }
     TextField("square", { }, label = "Name")
+    CompactField("20", FieldWords("Distance", "compact-field")) { }
+    NoticeFrame(NoticeWords("Saved.", false, "Close"), NoticeTags("notice", "notice-text", "close"), {
+        onPress("close")
+    })
     Progress({ 0.4f }, Modifier.fillMaxWidth())
     CardButton("card", { onPress("card") }) {
         Column(Modifier.padding(Space.LARGE)) {

@@ -89,7 +89,7 @@ private fun DrawScope.drawButton(part: FrontPart.Button, finish: ButtonFinish, u
         translate(0f, if (down) depth else 0f)
         if (finish.isSquashed) scale(1f, high / size.height, Offset.Zero)
     }) { drawPath(pathOf(part.shape, if (finish.isSquashed) size else Size(size.width, high), corner), top) }
-    part.shape.towards?.let { drawArrow(it, part.ink, if (down) depth else 0f) }
+    part.shape.towards?.let { drawArrow(it, part.ink, high / 2 + if (down) depth else 0f) }
 }
 
 private fun pathOf(shape: ButtonShape, size: Size, corner: Float): Path = Path().apply {
@@ -118,8 +118,8 @@ private fun Path.pointed(width: Float, height: Float, corner: Float, isLeft: Boo
     close()
 }
 
-private fun DrawScope.drawArrow(towards: Float, colour: Color, sunk: Float) {
-    val middle = Offset(size.width * (0.5f + towards * 0.02f), (size.height - SUNK) / 2 + sunk / 2)
+private fun DrawScope.drawArrow(towards: Float, colour: Color, middleHeight: Float) {
+    val middle = Offset(size.width * (0.5f + towards * 0.02f), middleHeight)
     val half = size.height * ARROW_SIZE
     val base = middle.x - towards * half * 0.7f
     drawPath(polygon(middle.x + towards * half, middle.y, base, middle.y - half, base, middle.y + half), colour)

@@ -1,14 +1,7 @@
 package robotran.ui.brick.rcx
 
-import androidx.compose.ui.geometry.CornerRadius
-import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
-import androidx.compose.ui.graphics.drawscope.scale
 import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.sensors.SensorState
-import robotran.ui.common.BrickColours
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.CommonTexts
 import robotran.uikit.*

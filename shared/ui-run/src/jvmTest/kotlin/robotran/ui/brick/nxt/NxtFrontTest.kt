@@ -24,7 +24,6 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.nxt.state.NxtState
-import robotran.ui.brick.BRICK_ASPECT
 import robotran.ui.brick.BrickFront
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.MIN_BRICK_WIDTH

@@ -12,7 +12,6 @@ import robotran.ui.common.BrickColours
 import robotran.world.RobotPlacement
 import kotlin.test.Test
 import kotlin.test.assertEquals
-import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 class BrickPictureTest {
