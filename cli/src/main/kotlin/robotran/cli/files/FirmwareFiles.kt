@@ -1,6 +1,5 @@
 package robotran.cli.files
 
-import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile

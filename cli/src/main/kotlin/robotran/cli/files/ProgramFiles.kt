@@ -1,7 +1,6 @@
 package robotran.cli.files
 
 import robotran.brick.program.BrickProgram
-import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile

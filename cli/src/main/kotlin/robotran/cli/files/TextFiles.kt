@@ -1,6 +1,5 @@
 package robotran.cli.files
 
-import robotran.cli.messages.CommandMessages
 import robotran.cli.messages.FileMessages
 import robotran.documents.TextChange
 import robotran.documents.TextReading

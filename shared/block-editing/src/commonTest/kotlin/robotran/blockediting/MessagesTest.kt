@@ -6,7 +6,6 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.BlockGroup
 import robotran.robolang.words.ValueKind
 import kotlin.test.Test
-import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
 class MessagesTest {

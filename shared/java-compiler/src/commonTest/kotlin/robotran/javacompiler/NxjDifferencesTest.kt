@@ -10,7 +10,6 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
-import kotlin.test.assertNotNull
 
 /** What leJOS NXJ lacks is refused true to the brick, with what to write instead, and accepted if forgiving. */
 class NxjDifferencesTest {

@@ -3,7 +3,6 @@ package robotran.javacompiler
 import kotlinx.coroutines.test.runTest
 import kotlin.test.Test
 import kotlin.test.assertContains
-import kotlin.test.assertNotNull
 
 /** Java features of a computer that the brick does not have. */
 class UnsupportedOnBrickTest {

@@ -1,7 +1,6 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
-import robotran.brick.kind.JavaPlatform
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.TextLines

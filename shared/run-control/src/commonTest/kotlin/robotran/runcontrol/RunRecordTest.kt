@@ -11,7 +11,6 @@ import robotran.world.GoalCondition.NeverTouch
 import robotran.world.GoalCondition.Reach
 import robotran.world.file.BuiltInWorlds
 import robotran.world.geometry.Point
-import robotran.world.geometry.Pose
 import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals

@@ -3,7 +3,6 @@ package robotran.scene3d
 import robotran.scene3d.camera.Projection
 import robotran.scene3d.camera.SpaceTransform
 import robotran.scene3d.geometry.Vector3
-import robotran.scene3d.model.Face
 import robotran.scene3d.model.Placement
 import robotran.scene3d.model.SceneElement
 import robotran.scene3d.model.SceneNode

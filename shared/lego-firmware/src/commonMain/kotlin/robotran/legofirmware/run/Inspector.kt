@@ -7,9 +7,6 @@ import robotran.brick.program.VariableScope
 import robotran.brick.program.VariableView
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
-import robotran.legofirmware.image.FirmwareLimits
-import robotran.legofirmware.image.RcxImage
-import robotran.legofirmware.image.SymbolKind
 import robotran.legofirmware.task.LoadedChunk
 import robotran.legofirmware.task.Task
 

@@ -5,7 +5,6 @@ import robotran.lejoslinker.image.ClassRecord
 import robotran.lejoslinker.image.ConstantValue
 import robotran.lejoslinker.image.ImageContents
 import robotran.lejoslinker.image.MethodRecord
-import robotran.lejoslinker.messages.ImageMessages
 import robotran.lejoslinker.messages.ListingMessages
 
 /**

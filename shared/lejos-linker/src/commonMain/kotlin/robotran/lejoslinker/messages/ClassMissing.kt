@@ -1,6 +1,5 @@
 package robotran.lejoslinker.messages
 
-import robotran.language.Language
 import robotran.tinyvm.messages.TinyVmMessages
 
 /** What the virtual machine of the simulated brick says, too. */

@@ -4,17 +4,13 @@ import robotran.language.source.SourceRange
 import robotran.robolang.syntax.Branch
 import robotran.robolang.syntax.BrickSetting
 import robotran.robolang.syntax.Command
-import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.LightSensorSetting
-import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NxtSensor
-import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.RobotSetting
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.SensorSetting
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
-import robotran.robolang.syntax.TimeUnit
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
 

@@ -1,7 +1,6 @@
 package robotran.robolang.translate
 
 import robotran.language.source.SourceRange
-import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.Token

@@ -1,6 +1,5 @@
 package robotran.robolang.translate
 
-import org.apache.bcel.Const
 import org.apache.bcel.classfile.ClassParser
 import org.apache.bcel.classfile.Code
 import org.apache.bcel.classfile.ConstantDouble
@@ -17,10 +16,8 @@ import org.apache.bcel.generic.ConstantPushInstruction
 import org.apache.bcel.generic.INSTANCEOF
 import org.apache.bcel.generic.InstructionHandle
 import org.apache.bcel.generic.InstructionList
-import org.apache.bcel.generic.LDC
 import org.apache.bcel.generic.MULTIANEWARRAY
 import org.apache.bcel.generic.NEWARRAY
-import org.apache.bcel.generic.PushInstruction
 
 /** The errors that the leJOS linker would report for the class file [bytes]; empty if there are none. */
 internal fun tinyVmErrors(bytes: ByteArray): List<String> {

@@ -2,7 +2,6 @@ package robotran.simulation.goal
 
 import robotran.brick.state.RunState
 import robotran.simulation.messages.GoalMessages
-import robotran.simulation.messages.SimulationMessages
 import robotran.simulation.state.GoalProgress
 import robotran.simulation.state.SessionState
 import robotran.world.World

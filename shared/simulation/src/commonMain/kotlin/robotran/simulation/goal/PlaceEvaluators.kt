@@ -1,7 +1,6 @@
 package robotran.simulation.goal
 
 import robotran.simulation.state.GoalShortfall
-import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.PlaceShortfall
 import robotran.world.GoalCondition
 import robotran.world.geometry.Outline

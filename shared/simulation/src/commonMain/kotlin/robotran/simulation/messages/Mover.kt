@@ -1,7 +1,6 @@
 package robotran.simulation.messages
 
 import robotran.simulation.state.GoalStatus
-import robotran.world.TouchKind
 import robotran.world.writeThousandths
 
 /** The status of a goal, in a word or two; used everywhere. */

@@ -14,7 +14,6 @@ import robotran.world.robot.RobotParameters
 import robotran.world.robot.bumpers
 import robotran.world.robot.chassisCorners
 import robotran.world.robot.corners
-import kotlin.math.PI
 
 /** A robot as a body of the physics. */
 internal class RobotBody(

@@ -1,8 +1,5 @@
 package robotran.tinyvm.messages
 
-import robotran.language.Language
-import robotran.tinyvm.config.Quirk
-
 /** What a program can have too many of. */
 enum class Counted {
     CLASSES,

@@ -5,7 +5,6 @@ import robotran.tinyvm.config.MachineModel
 import robotran.tinyvm.config.NxtCosts
 import robotran.tinyvm.config.Quirk
 import robotran.tinyvm.config.QuirkHandling
-import robotran.tinyvm.config.TinyVmCosts
 import robotran.tinyvm.config.TinyVmLimits
 import robotran.tinyvm.link.ArrayType
 import robotran.tinyvm.link.BuiltInException

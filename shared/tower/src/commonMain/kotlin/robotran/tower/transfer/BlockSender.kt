@@ -4,7 +4,6 @@ import robotran.tower.Blocks
 import robotran.tower.RcxOpcode
 import robotran.tower.Status
 import robotran.tower.TowerError
-import robotran.tower.Tries
 import robotran.tower.Wait
 import robotran.tower.line.Attempt
 import robotran.tower.line.Requests

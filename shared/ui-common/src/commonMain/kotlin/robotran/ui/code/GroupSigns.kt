@@ -1,12 +1,5 @@
 package robotran.ui.code
 
-import androidx.compose.foundation.Canvas
-import androidx.compose.foundation.layout.size
-import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
 import robotran.robolang.words.BlockGroup
 import robotran.uikit.*
 

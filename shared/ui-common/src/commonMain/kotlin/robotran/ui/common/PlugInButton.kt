@@ -1,12 +1,7 @@
 package robotran.ui.common
 
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.contentDescription
-import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.font.FontWeight
 import robotran.simulation.state.MissingSensors
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.texts.CommonTexts

@@ -1,10 +1,6 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.graphics.StrokeCap
-import androidx.compose.ui.graphics.StrokeJoin
-import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.simulation.state.Ink
 import robotran.simulation.state.InkStroke
 import robotran.world.Penbot

@@ -1,10 +1,6 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.graphics.Path
-import androidx.compose.ui.graphics.PointMode
-import androidx.compose.ui.graphics.drawscope.DrawScope
-import androidx.compose.ui.graphics.drawscope.Stroke
 import robotran.world.World
 import kotlin.math.max
 

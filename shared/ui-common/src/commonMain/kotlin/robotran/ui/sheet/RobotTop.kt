@@ -2,7 +2,6 @@ package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.graphics.Color
 import robotran.brick.sensors.SensorCase
 import robotran.brick.sensors.SensorKind
 import robotran.simulation.state.RobotState

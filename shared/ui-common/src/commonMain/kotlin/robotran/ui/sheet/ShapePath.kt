@@ -1,7 +1,6 @@
 package robotran.ui.sheet
 
 import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Path
 import robotran.world.Wall
 import robotran.world.geometry.Point

@@ -23,11 +23,8 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.simulation.state.SessionState
 import robotran.uikit.*
 import robotran.workshop.state.SheetCamera
-import robotran.workshop.state.SheetLayer
-import robotran.world.World
 
 /**
  * A sheet with zoom and pan by touch, mouse, wheel and, while focused, the keys `+`, `-`, `0` and the arrows.

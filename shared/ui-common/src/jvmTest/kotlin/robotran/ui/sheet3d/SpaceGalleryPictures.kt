@@ -4,11 +4,9 @@ import androidx.compose.ui.graphics.ImageBitmap
 import androidx.compose.ui.unit.IntSize
 import robotran.scene3d.camera.Cameras
 import robotran.scene3d.camera.Projection
-import robotran.simulation.state.SessionState
 import robotran.ui.pictures.pngOf
 import robotran.ui.sheet.SheetScenes
 import robotran.uikit.*
-import robotran.world.World
 import robotran.world.geometry.Point
 import java.io.File
 import kotlin.test.Test

@@ -11,7 +11,6 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.projects.ProgramView

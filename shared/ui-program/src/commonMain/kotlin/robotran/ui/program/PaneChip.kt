@@ -1,9 +1,6 @@
 package robotran.ui.program
 
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.dp
 import robotran.ui.code.codeColours
 import robotran.uikit.*
 

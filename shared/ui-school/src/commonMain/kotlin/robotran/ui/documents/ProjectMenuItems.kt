@@ -1,9 +1,6 @@
 package robotran.ui.documents
 
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.tags.HandInTags

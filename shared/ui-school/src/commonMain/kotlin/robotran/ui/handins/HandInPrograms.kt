@@ -15,7 +15,6 @@ import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
-import androidx.compose.ui.text.font.FontWeight
 import robotran.projects.ProjectProgram
 import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.SchoolTexts

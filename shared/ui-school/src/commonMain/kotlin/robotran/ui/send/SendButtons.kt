@@ -1,10 +1,7 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.unit.dp
 import robotran.tower.TowerError
 import robotran.tower.port.OpenFailure
 import robotran.ui.school.tags.SendTags

@@ -1,13 +1,8 @@
 package robotran.ui.send
 
-import androidx.compose.foundation.BorderStroke
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.heightIn
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.style.TextAlign
-import androidx.compose.ui.unit.dp
 import robotran.tower.port.TowerDevice
 import robotran.tower.port.TowerKind
 import robotran.ui.school.tags.SendTags

@@ -4,7 +4,6 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
-import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.assertUnmoved

@@ -4,12 +4,10 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
-import robotran.language.Language
 import robotran.ui.run.tags.RunTags
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.world.tags.WorldTags
 import robotran.workshop.Workshop
-import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.Pane

@@ -1,7 +1,6 @@
 package robotran.workshop.programs
 
 import robotran.brick.kind.BrickKind
-import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.uniqueName
 import robotran.programs.Program

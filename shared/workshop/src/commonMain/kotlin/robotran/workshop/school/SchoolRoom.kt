@@ -1,6 +1,5 @@
 package robotran.workshop.school
 
-import robotran.projects.Course
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.assignment.AssignmentStateHolder
 import robotran.workshop.course.CourseStateHolder
@@ -15,7 +14,6 @@ import robotran.workshop.export.ExportStateHolder
 import robotran.workshop.handins.HandInPreviews
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
-import robotran.workshop.platform.OpenRequest
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
 import robotran.workshop.send.TowerRobotLink

@@ -5,7 +5,6 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import kotlin.test.Test
 import kotlin.test.assertEquals
-import kotlin.test.assertNull
 
 class CarriedValuesTest {
     @Test

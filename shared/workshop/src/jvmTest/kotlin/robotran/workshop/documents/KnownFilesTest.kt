@@ -7,7 +7,6 @@ import robotran.workshop.platform.OpenRequest
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
-import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs

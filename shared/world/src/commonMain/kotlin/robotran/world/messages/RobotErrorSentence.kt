@@ -1,12 +1,8 @@
 package robotran.world.messages
 
-import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
-import robotran.brick.sensors.SensorKind
 import robotran.json.writeDecimal
 import robotran.language.Language
 import robotran.world.robot.RobotError
-import robotran.world.robot.RobotParameter
 
 /** The whole sentence for this error. */
 fun RobotError.sentence(language: Language): String = with(RobotMessages.of(language)) {

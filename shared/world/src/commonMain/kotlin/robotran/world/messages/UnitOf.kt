@@ -1,9 +1,5 @@
 package robotran.world.messages
 
-import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
-import robotran.brick.sensors.SensorKind
-import robotran.json.messages.alternatives
 import robotran.world.robot.RobotParameter
 
 /** Behind a number, with a blank; empty for a mere number. */

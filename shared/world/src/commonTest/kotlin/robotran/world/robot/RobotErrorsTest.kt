@@ -1,7 +1,6 @@
 package robotran.world.robot
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.world.BumperPart

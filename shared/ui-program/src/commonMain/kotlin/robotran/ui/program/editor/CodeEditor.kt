@@ -22,10 +22,8 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
-import robotran.language.source.Diagnostic
 import robotran.language.source.SourceSpan
 import robotran.languagesupport.CodeTokens
-import robotran.languagesupport.TextLines
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.ui.program.tags.ProgramTags

@@ -1,10 +1,6 @@
 package robotran.ui.program.editor
 
-import androidx.compose.foundation.layout.defaultMinSize
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Modifier
-import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.style.TextOverflow
 import robotran.language.source.Diagnostic
 import robotran.ui.program.tags.ProgramTags

@@ -28,7 +28,6 @@ import robotran.workshop.state.NoteKind
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
-import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
 /** Tests how a run is shown in blocks, in the text beside them, and in Java. */

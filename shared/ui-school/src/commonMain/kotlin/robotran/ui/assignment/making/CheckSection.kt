@@ -3,9 +3,6 @@ package robotran.ui.assignment.making
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
-import androidx.compose.ui.semantics.LiveRegionMode
-import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.semantics.semantics
 import robotran.ui.assignment.ProgressBar
 import robotran.ui.assignment.worldName
 import robotran.ui.school.tags.AssignmentTags
