@@ -49,8 +49,9 @@ test('with hint and solution open, what can be done with a step of the tutorial 
     await appears(page, 'program');
     await tapFor(page, 'fold-tutorial', 'hint-wanted');
     await tapFor(page, 'hint-wanted', 'hint');
-    for (const tag of ['run-step', 'begin-again', 'leave-tutorial', 'next-step']) await assertInSight(page, tag);
+    for (const tag of ['previous-step', 'step-more', 'next-step']) await assertInSight(page, tag);
     await photograph(page, 'phone-tutorial-hint');
+    await tapFor(page, 'step-more', 'leave-tutorial');
     await tap(page, 'leave-tutorial');
     await disappears(page, 'tutorial-steps');
     assert.deepEqual(troubles, []);

@@ -172,6 +172,7 @@ for (const [name, size] of [
       await appears(page, 'task-text');
       await tap(page, 'run');
       await disappears(page, 'task-text');
+      await appears(page, 'task-title');
       assert.deepEqual(troubles, []);
     }));
 }

@@ -71,12 +71,23 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
                 )
                 val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
                 Text("$name$title", style = TextStyles.body.medium)
-                StepDots(state, Modifier.padding(top = 4.dp))
+                if (tutorial.isFolded) FoldedTask(state, tutorial) else StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
         }
     }
 }
+
+/** Its first words, in the place of how many lessons are done. */
+@Composable
+private fun FoldedTask(state: LearningState, tutorial: TutorialState) = Text(
+    tutorial.current.text(state.language, state.isInBlocks).task.replace("`", ""),
+    Modifier.testTag(LearningTags.TUTORIAL_TASK),
+    TextStyles.caption,
+    color = LocalRobotranColours.current.quiet,
+    maxLines = 2,
+    overflow = TextOverflow.Ellipsis,
+)
 
 @Composable
 private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {

@@ -78,6 +78,7 @@ class CoursePagesTest {
         onNodeWithTag(CourseTags.COURSE_PAGE).assertDoesNotExist()
         workshop.attempt(AnyAssignment.SOLUTION)
         pass(600)
+        scrollTo(CourseTags.SOLVED_COURSE_NEXT)
         onNodeWithTag(CourseTags.SOLVED_COURSE_NEXT).assertIsDisplayed().assertTextContains("Next: Out of the circle")
         touch(CourseTags.SOLVED_COURSE_NEXT)
         assertEquals("circle-2", workshop.state.assignment?.assignment?.id)

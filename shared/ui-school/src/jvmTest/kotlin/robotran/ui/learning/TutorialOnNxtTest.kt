@@ -31,6 +31,7 @@ class TutorialOnNxtTest {
                 assertEquals(BrickKind.NXT, workshop.state.programs.brick)
                 workshop.handle(LearningEvent.StepChosen(Lessons.indexOf(assertNotNull(Lessons.named("java-bumpers")))))
                 pass(300)
+                if (!isThere(LearningTags.EXPLANATION_TEXT)) scrollAndTouch(LearningTags.EXPLANATION)
                 assertEquals(BrickKind.NXT, workshop.state.programs.brick)
                 assertContains(workshop.state.programText, "SensorPort.S2")
                 onNodeWithText("the right one. Each gets a name", substring = true).assertExists()

@@ -5,6 +5,7 @@ import robotran.workshop.state.Pane
 /** The tags of the screen around the rooms, by which tests and the page find what is on the screen. */
 object ScreenTags {
     const val BRICK_HINT_WHOLE = "brick-hint-whole"
+    const val MESSAGES = "messages"
     const val BRICK_SIZE = "brick-size"
     const val CODE_SIZE = "code-size"
     const val DIVIDER = "divider"
@@ -31,10 +32,12 @@ object ScreenTags {
     const val MISSING_CARD = "missing-card"
     const val MISSING_HINT = "missing-hint"
     const val MISSING_TIME_UP = "missing-time-up"
+    const val NEWS = "news"
     const val NOTICE = "notice"
     const val NOTICE_ACTION = "notice-action"
     const val NOTICE_CLOSE = "notice-close"
     const val NOTICE_TEXT = "notice-text"
+    const val MISSING_OTHERS = "missing-others"
     const val OUTCOME_CLOSE = "outcome-close"
     const val OUTCOME_TRIES = "outcome-tries"
     const val SETTINGS = "settings"
