@@ -24,6 +24,7 @@ import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
+import robotran.ui.screen.scrollTo
 import robotran.ui.screen.tags.ScreenTags
 import robotran.uikit.KitTags
 import robotran.workshop.Workshop

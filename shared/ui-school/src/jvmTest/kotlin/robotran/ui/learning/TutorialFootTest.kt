@@ -36,6 +36,10 @@ class TutorialFootTest {
     fun `the text shows that there is more of it`() {
         for ((width, height) in SIZES) {
             onStep(width, height, Settings(textScale = 2f)) {
+                if (!isThere(LearningTags.EXPLANATION_TEXT)) {
+                    scrollTo(LearningTags.EXPLANATION)
+                    press(LearningTags.EXPLANATION)
+                }
                 val parts = listOf(LearningTags.TUTORIAL_TEXT, LearningTags.TASK_AND_HELP).filter { isThere(it) }
                 assertTrue(parts.any { saysThereIsMore(it) }, "$width x $height")
             }

@@ -8,9 +8,11 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.isThere
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.scrollAndTouch
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent

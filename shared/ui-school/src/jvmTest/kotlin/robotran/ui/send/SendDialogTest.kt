@@ -35,6 +35,7 @@ import robotran.ui.screen.placesByTag
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.send.USB_TOWER

@@ -20,7 +20,6 @@ import robotran.ui.program.ProgramPane
 import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Pane
-import robotran.workshop.state.TutorialState
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
@@ -85,7 +84,7 @@ private fun ProgramAndWorld(
                 val width = if (state.fullPane == null) Modifier.width(left) else Modifier.weight(1f)
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
-                        TutorialPane(state.learning, onEvent, Modifier.weight(tutorialWeight(state.learning.tutorial)))
+                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
                         HorizontalDivider()
                     }
                     ProgramPane(
@@ -129,24 +128,14 @@ private fun shareFor(view: ProgramView): Float = when (view) {
     ProgramView.BOTH -> BOTH_SHARE
 }
 
-/**
- * The height of the tutorial above a program that is 1 high: before its program is loaded, its text is read; then the
- * task and its help have to be seen. Larger text needs more of the height.
- */
-@Composable
-private fun tutorialWeight(tutorial: TutorialState?): Float {
-    val weight = if (tutorial?.isLoaded == true) TASK_WEIGHT else READING_WEIGHT
-    return weight * ScreenLayout.widthScale(LocalDensity.current.fontScale)
-}
-
 /** From this width on, at default font size, the tutorial has its own column and the sheet still has most room. */
 private val TUTORIAL_BESIDE_WIDTH = 1600.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private val MIN_TUTORIAL_WIDTH = 280.dp
 private const val TUTORIAL_SHARE = 0.26f
 
-private const val READING_WEIGHT = 1.2f
-private const val TASK_WEIGHT = 0.9f
+/** The height of the tutorial above a program that is 1 high: a task with its latest hint fits. */
+private const val TUTORIAL_WEIGHT = 1.2f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f
 private const val BOTH_SHARE = 0.58f
