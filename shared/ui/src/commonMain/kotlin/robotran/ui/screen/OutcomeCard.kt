@@ -7,8 +7,8 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -64,34 +64,31 @@ internal fun OutcomeCard(
     val solved = state.learning.solved
     val missing = state.run.shortfalls
     val isTimeUp = state.run.isTimeUp
+    val onClose = { isClosed = true }
     when {
-        solved != null -> Card(RobotranColours.RUN_GREEN, {
-            isClosed = true
-        }, modifier.testTag(ScreenTags.SOLVED_CARD)) {
-            Heading(RunTexts.outcomeSolved(spoken))
+        solved != null -> Card(SolvedLook, onClose, modifier) {
             solved.learned?.let { Text(RunTexts.outcomeLearned(spoken, it), style = TextStyles.sentence) }
             Onward(state, solved, canHandIn, tellsTries, onEvent)
             Text(recordText(solved), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
         }
 
-        missing.isNotEmpty() || isTimeUp -> Card(
-            SheetColours.SHORTFALL,
-            { isClosed = true },
-            modifier.testTag(ScreenTags.MISSING_CARD),
-        ) {
-            Heading(RunTexts.outcomeMissing(spoken))
+        missing.isNotEmpty() || isTimeUp -> Card(MissingLook, onClose, modifier) {
             if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), ScreenTags.MISSING_TIME_UP)
             Missing(missing, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
-            val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
-            val isTaskOpen = state.taskShown && (state.assignment != null || !state.taskFolded)
-            if (!isTaskOpen && hints.isNotEmpty()) {
-                // The hint that fits is in the card of the task.
-                Button(LearningTexts.hint(spoken), ScreenTags.MISSING_HINT, ButtonKind.SECOND) {
-                    onEvent(ScreenEvent.TaskShown(true))
-                }
-            }
+            Hint(state, onEvent)
         }
+    }
+}
+
+/** Leads to the hint that fits, which is in the card of the task, unless that is open. */
+@Composable
+private fun Hint(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
+    val isTaskOpen = state.taskShown && (state.assignment != null || !state.taskFolded)
+    if (isTaskOpen || hints.isEmpty()) return
+    Button(LearningTexts.hint(spoken), ScreenTags.MISSING_HINT, ButtonKind.SECOND) {
+        onEvent(ScreenEvent.TaskShown(true))
     }
 }
 
@@ -148,7 +145,7 @@ private fun Tries(
 @Composable
 private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     val next = solved.nextStep
-    FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
+    FlowRow(Modifier, Arrangement.spacedBy(Space.SMALL), Arrangement.spacedBy(Space.SMALL)) {
         if (next != null) {
             Button(LearningTexts.next(spoken), ScreenTags.SOLVED_NEXT) {
                 onEvent(LearningEvent.StepChosen(next))
@@ -171,31 +168,34 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     }
 }
 
-@Composable
-private fun Heading(text: String) = Text(text, Modifier.heading(), TextStyles.cardTitle.strong)
+/** @property bar the colour of the bar at its left side. */
+private class CardLook(val title: Label, val bar: Color, val tag: String)
 
-/** @param bar the colour of the bar at its left side. */
+private val SolvedLook = CardLook(RunTexts::outcomeSolved, RobotranColours.RUN_GREEN, ScreenTags.SOLVED_CARD)
+private val MissingLook = CardLook(RunTexts::outcomeMissing, SheetColours.SHORTFALL, ScreenTags.MISSING_CARD)
+
 @Composable
-private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
+private fun Card(look: CardLook, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
     val colours = LocalRobotranColours.current
-    Row(
+    Column(
         modifier
-            .clip(RoundedCornerShape(CORNER))
+            .testTag(look.tag)
+            .clip(Shapes.MEDIUM)
             .background(colours.pane)
-            .border(1.dp, colours.line, RoundedCornerShape(CORNER))
+            .border(1.dp, colours.line, Shapes.MEDIUM)
             .drawWithContent {
                 drawContent()
-                drawRect(bar, size = Size(BAR.toPx(), size.height))
-            },
-        verticalAlignment = Alignment.Top,
+                drawRect(look.bar, size = Size(BAR.toPx(), size.height))
+            }
+            .padding(start = 22.dp, bottom = Space.MEDIUM)
+            .announced(),
     ) {
-        Column(
-            Modifier.weight(1f).padding(start = 22.dp, top = 12.dp, bottom = 12.dp).announced(),
-            Arrangement.spacedBy(4.dp),
-        ) { content() }
-        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
+        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
+            Text(look.title(spoken), Modifier.weight(1f).heading(), TextStyles.cardTitle.strong)
+            IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
+        }
+        Column(Modifier.padding(end = Space.MEDIUM), Arrangement.spacedBy(Space.TINY)) { content() }
     }
 }
 
 private val BAR = 6.dp
-private val CORNER = Corners.MEDIUM

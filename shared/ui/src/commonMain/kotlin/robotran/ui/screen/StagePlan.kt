@@ -76,7 +76,7 @@ internal data class StagePlan(val side: MessageSide, val extent: Dp) {
 
         /** At the default font size: a notice of one line with its distance; a task or an outcome of three lines. */
         private val NOTICES = 64.dp
-        private val TASK = 148.dp
+        private val TASK = 164.dp
         private val ASSIGNMENT = 200.dp
 
         /** For words of ten letters, and for lines that are still read with ease. */
