@@ -37,7 +37,7 @@ class SolvedTaskTest {
         workshop.handle(LearningEvent.TutorialStarted)
         val solved = assertNotNull(workshop.solve(solution))
         val step = checkNotNull(workshop.state.learning.tutorial).current
-        assertEquals(step.text(workshop.language).title, solved.learned)
+        assertEquals(step.text(workshop.language).skill, solved.learned)
         assertEquals(workshop.state.run.outcome.finished, solved.milliseconds)
         assertEquals(1, solved.nextStep)
         assertNull(solved.bestMilliseconds)
