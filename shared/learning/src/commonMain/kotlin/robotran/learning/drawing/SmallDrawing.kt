@@ -11,7 +11,9 @@ import kotlin.math.roundToInt
 internal fun drawingOf(robots: List<Pose>, blocks: List<Pose>, strokes: List<InkStroke>): RunDrawing {
     val things = RunDrawing(robots.map(::rounded), blocks.map(::rounded), emptyList()).takeIf { it.isShort }
         ?: RunDrawing(robots.map(::rounded), emptyList(), emptyList())
-    val drawings = TOLERANCES.asSequence().map { tolerance -> things.copy(lines = strokes.map { it.within(tolerance) }) }
+    val drawings = TOLERANCES.asSequence().map { tolerance ->
+        things.copy(lines = strokes.map { it.within(tolerance) })
+    }
     return drawings.firstOrNull { it.isShort } ?: things.withAsManyOf(drawings.last().lines)
 }
 
@@ -35,7 +37,19 @@ private fun InkStroke.within(tolerance: Double): DrawnLine {
 
 private fun rounded(pose: Pose): Pose {
     val heading = pose.heading.roundToInt()
-    return Pose(centimetres(pose.x), centimetres(pose.y), (if (heading == -HALF_TURN) HALF_TURN else heading).toDouble())
+    return Pose(
+        centimetres(pose.x),
+        centimetres(pose.y),
+        (
+            if (heading ==
+                -HALF_TURN
+            ) {
+                HALF_TURN
+            } else {
+                heading
+            }
+        ).toDouble(),
+    )
 }
 
 /** To whole millimetres. What has left the sheet for good is no further away than things in a world may be. */

@@ -35,7 +35,13 @@ class LessonDrawingsTest {
         assertTrue(sizes.sum() < MOST, "${sizes.sum()} characters")
     }
 
-    private fun kept(file: String): RunDrawing? = if (file in lessonTexts) readRunDrawing(lessonTexts.getValue(file).trim()) else null
+    private fun kept(file: String): RunDrawing? = if (file in
+        lessonTexts
+    ) {
+        readRunDrawing(lessonTexts.getValue(file).trim())
+    } else {
+        null
+    }
 
     /** A lesson on another brick has one if it has a world of its own there. */
     private fun Lesson.hasOwnDrawing(plain: Lesson) = brick == BrickKind.default || drawing != plain.drawing

@@ -53,7 +53,14 @@ class RunDrawingProperties :
 
         "what is too long, too far away or half a line is no drawing" {
             val tooLong = "robot 0 0 0" + "\nink 0 1 1".repeat(RunDrawing.MAX_CHARACTERS)
-            for (text in listOf("", tooLong, "robot 0 0 999", "robot 999999 0 0", "robot 0 0 0\nink 0 5", "ink 0 5 5")) {
+            for (text in listOf(
+                "",
+                tooLong,
+                "robot 0 0 999",
+                "robot 999999 0 0",
+                "robot 0 0 0\nink 0 5",
+                "ink 0 5 5",
+            )) {
                 readRunDrawing(text) shouldBe null
             }
         }

@@ -5,12 +5,15 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.shape.CircleShape
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.semantics
@@ -51,24 +54,29 @@ internal fun LessonCard(lesson: Lesson, number: Int, state: LearningState, isNex
 private fun Words(title: String, skill: String?, isDone: Boolean, isNext: Boolean) {
     val colours = LocalRobotranColours.current
     val ink = if (isNext) RobotranColours.ON_YELLOW else colours.onPane
-    Column(Modifier.clearAndSetSemantics { }, Arrangement.spacedBy(Space.TINY)) {
-        if (isNext) Text(LearningTexts.mapNextSign(spoken), style = TextStyles.small.strong, color = ink)
+    val height = with(LocalDensity.current) { (LineHeights.LABEL * LINES).toDp() + (LineHeights.SMALL * LINES).toDp() }
+    Column(Modifier.heightIn(min = height).clearAndSetSemantics { }, Arrangement.spacedBy(Space.TINY)) {
         Row(horizontalArrangement = Arrangement.spacedBy(Space.SMALL)) {
             Text(title, Modifier.weight(1f), TextStyles.label.strong, color = ink)
-            if (isDone) DoneSign()
+            if (isDone) Sign(DONE_ICON, RobotranColours.RUN_GREEN, RobotranColours.ON_YELLOW)
+            if (isNext) Sign(PLAY_ICON, RobotranColours.ON_YELLOW, RobotranColours.YELLOW)
         }
         skill?.let { Text(it, style = TextStyles.smallLines, color = if (isNext) ink else colours.quiet) }
     }
 }
 
+/** So that no colour stands alone: what is done has a check mark, what is next the sign of Run. */
 @Composable
-private fun DoneSign() = Box(
-    Modifier.size(SIGN).background(RobotranColours.RUN_GREEN, CircleShape),
-    Alignment.Center,
-) {
-    SmallIcon(DONE_ICON, RobotranColours.ON_YELLOW, size = SIGN_ICON)
+private fun Sign(icon: Icon, ground: Color, colour: Color) {
+    val size = SIGN * LocalDensity.current.fontScale
+    Box(Modifier.size(size).background(ground, CircleShape), Alignment.Center) {
+        SmallIcon(icon, colour, size = SIGN_ICON)
+    }
 }
 
 private val LOOK = CardLook(4f / 3f, padding = Space.MEDIUM)
 private val SIGN = 24.dp
 private val SIGN_ICON = 18.dp
+
+/** Room for so many lines of the title and of the skill, so that most cards of a row are of a height. */
+private const val LINES = 2

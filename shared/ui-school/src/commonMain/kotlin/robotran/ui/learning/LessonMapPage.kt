@@ -4,14 +4,18 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.padding
+import androidx.compose.foundation.lazy.grid.LazyGridState
 import androidx.compose.foundation.lazy.grid.itemsIndexed
 import androidx.compose.foundation.lazy.grid.rememberLazyGridState
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.LaunchedEffect
+import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
+import kotlinx.coroutines.flow.first
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.ui.school.tags.LearningTags
@@ -29,11 +33,12 @@ import robotran.workshop.state.LearningState
  */
 @Composable
 internal fun LessonMapPage(state: LearningState, onEvent: (WorkshopEvent) -> Unit) {
-    val cards = rememberLazyGridState(beginOf(state))
+    val cards = rememberLazyGridState(headOf(state))
+    ShowsNext(state, cards)
     Page(LearningTexts.map(spoken), LearningTags.MAP_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
-        CardGrid(pictureCardColumns(CARD_WIDTH), cards, LearningTags.MAP) {
+        CardGrid(pictureCardColumns(CARD_WIDTH, NARROW_CARD), cards, LearningTags.MAP) {
             wholeRow("where") { WhereOne(state) }
             for (strand in Lessons.strands) {
                 wholeRow(strand.name) { StrandHead(strand, state) }
@@ -49,14 +54,24 @@ internal fun LessonMapPage(state: LearningState, onEvent: (WorkshopEvent) -> Uni
     }
 }
 
-/** The element of the grid with which the page begins: the next lesson is in sight, and what is just above it. */
-private fun beginOf(state: LearningState): Int {
-    val next = state.nextLesson ?: return 0
-    val strand = Lessons.strandOf(Lessons.all[next])
-    val heads = Lessons.strands.indexOf(strand) + 1
-    val place = strand.lessons.indexOf(Lessons.all[next])
-    if (heads == 1 && place <= CARDS_ABOVE) return 0
-    return heads + next - minOf(place, CARDS_ABOVE) + if (place > CARDS_ABOVE) 1 else 0
+/** The element of the grid that is the head of the strand with the next lesson; the first one begins with the page. */
+private fun headOf(state: LearningState): Int {
+    val next = Lessons.all.getOrNull(state.nextLesson ?: 0) ?: return 0
+    val strands = Lessons.strands.takeWhile { it.name != next.strand }
+    return if (strands.isEmpty()) 0 else 1 + strands.sumOf { 1 + it.lessons.size }
+}
+
+/** Where the head of its strand leaves no room for the next lesson, [cards] begin with the row above that. */
+@Composable
+private fun ShowsNext(state: LearningState, cards: LazyGridState) = LaunchedEffect(cards) {
+    val next = Lessons.all[state.nextLesson ?: return@LaunchedEffect]
+    val shown = snapshotFlow { cards.layoutInfo }.first { it.visibleItemsInfo.isNotEmpty() }
+    val card = shown.visibleItemsInfo.find { it.key == next.name }
+    if (card != null && card.offset.y + card.size.height <= shown.viewportEndOffset) return@LaunchedEffect
+    val columns = 1 + shown.visibleItemsInfo.maxOf { it.column }
+    val place = Lessons.strands.first { it.name == next.strand }.lessons.indexOf(next)
+    val head = 1 + Lessons.strands.takeWhile { it.name != next.strand }.sumOf { 1 + it.lessons.size }
+    cards.scrollToItem(head + 1 + (place - columns).coerceAtLeast(0))
 }
 
 /** How far the pupil is, and what to do next. */
@@ -104,8 +119,8 @@ private fun MyCourses(onClick: () -> Unit) = Column(
     Button(SchoolTexts.courseList(spoken), LearningTags.MAP_COURSES, ButtonKind.SECOND, onClick = onClick)
 }
 
-private val CARD_WIDTH = 200.dp
-private val ICON = 40.dp
+private val CARD_WIDTH = 216.dp
 
-/** So many cards before the next one stay in sight: a row of a phone. */
-private const val CARDS_ABOVE = 2
+/** Two beside each other on a phone. */
+private val NARROW_CARD = 140.dp
+private val ICON = 40.dp

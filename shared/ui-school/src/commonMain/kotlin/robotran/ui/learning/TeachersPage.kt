@@ -56,7 +56,10 @@ internal fun TeachersPage(
                     go(AssignmentEvent.MakingRequested)
                 }
             }
-            Part(SchoolTexts::handInsMenu, if (hasGoals) LearningTexts::teachersHandIns else LearningTexts::teachersNoGoals) {
+            Part(
+                SchoolTexts::handInsMenu,
+                if (hasGoals) LearningTexts::teachersHandIns else LearningTexts::teachersNoGoals,
+            ) {
                 if (hasGoals) {
                     Button(SchoolTexts.handInsMenu(spoken), LearningTags.TEACHERS_HAND_INS, ButtonKind.SECOND) {
                         go(HandInsEvent.Requested)
@@ -88,7 +91,7 @@ internal fun TeachersPage(
 @Composable
 private fun Part(title: Label, help: Label, buttons: @Composable () -> Unit) =
     Column(verticalArrangement = Arrangement.spacedBy(Space.SMALL)) {
-        SectionName(title(spoken))
+        Text(title(spoken), Modifier.heading(), TextStyles.lead.strong)
         Text(help(spoken), style = TextStyles.sentence)
         FlowRow(
             horizontalArrangement = Arrangement.spacedBy(Space.SMALL),

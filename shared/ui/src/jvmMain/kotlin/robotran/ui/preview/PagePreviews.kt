@@ -62,7 +62,9 @@ internal fun SettingsPreview() = PreviewWorkshop {
 
 @Composable
 private fun LearningPagePreview(page: LearningPage) = PreviewWorkshop({ show(page) }) {
-    Box(Modifier.size(1_000.dp, 600.dp)) { LearningPages(it.learning, it.settings.programView, null, hasGoals = false, {}) }
+    Box(Modifier.size(1_000.dp, 600.dp)) {
+        LearningPages(it.learning, it.settings.programView, null, hasGoals = false, {})
+    }
 }
 
 private fun Workshop.show(page: LearningPage) = handle(LearningEvent.PageRequested(page))
