@@ -61,18 +61,22 @@ private fun headOf(state: LearningState): Int {
     return if (strands.isEmpty()) 0 else 1 + strands.sumOf { 1 + it.lessons.size }
 }
 
-/** Where the head of its strand leaves no room for the next lesson, [cards] begin with the row above that. */
+/** Where the head of its strand leaves no room for the next lesson, [cards] begin with the row above that, or with it. */
 @Composable
 private fun ShowsNext(state: LearningState, cards: LazyGridState) = LaunchedEffect(cards) {
     val next = Lessons.all[state.nextLesson ?: return@LaunchedEffect]
     val shown = snapshotFlow { cards.layoutInfo }.first { it.visibleItemsInfo.isNotEmpty() }
-    val card = shown.visibleItemsInfo.find { it.key == next.name }
-    if (card != null && card.offset.y + card.size.height <= shown.viewportEndOffset) return@LaunchedEffect
     val columns = 1 + shown.visibleItemsInfo.maxOf { it.column }
-    val place = Lessons.strands.first { it.name == next.strand }.lessons.indexOf(next)
-    val head = 1 + Lessons.strands.takeWhile { it.name != next.strand }.sumOf { 1 + it.lessons.size }
-    cards.scrollToItem(head + 1 + (place - columns).coerceAtLeast(0))
+    val place = Lessons.strandOf(next).lessons.indexOf(next)
+    val first = 2 + Lessons.strands.takeWhile { it.name != next.strand }.sumOf { 1 + it.lessons.size }
+    for (above in listOf(columns, 0)) {
+        if (cards.showsWhole(next.name)) return@LaunchedEffect
+        cards.scrollToItem(first + (place - above).coerceAtLeast(0))
+    }
 }
+
+private fun LazyGridState.showsWhole(key: String): Boolean =
+    layoutInfo.visibleItemsInfo.any { it.key == key && it.offset.y + it.size.height <= layoutInfo.viewportEndOffset }
 
 /** How far the pupil is, and what to do next. */
 @Composable

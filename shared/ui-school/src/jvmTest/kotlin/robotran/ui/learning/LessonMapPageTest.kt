@@ -23,6 +23,7 @@ import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.learning.drawing.readRunDrawing
 import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.assertWhole
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
@@ -34,7 +35,9 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.LearningPage
+import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -102,6 +105,27 @@ class LessonMapPageTest {
         pass(300)
         onNodeWithTag(LearningTags.lesson("line")).assertIsDisplayed()
         onNodeWithTag(LearningTags.lesson("stripes")).assertIsDisplayed()
+    }
+
+    @Test
+    fun `the next lesson is in sight as a whole, with text of any size and in any language`() {
+        for (settings in listOf(
+            Settings(textScale = 2f),
+            Settings(language = Language.GERMAN, textScale = 2f),
+            Settings(),
+        )) {
+            onEither { workshop ->
+                workshop.handle(SettingsEvent.SettingsChanged(settings))
+                for (lesson in listOf("flower", "racing-line", "behaviours")) {
+                    workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == lesson }))
+                    workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+                    pass(500)
+                    assertWhole(LearningTags.lesson(lesson), "$settings")
+                    workshop.handle(LearningEvent.PageClosed)
+                    pass(100)
+                }
+            }
+        }
     }
 
     @Test

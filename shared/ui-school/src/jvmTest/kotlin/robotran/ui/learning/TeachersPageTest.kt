@@ -59,17 +59,18 @@ class TeachersPageTest {
     }
 
     @Test
-    fun `hand-ins are looked at in a world with goals, and in any other a file is opened first`() = onTablet { workshop ->
-        workshop.openTeachers()
-        pass(300)
-        onNodeWithTag(LearningTags.TEACHERS_HAND_INS).assertDoesNotExist()
-        onNodeWithTag(LearningTags.TEACHERS_OPEN).assertIsDisplayed()
-        workshop.handle(LearningEvent.WorldChosen("maze"))
-        pass(300)
-        workshop.openTeachers()
-        pass(300)
-        onNodeWithTag(LearningTags.TEACHERS_OPEN).assertDoesNotExist()
-        press(LearningTags.TEACHERS_HAND_INS)
-        assertNotNull(workshop.state.handIns)
-    }
+    fun `hand-ins are looked at in a world with goals, and in any other a file is opened first`() =
+        onTablet { workshop ->
+            workshop.openTeachers()
+            pass(300)
+            onNodeWithTag(LearningTags.TEACHERS_HAND_INS).assertDoesNotExist()
+            onNodeWithTag(LearningTags.TEACHERS_OPEN).assertIsDisplayed()
+            workshop.handle(LearningEvent.WorldChosen("maze"))
+            pass(300)
+            workshop.openTeachers()
+            pass(300)
+            onNodeWithTag(LearningTags.TEACHERS_OPEN).assertDoesNotExist()
+            press(LearningTags.TEACHERS_HAND_INS)
+            assertNotNull(workshop.state.handIns)
+        }
 }
