@@ -4,8 +4,14 @@ import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performScrollTo
+import androidx.compose.ui.test.performScrollToKey
+import robotran.assignments.course.OwnCourses
+import robotran.learning.Lessons
+import robotran.learning.WorldGallery
+import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
@@ -72,5 +78,29 @@ class TeachersPageTest {
             onNodeWithTag(LearningTags.TEACHERS_OPEN).assertDoesNotExist()
             press(LearningTags.TEACHERS_HAND_INS)
             assertNotNull(workshop.state.handIns)
+        }
+
+    @Test
+    fun `nothing for teachers stands among lessons, worlds and what pupils do with their work`() =
+        onTablet { workshop ->
+            for ((page, cards, last) in listOf(
+                Triple(LearningPage.MAP, LearningTags.MAP, "courses"),
+                Triple(LearningPage.WORLDS, LearningTags.WORLD_CARDS, WorldGallery.worlds.last().name),
+            )) {
+                workshop.handle(LearningEvent.PageRequested(page))
+                pass(300)
+                onNodeWithTag(cards).performScrollToKey(last)
+                pass(300)
+                for (course in Lessons.strands.map { it.name } + OwnCourses.WORLDS) {
+                    onNodeWithTag(LearningTags.courseSave(course)).assertDoesNotExist()
+                }
+            }
+            workshop.handle(LearningEvent.PageClosed)
+            workshop.handle(LearningEvent.WorldChosen("maze"))
+            pass(300)
+            onNodeWithTag(DocumentTags.WORK_MENU).performClick()
+            pass(300)
+            onNodeWithText("Make an assignment").assertDoesNotExist()
+            onNodeWithText("Look at hand-ins").assertDoesNotExist()
         }
 }
