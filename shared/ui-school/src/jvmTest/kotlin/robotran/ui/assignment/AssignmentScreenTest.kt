@@ -289,9 +289,10 @@ class AssignmentScreenTest {
     }
 
     @Test
-    fun `the menu of the project opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
-        touch(DocumentTags.WORK_MENU)
-        touch(DocumentTags.menuItem(DocumentTags.MAKE_ASSIGNMENT))
+    fun `what is for teachers opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
+        touch(ScreenTags.MENU)
+        touch(ScreenTags.MENU_TEACHERS)
+        touch(LearningTags.TEACHERS_MAKE)
         assertTrue(has(AssignmentTags.ASSIGNMENT_MAKE))
         val before = assignmentOf(workshop).hints.size
         scrollAndTouch(AssignmentTags.MAKE_HINT_ADD)

@@ -66,7 +66,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                 Modifier.background(LocalRobotranColours.current.pane),
                 verticalAlignment = Alignment.CenterVertically,
             ) {
-                MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
+                MainMenu(state.document, state.worldEdit != null, onEvent, withProject = true)
                 PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
                     perform(ScreenEvent.PaneChosen(it))
                 }, Modifier.weight(1f))

@@ -43,7 +43,7 @@ internal fun WideScreen(
             state.fullPane == Pane.WORLD
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceIn(MIN_TUTORIAL_WIDTH, MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
+            TopStrip(state.document, state.worldEdit != null, state.fullPane, onEvent)
             HorizontalDivider()
             if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
