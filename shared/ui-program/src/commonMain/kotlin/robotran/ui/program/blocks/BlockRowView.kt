@@ -69,7 +69,7 @@ internal fun BlockRowView(
     ) {
         Row(Modifier.padding(top = BlockSizes.GAP, end = BlockSizes.END)) {
             BlockGutter(row, marks, onBreakpoint)
-            Box(Modifier.padding(start = BlockSizes.INDENT * row.around.size)) { BlockBody(row, scope, marks) }
+            BlockWithMenu(row, scope, marks, Modifier.padding(start = BlockSizes.INDENT * row.around.size))
         }
         for (note in marks.notes) {
             Row {
