@@ -17,7 +17,7 @@ class TranslateCommandTest : CommandTest() {
     fun `the Java goes to the console`() {
         assertEquals(0, translate(square))
         assertContains(console.said.single(), "public class Square {")
-        assertContains(console.said.single(), "penDown(); // begin to draw")
+        assertContains(console.said.single(), "penDown();")
     }
 
     @Test
