@@ -16,6 +16,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.constrainHeight
 import androidx.compose.ui.unit.constrainWidth
 import androidx.compose.ui.unit.dp
+import androidx.compose.ui.unit.offset
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
@@ -24,8 +25,8 @@ import robotran.workshop.blocks.BlockRow
 
 /**
  * The block of a row and, at the cursor, the button for what can be done to it. The button is beside the block, where
- * the touch that chose the block was not, so that a second touch does not open anything. Nothing moves for it: beside a
- * block as wide as the pane it covers the sign.
+ * the touch that chose the block was not, so that a second touch does not open anything. Nothing moves for it: it may
+ * stand on the margins of pane and block, and where not even they have room, it covers the sign.
  */
 @Composable
 internal fun BlockWithMenu(row: BlockRow, scope: BlockScope, marks: RowMarks, modifier: Modifier = Modifier) {
@@ -38,13 +39,17 @@ internal fun BlockWithMenu(row: BlockRow, scope: BlockScope, marks: RowMarks, mo
         modifier,
     ) { parts, room ->
         val loose = room.copy(minWidth = 0, minHeight = 0)
-        val block = parts.first().measure(loose)
+        val block = parts.first().measure(loose.offset(horizontal = -BlockSizes.END.roundToPx()))
         val button = parts.getOrNull(1)?.measure(loose)
-        val width = block.width + (button?.width ?: 0)
-        val isBeside = width <= room.maxWidth
-        layout(room.constrainWidth(if (isBeside) width else block.width), room.constrainHeight(block.height)) {
+        val lastPlace = room.maxWidth - (button?.width ?: 0)
+        val isBeside = lastPlace >= block.width - BlockSizes.END.roundToPx()
+        val place = if (isBeside) minOf(block.width, lastPlace) else SIGN_FROM.roundToPx()
+        layout(
+            room.constrainWidth(maxOf(block.width, place + (button?.width ?: 0))),
+            room.constrainHeight(block.height),
+        ) {
             block.placeRelative(0, 0)
-            button?.placeRelative(if (isBeside) block.width else SIGN_FROM.roundToPx(), 0)
+            button?.placeRelative(place, 0)
         }
     }
 }
@@ -69,8 +74,8 @@ private fun MoreButton(row: BlockRow, scope: BlockScope) {
     }
 }
 
-private val BUTTON = 44.dp
-private val CIRCLE = 36.dp
+private val BUTTON = 40.dp
+private val CIRCLE = 34.dp
 
 /** With this start the circle is in the middle of the sign. */
-private val SIGN_FROM = BlockSizes.GRIP - 8.dp
+private val SIGN_FROM = BlockSizes.GRIP - 6.dp

@@ -74,14 +74,16 @@ class BlocksTouchTest {
 
     @Test
     fun `a second touch on a block opens nothing, wherever it is`() = onTabletInBlocks(SQUARE) { workshop ->
-        for (part in 0..SPOTS) {
-            val spot = touchAt(ProgramTags.block("1"), part.toFloat() / SPOTS)
-            assertTrue(isThere(ProgramTags.BLOCK_MORE), "the block is chosen")
-            touchAt(ProgramTags.block("1"), part.toFloat() / SPOTS)
-            val sheet = workshop.state.programs.blocks?.sheet
-            assertFalse(sheet is BlockDialog.Actions, "a second touch at $spot opens $sheet")
-            workshop.handle(BlockEvent.DialogShown(null))
-            pass(100)
+        for (block in listOf("1", "2")) {
+            for (part in 0..SPOTS) {
+                val spot = touchAt(ProgramTags.block(block), part.toFloat() / SPOTS)
+                assertTrue(isThere(ProgramTags.BLOCK_MORE), "the block is chosen")
+                touchAt(ProgramTags.block(block), part.toFloat() / SPOTS)
+                val sheet = workshop.state.programs.blocks?.sheet
+                assertFalse(sheet is BlockDialog.Actions, "a second touch on $block at $spot opens $sheet")
+                workshop.handle(BlockEvent.DialogShown(null))
+                pass(100)
+            }
         }
     }
 
@@ -183,7 +185,7 @@ class BlocksTouchTest {
 
     private companion object {
         /** How many places of a block are touched. */
-        const val SPOTS = 12
+        const val SPOTS = 8
 
         const val SQUARE = "repeat 4 times\n  forward 20\n  turn left 90\nend\n"
         val LONG = (1..2_000).joinToString("\n", postfix = "\n") { "forward $it" }

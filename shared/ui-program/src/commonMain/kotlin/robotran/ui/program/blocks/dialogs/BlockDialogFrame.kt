@@ -93,7 +93,15 @@ internal fun BlockDialogFrame(
         if (LocalSheetPlace.current == SheetPlace.OVER) {
             TitlelessContent(onClose, scrolling, focused, content)
         } else {
-            TitledContent({ if (field == null) DialogTitle(title) else field() }, onClose, focused) {
+            TitledContent({
+                if (field ==
+                    null
+                ) {
+                    DialogTitle(title)
+                } else {
+                    Box(Modifier.padding(bottom = Space.SMALL)) { field() }
+                }
+            }, onClose, focused) {
                 Column(
                     Modifier.weight(1f, fill = !scrolls).then(scrolling).then(INNER),
                     Arrangement.spacedBy(8.dp),

@@ -129,7 +129,7 @@ private fun GroupButton(
                 contentDescription = words
                 selected = isShown
             }
-            .padding(horizontal = 2.dp, vertical = 4.dp),
+            .padding(horizontal = 2.dp, vertical = 2.dp),
         Arrangement.spacedBy(2.dp, Alignment.CenterVertically),
         Alignment.CenterHorizontally,
     ) {
@@ -172,7 +172,7 @@ internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     ) { IconView(GroupSigns.of(group), look.ink, size = 20.dp) }
 }
 
-private val BUTTON_HEIGHT = 64.dp
+private val BUTTON_HEIGHT = 56.dp
 private val GRID_CELL = 50.dp
 private val BADGE = 34.dp
 private const val GROUPS_IN_ROW = 4

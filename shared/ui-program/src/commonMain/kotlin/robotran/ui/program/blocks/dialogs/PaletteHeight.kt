@@ -15,7 +15,7 @@ internal enum class PaletteGroups(internal val height: Dp) {
     BESIDE(0.dp),
 
     /** Two rows in the sheet, with names. */
-    NAMES(140.dp),
+    NAMES(132.dp),
 
     /** In the sheet by their signs alone, with the name of the one that is shown. */
     SIGNS(108.dp),
