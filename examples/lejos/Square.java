@@ -1,4 +1,4 @@
-// Draws a square, 20 cm wide. The times are those of the penbot:
+// Draws a square. The times are those of the penbot:
 // 50 milliseconds for a centimetre, 5 for a degree.
 // Next: make it a triangle. How long does it turn at each corner?
 

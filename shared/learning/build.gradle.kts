@@ -13,6 +13,8 @@ texts {
     constant("commonMain", "robotran.learning.worldTaskTexts", "learning/worlds", "*/*")
     constant("jvmTest", "robotran.learning.wrongTries", "learning/lessons", "*/*/wrong/*")
     constant("jvmTest", "robotran.learning.wrongTriesInWorlds", "learning/worlds", "*/wrong/*")
+    constant("jvmTest", "robotran.learning.catalogues", "shared", "*/src/commonMain/messages/*.md")
+    constant("jvmTest", "robotran.learning.pageOnWords", "docs", "messages.md")
     constant("commonTest", "robotran.learning.robolangPages", "docs", "robolang.md")
 }
 

@@ -248,12 +248,20 @@ export function builderWith(page, hand) {
     },
     /** Adds blocks of the palette below the cursor: `groups` has the blocks of each group. */
     async add(...groups) {
-      if ((await words(page, 'blocks-add').count()) > 0) await hand.press('blocks-add');
       for (const [group, ...blocks] of groups) {
-        await hand.press(`group-${group}`);
-        for (const block of blocks) await hand.press(`take-${block}`);
+        let isOpen = false;
+        for (const block of blocks) {
+          if (!isOpen) {
+            if ((await words(page, 'blocks-add').count()) > 0) await hand.press('blocks-add');
+            await hand.press(`group-${group}`);
+          }
+          await hand.press(`take-${block}`);
+          await rests(page);
+          // Beside the blocks it stays open.
+          isOpen = (await words(page, 'block-sheet').count()) > 0;
+        }
       }
-      await closeSheet();
+      if ((await words(page, 'block-sheet').count()) > 0) await closeSheet();
     },
     /** Replaces the number that says `socket` in the block that says `block`. */
     async setNumber(block, socket, number, skip = 0) {
@@ -275,6 +283,7 @@ export function builderWith(page, hand) {
       await hand.press((await blockSaying(page, block, skip)).tag);
       await hand.press('block-more');
       await appears(page, 'block-sheet');
+      await hand.press('actions-more');
       await hand.press(await tagOf(page, action));
     },
     closeSheet,

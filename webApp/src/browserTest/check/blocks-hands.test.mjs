@@ -52,6 +52,7 @@ test('blocks are copied as text, and text from elsewhere is pasted as blocks', (
     await isProgram(page, ['beep', 'beep']);
     await press(page, 'block-0');
     await press(page, 'block-more');
+    await press(page, 'actions-more');
     await press(page, 'action-paste');
     await isProgram(page, ['beep', 'repeat 2 times', '  dance', 'end', 'beep']);
     assert.deepEqual(troubles, []);

@@ -17,14 +17,14 @@ class TranslateCommandTest : CommandTest() {
     fun `the Java goes to the console`() {
         assertEquals(0, translate(square))
         assertContains(console.said.single(), "public class Square {")
-        assertContains(console.said.single(), "penDown(); // begin to draw")
+        assertContains(console.said.single(), "// Draws a square. Make it a triangle.")
     }
 
     @Test
     fun `the Java goes to a file`() {
         val java = folder.resolve("java/Square.java")
         assertEquals(0, translate(square, "-o", "$java"))
-        assertContains(java.readText(), "forwardCentimetres(20); // centimetres")
+        assertContains(java.readText(), "forwardCentimetres(20);")
         assertEquals(emptyList(), console.said)
     }
 

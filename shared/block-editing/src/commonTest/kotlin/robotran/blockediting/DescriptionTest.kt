@@ -73,7 +73,7 @@ class DescriptionTest {
             described(BlockEdit.Move(beep, inRepeat), Language.GERMAN),
         )
         assertEquals("Added: 2 blocks, 1 of 4", described(BlockEdit.Insert("buzz\nstop\n", BlockPlace(null, 0, 0))))
-        assertEquals("Doubled: beep, 2 of 3", described(BlockEdit.Duplicate(beep)))
+        assertEquals("Duplicated: beep, 2 of 3", described(BlockEdit.Duplicate(beep)))
         assertEquals("Deleted: forward 20 cm", described(BlockEdit.Delete(setOf(program.idOf("forward")))))
         assertEquals("Now: forward 35 cm", described(BlockEdit.Replace(program.span("20"), "35")))
     }

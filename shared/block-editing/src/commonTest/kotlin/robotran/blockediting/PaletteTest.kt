@@ -7,6 +7,7 @@ import robotran.blockediting.palette.comparisonsFor
 import robotran.blockediting.palette.introductions
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
+import robotran.blockediting.palette.textAt
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
@@ -109,6 +110,32 @@ class PaletteTest {
                 apply(program, BlockEdit.Replace(value.span, block.template)),
                 block.template,
             )
+        }
+    }
+
+    @Test
+    fun `and has a block, and so has or, each introduced by the program that has it`() {
+        assertEquals(
+            listOf("left bumper and right bumper", "left bumper or right bumper"),
+            Palette.blocks.filter { it.id.startsWith("value-logic") }.map { it.template },
+        )
+        assertEquals("left bumper or right bumper", found("or").first())
+        val introduced = introductions(listOf(listOf("wait until light < 40 or right bumper")))
+        assertTrue("value-logic-or" in introduced && "value-logic" !in introduced, "$introduced")
+    }
+
+    @Test
+    fun `a value that is put where one of its own stands says just what its block says`() {
+        for ((block, now, expected) in listOf(
+            Triple("value-logic", "left bumper", "left bumper and right bumper"),
+            Triple("value-logic-or", "left bumper", "left bumper or right bumper"),
+            Triple("value-logic-or", "right bumper", "left bumper or right bumper"),
+            Triple("value-logic-or", "light < 40", "(light < 40) or left bumper"),
+            Triple("value-not", "light < 40", "not (light < 40)"),
+        )) {
+            val program = blocksOf("wait until $now\n", messages = RobolangMessages.of(Language.ENGLISH))
+            val part = program.partAt(program.span(now)) as PhrasePart.Value
+            assertEquals(expected, Palette.blocks.first { it.id == block }.textAt(part, program), "$block at $now")
         }
     }
 

@@ -34,12 +34,23 @@ class LessonProgramsTest {
     }
 
     @Test
-    fun `no solution gets a warning`() = runTest {
+    fun `no sentence of a program to begin with goes over two notes`() {
+        for (lesson in tasks.filter { it.programLanguage == ProgramLanguage.ROBOLANG }) {
+            val split = lesson.program.text.lines().zipWithNext().filter { (one, next) ->
+                listOf(one, next).all { it.trim().startsWith("//") }
+            }
+            assertEquals(emptyList(), split, lesson.name)
+        }
+    }
+
+    @Test
+    fun `no solution gets a warning, nor does what a pupil begins with in a world`() = runTest {
         val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLISH)
         for (lesson in tasks) {
-            for (solution in lesson.solutions) {
-                val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(solution)), compiler)
-                assertEquals(emptyList(), assertIs<RobotProgramSets.Success>(ready, lesson.name).warnings, lesson.name)
+            for (given in lesson.solutions + listOf(lesson.program).filter { lesson in worldTasks }) {
+                val ready = readRobotLoads(lesson.project(Language.ENGLISH, listOf(given)), compiler)
+                val warnings = assertIs<RobotProgramSets.Success>(ready, lesson.name).warnings
+                assertEquals(emptyList(), warnings, "${lesson.name}: ${given.name}")
             }
         }
     }

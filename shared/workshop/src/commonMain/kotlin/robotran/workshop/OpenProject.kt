@@ -10,6 +10,7 @@ import robotran.projects.repeatable
 import robotran.projects.roomForPrograms
 import robotran.simulation.RecordedInput
 import robotran.simulation.state.SessionState
+import robotran.workshop.learning.beginningIn
 import robotran.workshop.learning.programsLeftBehind
 import robotran.workshop.programs.ProgramsStateHolder
 import robotran.workshop.run.RunStateHolder
@@ -88,7 +89,10 @@ internal class OpenProject(
         // An assignment belongs to its world.
         opened = if (isAnother) Project(world, opened.robots, opened.settings) else opened.copy(world = world)
         val hasNewTask = before.title != world.title || before.task != world.task
-        events.publish(ProjectRoomEvent.WorldChanged(opened, isAnother, hasNewTask, programsLeftBehind(world)))
+        val beginning = if (isAnother) beginningIn(world, shownProgram) else null
+        events.publish(
+            ProjectRoomEvent.WorldChanged(opened, isAnother, hasNewTask, programsLeftBehind(world), beginning),
+        )
     }
 
     override fun saveWorld(world: World) {

@@ -9,10 +9,10 @@ import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.ValueForm
 
 /** The values that palette blocks of this form have for a robot with [brick]. */
-internal fun ValueForm.examplesOn(brick: BrickKind): List<String> = if (this == ValueForm.BUILT_IN) {
-    RobolangWords.functions.map { (name, parameters) -> callOf(name, parameters) }
-} else {
-    listOfNotNull(exampleOn(brick))
+internal fun ValueForm.examplesOn(brick: BrickKind): List<String> = when (this) {
+    ValueForm.BUILT_IN -> RobolangWords.functions.map { (name, parameters) -> callOf(name, parameters) }
+    ValueForm.LOGIC -> listOfNotNull(exampleOn(brick)).flatMap { listOf(it, it.replace(" and ", " or ")) }
+    else -> listOfNotNull(exampleOn(brick))
 }
 
 /** A call of the built-in function [name] with an example for each parameter. */

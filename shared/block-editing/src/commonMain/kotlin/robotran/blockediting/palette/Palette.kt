@@ -51,6 +51,7 @@ object Palette {
             isValue = false,
             template,
             wordsOf(lines.flatMap { it.parts }, source),
+            form,
         )
     }
 
@@ -100,7 +101,7 @@ private fun elementsOf(name: DeclaredName): List<PaletteBlock> =
     if (name.type == ValueKind.LIST) listOf(own(ValueForm.ELEMENT, "${name.text}[0]")) else emptyList()
 
 private fun own(form: LineForm, template: String) =
-    PaletteBlock(idOf(form), form.group, isValue = false, template, emptySet())
+    PaletteBlock(idOf(form), form.group, isValue = false, template, emptySet(), form)
 
 private fun own(form: ValueForm, template: String) =
     PaletteBlock(idOf(form), form.group, isValue = true, template, emptySet())
@@ -111,12 +112,16 @@ internal fun idOf(form: LineForm): String = form.name.lowercase().replace('_', '
 
 internal fun idOf(form: ValueForm): String = "value-" + form.name.lowercase().replace('_', '-')
 
-/** The id of the palette block that has a value like [part]; each built-in function has its own. */
-internal fun idOf(part: PhrasePart.Value, source: String): String {
-    val form = part.value.form
-    if (form != ValueForm.BUILT_IN) return idOf(form)
-    return "function-" + part.value.parts.first().span.textIn(source).lowercase()
+/** The id of the palette block that has a value like [part]; each built-in function has its own, and so has `or`. */
+internal fun idOf(part: PhrasePart.Value, source: String): String = when (val form = part.value.form) {
+    ValueForm.BUILT_IN -> "function-" + part.value.parts.first().span.textIn(source).lowercase()
+    ValueForm.LOGIC -> if (part.value.parts.any { it is PhrasePart.Choice && it.isOr(source) }) OR else idOf(form)
+    else -> idOf(form)
 }
+
+private fun PhrasePart.isOr(source: String) = span.textIn(source).equals("or", ignoreCase = true)
+
+internal const val OR = "value-logic-or"
 
 /** The words of the language in [parts], also those that menus offer and units that need not be written. */
 private fun wordsOf(parts: List<PhrasePart>, source: String): Set<String> = parts.flatMap(::withInner).flatMap { part ->

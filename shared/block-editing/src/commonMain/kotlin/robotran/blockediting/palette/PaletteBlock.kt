@@ -19,6 +19,7 @@ import robotran.robolang.words.ValueForm
  * @property isValue whether [template] is a value that goes into a line, not whole lines.
  * @property template its text, with values that make sense.
  * @property words the words of the language that it has, also those that its menus offer.
+ * @property form what its line says; null for a value.
  */
 class PaletteBlock internal constructor(
     val id: String,
@@ -26,6 +27,7 @@ class PaletteBlock internal constructor(
     val isValue: Boolean,
     val template: String,
     val words: Set<String>,
+    val form: LineForm? = null,
 ) {
     /** The words that explain it, the best one first. */
     val explained: List<String>
@@ -56,4 +58,6 @@ private val MAIN_WORDS = mapOf(
     idOf(LineForm.LIGHT_SENSOR) to "on",
     idOf(LineForm.COLOUR_SENSOR) to "on",
     idOf(ValueForm.BUMPER) to "bumper",
+    idOf(ValueForm.LOGIC) to "and",
+    OR to "or",
 )

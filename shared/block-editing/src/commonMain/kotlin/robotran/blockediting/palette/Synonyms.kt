@@ -23,5 +23,7 @@ internal val SYNONYMS: Map<String, String> = mapOf(
     idOf(LineForm.IF) to "when wenn falls si",
     idOf(LineForm.MOVE) to "drive go fahre fahren vorwärts avanza avanzar",
     idOf(LineForm.START_MOVING) to "drive go fahre fahren vorwärts losfahren avanza avanzar",
+    idOf(ValueForm.LOGIC) to "both und beide y ambos",
+    OR to "either oder o",
     idOf(LineForm.STOP) to "halt brake anhalten Stopp parar frena",
 )

@@ -19,8 +19,19 @@ val PaletteBlock.valueKind: ValueKind get() = blocksOf(
     messages = RobolangMessages.of(Language.ENGLISH),
 ).kindOf(valuesIn(template).first().value)
 
-/** The text that puts this value at [part] of [program]. A sum, `and` and `not` keep what is there now. */
-fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String = textsAt(part, program).first()
+/**
+ * The text that puts this value at [part] of [program]. A sum, `and`, `or` and `not` keep what is there now; if that is
+ * in the block already, it is what the block says.
+ */
+fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String {
+    val text = part.span.textIn(program.text)
+    if (valueForm != ValueForm.LOGIC) return textsAt(part, program).first()
+    val operands = valuesIn(template).first().value.parts.filterIsInstance<PhrasePart.Value>()
+    if (operands.any { it.span.textIn(VALUE_LINE + template).equals(text, ignoreCase = true) }) return template
+    return textsAt(part, program)[if (isOr) 1 else 0]
+}
+
+private val PaletteBlock.isOr: Boolean get() = " or " in template
 
 /** The texts that put such a value at [part] of [program]: `and` as well as `or`. */
 internal fun PaletteBlock.textsAt(part: PhrasePart.Value, program: BlockProgram): List<String> {

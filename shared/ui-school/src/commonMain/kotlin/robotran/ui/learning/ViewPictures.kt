@@ -27,8 +27,9 @@ import robotran.brick.kind.BrickKind
 import robotran.programs.blockLanguage
 import robotran.programs.support
 import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
+import robotran.ui.code.BlockSigns
 import robotran.ui.code.CodeColours
-import robotran.ui.code.GroupSigns
 import robotran.ui.code.codeColours
 import robotran.ui.code.rememberBlockLooks
 import robotran.uikit.*
@@ -36,22 +37,22 @@ import robotran.uikit.*
 /** A short program in blocks. */
 @Composable
 internal fun BlocksPicture() {
-    Piece(BlockGroup.PEN, "pen" to false, "down" to true)
-    Piece(BlockGroup.CONTROL, "repeat" to false, "4" to true, "times" to false)
+    Piece(LineForm.PEN, "pen" to false, "down" to true)
+    Piece(LineForm.REPEAT, "repeat" to false, "4" to true, "times" to false)
     Row(Modifier.height(IntrinsicSize.Min)) {
         val bar = rememberBlockLooks().of(BlockGroup.CONTROL).edge
         Box(Modifier.width(6.dp).fillMaxHeight().background(bar))
         Column(Modifier.padding(start = 6.dp), Arrangement.spacedBy(2.dp)) {
-            Piece(BlockGroup.DRIVE, "forward" to false, "20" to true)
-            Piece(BlockGroup.DRIVE, "turn" to false, "left" to true, "90" to true)
+            Piece(LineForm.MOVE, "forward" to false, "20" to true)
+            Piece(LineForm.TURN, "turn" to false, "left" to true, "90" to true)
         }
     }
 }
 
-/** A block with [words], each with whether it is in a socket. */
+/** A line of [form] with [words], each with whether it is in a socket. */
 @Composable
-private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
-    val look = rememberBlockLooks().of(group)
+private fun Piece(form: LineForm, vararg words: Pair<String, Boolean>) {
+    val look = rememberBlockLooks().of(form.group)
     Row(
         Modifier
             .height(PIECE)
@@ -62,7 +63,7 @@ private fun Piece(group: BlockGroup, vararg words: Pair<String, Boolean>) {
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {
-        IconView(GroupSigns.of(group), look.ink, size = 14.dp)
+        IconView(BlockSigns.of(form, words.joinToString(" ") { it.first }), look.ink, size = 14.dp)
         for ((word, isSocket) in words) {
             val ground = Modifier.clip(Shapes.TINY).background(look.socket).padding(horizontal = 4.dp)
             Text(

@@ -29,6 +29,7 @@ class WorldTaskCardTest {
     fun `the card has a program to begin with, hints and the solution`() {
         for ((width, height) in screens.values) {
             onScreen(width, height) { workshop ->
+                workshop.handle(ProgramEvent.ProgramEdited("forward 7\n"))
                 workshop.handle(LearningEvent.WorldChosen("square"))
                 pass(300)
                 touch(LearningTags.HINT_WANTED)

@@ -100,7 +100,7 @@ class TabletTest {
         onNodeWithTag(RunTags.RUN).performClick()
         pass(1000)
         assertEquals(RunState.Idle, workshop.state.session.brick.run)
-        onNodeWithTag(RunTags.STATUS).assertTextEquals("First mend line 2.")
+        onNodeWithTag(RunTags.STATUS).assertTextEquals("Fix line 2 first.")
         onNodeWithTag(ProgramTags.FIX).performClick()
         pass(100)
         onNodeWithTag(ProgramTags.PROGRAM).assertTextContains("forward 20", substring = true)

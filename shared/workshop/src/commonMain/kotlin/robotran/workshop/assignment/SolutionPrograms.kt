@@ -1,6 +1,7 @@
 package robotran.workshop.assignment
 
 import robotran.assignments.doing.firstPrograms
+import robotran.language.Language
 import robotran.learning.WorldGallery
 import robotran.projects.Assignment
 import robotran.projects.Project
@@ -81,7 +82,7 @@ internal fun proposedSolution(
  * all of them there, pupils begin with what "Show me" has, or else with none of them.
  */
 internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
-    val chosen = open.filterNot { textsOf(it) == firstOfApp }
+    val chosen = open.filterNot { textsOf(it) in firstOfApp }
     return chosen.filterNot { textsOf(it) in shownSolutions }.ifEmpty { chosen }
 }
 
@@ -107,8 +108,8 @@ private val shownSolutions by lazy {
     lessons.flatMap { it.solutions }.mapTo(mutableSetOf()) { listOf(it.text.trim()) }
 }
 
-private val firstOfApp by lazy { textsOf(firstProgram().asProject()) }
+private val firstOfApp by lazy { Language.entries.map { textsOf(firstProgram(it).asProject()) } }
 
 private val appPrograms by lazy {
-    lessons.mapTo(mutableSetOf(firstOfApp)) { listOf(it.program.text.trim()) } + shownSolutions
+    lessons.mapTo(firstOfApp.toMutableSet()) { listOf(it.program.text.trim()) } + shownSolutions
 }

@@ -28,3 +28,13 @@ internal fun solutionsOf(task: Lesson): List<Program> = task.solutions.map {
     val language = checkNotNull(ProgramLanguage.ofFile(it.name)) { it.name }
     Program(language.support.files.nameFor("solution"), language, it.text)
 }
+
+/**
+ * The program to begin with that [world] of the gallery brings, in NQC if [shown] is; null for any other world, and for
+ * the free sheet.
+ */
+internal fun beginningIn(world: World, shown: Program): Program? {
+    val task = WorldGallery.find(world)?.lesson ?: return null
+    val nqc = NqcVersions()
+    return (if (nqc.isIn(shown)) nqc.start(task) else null) ?: Program.of(task.program.name, task.program.text)
+}

@@ -19,6 +19,7 @@ import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.examples.isFirst
 import robotran.workshop.service.ProgramRoomEvent
 import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.ProjectSwitcher
@@ -283,8 +284,8 @@ class LearningStateHolder(private val services: Services, private val switcher: 
 
     /** Adds the square program as a tab, unless it is already open unchanged. */
     private fun putSquare() {
-        val square = firstProgram()
-        val index = current.project.pupilPrograms.indexOf(square)
+        val square = firstProgram(preferences.language)
+        val index = current.project.pupilPrograms.indexOfFirst { it.isFirst }
         if (index >= 0) tabs.chooseProgram(index) else tabs.addProgram(square, replacing = true)
     }
 

@@ -54,21 +54,20 @@ internal class WorldTaskController(
             world,
             task,
             help.copy(solutionShown = current.shownProgram in solutionsToShow(task)),
-            current.project.pupilPrograms.none { it.name == task.program.name || isStartInNqc(it, task) },
+            current.project.pupilPrograms.none { it.name == startOf(task).name },
         )
     }
 
-    /** Whether [program] is what a pupil who writes NQC begins with. */
-    private fun isStartInNqc(program: Program, task: Lesson): Boolean =
-        isInNqc && program.name == NqcVersions.nqcName(task.program.name)
+    /** The program to begin with, in NQC for who writes that. */
+    private fun startOf(task: Lesson): Program =
+        (if (isInNqc) nqc.start(task) else null) ?: Program.of(task.program.name, task.program.text)
 
     /**
      * Shows the pupil's version of the program to begin with, or adds the original, in NQC for who writes that. False if
      * there is no room.
      */
     fun putProgram(state: WorldTaskState): Boolean {
-        val given = Program.of(state.task.program.name, state.task.program.text)
-        val program = nqc.start(state.task)?.takeIf { isInNqc } ?: given
+        val program = startOf(state.task)
         return newTabs.choose { it.name == program.name } || newTabs.addGiven(program)
     }
 

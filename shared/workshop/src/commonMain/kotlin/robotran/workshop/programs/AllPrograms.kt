@@ -2,6 +2,7 @@ package robotran.workshop.programs
 
 import robotran.brick.kind.JavaPlatform
 import robotran.documents.SavedBreakpoint
+import robotran.language.Language
 import robotran.nxt.storage.NxtFile
 import robotran.programs.CompilerLoading
 import robotran.programs.Program
@@ -14,6 +15,7 @@ import robotran.projects.charactersInFile
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotProgramSet
 import robotran.workshop.examples.firstProgram
+import robotran.workshop.examples.isFirst
 import robotran.workshop.service.ProgramsOfRobots
 import robotran.workshop.service.Services
 import robotran.workshop.service.WrittenPrograms
@@ -108,15 +110,32 @@ internal class AllPrograms(project: Project, services: Services, private val roo
     }
 
     /**
-     * Removes the first robot's programs that [isMeant]. If no other would be left, it gets those of a robot to which
-     * nobody has given any.
+     * Removes the first robot's programs that [isMeant]. If no other would be left than the first program as it came, it
+     * begins with [beginning], or else with the programs of a robot to which nobody has given any.
      */
-    fun remove(isMeant: (Program) -> Boolean) {
+    fun remove(isMeant: (Program) -> Boolean, beginning: Program? = null) {
         val robot = first
-        if (robot.list.programs.none(isMeant) || robot.removeAll(isMeant)) return
         val placement = robot.placement
-        val programs = if (placement.program == null) listOf(firstProgram()) else emptyList()
-        robots = listOf(robotOf(placement, ProjectRobot(placement.name), programs)) + robots.drop(1)
+        val own = robot.list.programs.filterNot { isMeant(it) || it.isFirst }
+        when {
+            own.isEmpty() && beginning != null && placement.program == null -> robot.beginWith(beginning)
+
+            robot.list.programs.none(isMeant) || robot.removeAll(isMeant) -> Unit
+
+            placement.program == null -> robot.beginWith(firstProgram(preferences.language))
+
+            else -> robots = listOf(robotOf(placement, ProjectRobot(placement.name), emptyList())) + robots.drop(1)
+        }
+    }
+
+    /** Puts the note of the first program into [language], unless the pupil has changed that program. */
+    fun translateFirst(language: Language) {
+        for (robot in robots) {
+            robot.list.programs.forEachIndexed { slot, program ->
+                val translated = firstProgram(language)
+                if (program.isFirst && program != translated) robot.replace(slot, translated)
+            }
+        }
     }
 
     /**
@@ -175,7 +194,7 @@ internal class AllPrograms(project: Project, services: Services, private val roo
         val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
         val programs = saved.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && placement.program == null
-        robotOf(placement, saved, if (isAlone) listOf(firstProgram()) else programs)
+        robotOf(placement, saved, if (isAlone) listOf(firstProgram(preferences.language)) else programs)
     }
 
     private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<Program>) =

@@ -32,7 +32,7 @@ internal class ProgramRoom(project: Project, private val services: Services, roo
 
             is ProjectRoomEvent.WorldChanged -> {
                 programs.worldChanged(event.project.world)
-                if (event.isAnother) programs.removePrograms(event.isLeftBehind)
+                if (event.isAnother) programs.removePrograms(event.isLeftBehind, event.beginning)
             }
 
             is ProjectRoomEvent.WorldSaved -> if (event.isRenamed) programs.worldChanged(event.world)

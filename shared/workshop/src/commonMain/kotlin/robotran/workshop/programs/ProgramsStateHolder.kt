@@ -145,8 +145,8 @@ class ProgramsStateHolder private constructor(
     }
 
     /** See [AllPrograms.remove]. */
-    internal fun removePrograms(isMeant: (Program) -> Boolean) {
-        all.remove(isMeant)
+    internal fun removePrograms(isMeant: (Program) -> Boolean, beginning: Program? = null) {
+        all.remove(isMeant, beginning)
         changed()
     }
 
@@ -156,8 +156,11 @@ class ProgramsStateHolder private constructor(
         changed()
     }
 
-    /** Compiles all programs again, with diagnostics in [language]. */
-    fun setLanguage(language: Language) = useCompiler(all.compiler.withLanguage(language))
+    /** Compiles all programs again, with diagnostics in [language], in which also the first program's note is. */
+    fun setLanguage(language: Language) {
+        all.translateFirst(language)
+        useCompiler(all.compiler.withLanguage(language))
+    }
 
     /** Compiles all programs again with the Java settings [java]. */
     fun runJava(java: JavaSettings) = useCompiler(all.compiler.withJava(java))

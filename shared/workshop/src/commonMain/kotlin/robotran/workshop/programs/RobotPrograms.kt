@@ -123,6 +123,23 @@ internal class RobotPrograms(
         }
     }
 
+    /** Puts [program] in the place of all others, which are not the pupil's own. */
+    fun beginWith(program: Program) {
+        shownProgram = 0
+        shownFile = 0
+        if (closed is ClosedFile.OfProgram) closed = null
+        saved = ProjectRobot(placement.name, files = saved.files)
+        list.replace(listOf(ProgramBuffer(program, entry.view)))
+    }
+
+    /** Puts [program] in the place of the one in [slot], of which it says nothing new, with its breakpoints. */
+    fun replace(slot: Int, program: Program) {
+        val before = list.entries[slot]
+        val fresh = ProgramBuffer(program, before.view)
+        val breakpoints = before.editorStates.first().breakpoints
+        list.change(slot, fresh.with(0, fresh.editorStates.first().copy(breakpoints = breakpoints)))
+    }
+
     /** Removes the programs that [isMeant], unless no other would be left. Returns whether it did. */
     fun removeAll(isMeant: (Program) -> Boolean): Boolean {
         val slots = list.entries.indices.filterNot { isMeant(list.entries[it].program) }

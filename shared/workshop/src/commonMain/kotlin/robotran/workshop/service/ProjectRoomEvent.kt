@@ -18,12 +18,14 @@ sealed interface ProjectRoomEvent : RoomEvent {
      * @property isAnother whether it is a different world, not an edited one.
      * @property hasNewTask whether its title or task is another one.
      * @property isLeftBehind which programs belong to the previous world and do not come along.
+     * @property beginning the program to begin with there, for a pupil who has none of their own; null for none.
      */
     data class WorldChanged(
         val project: Project,
         val isAnother: Boolean,
         val hasNewTask: Boolean,
         val isLeftBehind: (Program) -> Boolean,
+        val beginning: Program? = null,
     ) : ProjectRoomEvent
 
     /** [world] is saved, while robots still drive in the previous one. In it a robot [isRenamed]. */

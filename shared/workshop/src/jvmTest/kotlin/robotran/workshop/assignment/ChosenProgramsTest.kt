@@ -36,7 +36,8 @@ class ChosenProgramsTest : MakingAssignments() {
 
     @Test
     fun `pupils begin with nothing rather than with the program that the app has opened`() {
-        val robot = ProjectRobot(AnyAssignment.world.robots.first().name, listOf(firstProgram().asProject()))
+        val robot =
+            ProjectRobot(AnyAssignment.world.robots.first().name, listOf(firstProgram(Language.ENGLISH).asProject()))
         val workshop = making(Project(AnyAssignment.world, listOf(robot)))
         assertEquals(listOf(false), workshop.making.programs.map { it.isStart })
         workshop.handle(AssignmentEvent.PupilFileSaved)

@@ -166,7 +166,7 @@ class WorldTaskTest {
         workshop.handle(LearningEvent.WorldSolutionRequested(false))
         assertEquals("forward 1\n", workshop.state.programText)
         assertFalse(shown.help.solutionShown)
-        assertEquals(listOf("square.robo"), tabs)
+        assertEquals(listOf(task.program.name), tabs)
         workshop.handle(RunEvent.Scrubbed(0))
         workshop.handle(RunEvent.Scrubbed(30_000))
         workshop.advance(1_000)
@@ -265,12 +265,13 @@ class WorldTaskTest {
         workshop.handle(LearningEvent.WorldSolutionRequested(true))
         workshop.handle(ProgramEvent.ProgramEdited("forward 9\n"))
         choose("nxt-map")
-        assertEquals(listOf("square.robo", "solution.robo"), tabs)
+        assertEquals(listOf("solution.robo"), tabs)
         assertEquals("forward 9\n", workshop.state.programText)
     }
 
     @Test
     fun `with five programs an unchanged one makes room, and never one of the pupil's`() {
+        workshop.handle(ProgramEvent.ProgramEdited("forward 7\n"))
         choose("maze")
         workshop.handle(LearningEvent.WorldProgramRequested)
         repeat(3) { workshop.handle(ProgramEvent.NewProgramRequested(ProgramLanguage.ROBOLANG)) }
@@ -287,12 +288,12 @@ class WorldTaskTest {
     }
 
     @Test
-    fun `a pupil who has only what a world brought begins the next one with the first program`() {
+    fun `a pupil who has only what a world brought begins the next one with what that brings`() {
         choose("maze")
         workshop.handle(LearningEvent.WorldSolutionRequested(true))
         workshop.handle(ProgramEvent.ProgramClosed(0))
         assertEquals(listOf("solution.robo"), tabs)
         choose("square")
-        assertEquals(listOf("square.robo"), tabs)
+        assertEquals(listOf(task.program.name), tabs)
     }
 }

@@ -22,19 +22,16 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.Block
 import robotran.ui.code.BlockLook
+import robotran.ui.code.BlockSigns
 import robotran.ui.code.GroupSigns
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
-import robotran.workshop.blocks.BlockDialog
 import robotran.workshop.blocks.BlockRow
 import robotran.workshop.blocks.group
 import robotran.workshop.event.BlockEvent
 
-/**
- * What stands before the words of a row: the grip, and the sign of the group. At the cursor the button for actions takes
- * the place of the sign, so that nothing moves.
- */
+/** What stands before the words of a row: the grip, and the sign of the line. */
 @Composable
 internal fun BlockLead(row: BlockRow, scope: BlockScope, look: BlockLook) {
     if (row is BlockRow.Empty) {
@@ -44,19 +41,22 @@ internal fun BlockLead(row: BlockRow, scope: BlockScope, look: BlockLook) {
     Row(Modifier.padding(end = AFTER_SIGN), verticalAlignment = Alignment.CenterVertically) {
         Box(Modifier.size(BlockSizes.GRIP, HEIGHT), Alignment.Center) { if (row is BlockRow.First) Grip(look) }
         Box(Modifier.size(SLOT_WIDTH, HEIGHT), Alignment.Center) {
-            when {
-                row.cursor != null && scope.state.cursor == row.cursor -> MoreButton(row, scope, look)
-                row is BlockRow.First -> signOf(row.block)?.let { IconView(it, look.ink, size = 20.dp) }
-            }
+            if (row is BlockRow.First) signOf(row.block, scope)?.let { IconView(it, look.ink, size = 20.dp) }
         }
     }
 }
 
-private fun signOf(block: Block): Icon? = when (block) {
+private fun signOf(block: Block, scope: BlockScope): Icon? = when (block) {
     is Block.Blank -> null
+
     is Block.Comment -> GroupSigns.NOTE
+
     is Block.Loose -> GroupSigns.MISTAKE
-    is Block.Command, is Block.Construct -> block.group?.let { GroupSigns.of(it) } ?: GroupSigns.MISTAKE
+
+    is Block.Command, is Block.Construct ->
+        block.head.form?.let { BlockSigns.of(it, scope.wordsOf(block.head)) }
+            ?: block.group?.let { GroupSigns.of(it) }
+            ?: GroupSigns.MISTAKE
 }
 
 /** Six dots: here a finger carries the block at once; anywhere else it has to rest first. */
@@ -68,25 +68,6 @@ private fun Grip(look: BlockLook) {
             for (line in listOf(0.12f, 0.5f, 0.88f)) {
                 drawCircle(colour, DOT.toPx(), Offset(size.width * column, size.height * line))
             }
-        }
-    }
-}
-
-/** Opens what can be done to the block. */
-@Composable
-private fun MoreButton(row: BlockRow, scope: BlockScope, look: BlockLook) {
-    val words = BlockTexts.more(spoken)
-    Box(
-        Modifier
-            .testTag(ProgramTags.BLOCK_MORE)
-            .size(SLOT_WIDTH, HEIGHT)
-            .focusProperties { canFocus = false }
-            .clickable(role = Role.Button) { scope.show(BlockDialog.Actions(row.block.id)) }
-            .named(words),
-        Alignment.Center,
-    ) {
-        Box(Modifier.size(MORE).background(look.ink, CircleShape), Alignment.Center) {
-            IconView(Icon.MORE, look.fill, size = 20.dp)
         }
     }
 }
@@ -131,7 +112,6 @@ private val SLOT_WIDTH = 28.dp
 private val AFTER_SIGN = 4.dp
 private val FOLD_WIDTH = 32.dp
 private val EMPTY_LEAD = 16.dp
-private val MORE = 25.dp
 private val GRIP_WIDTH = 12.dp
 private val GRIP_HEIGHT = 20.dp
 private val DOT = 2.dp

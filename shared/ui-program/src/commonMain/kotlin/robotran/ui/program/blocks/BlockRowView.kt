@@ -67,9 +67,9 @@ internal fun BlockRowView(
             if (own != null) drawBar(own.first, bars.size, own.second * size.height, own.third * size.height)
         },
     ) {
-        Row(Modifier.padding(top = BlockSizes.GAP, end = BlockSizes.END)) {
+        Row(Modifier.padding(top = BlockSizes.GAP)) {
             BlockGutter(row, marks, onBreakpoint)
-            Box(Modifier.padding(start = BlockSizes.INDENT * row.around.size)) { BlockBody(row, scope, marks) }
+            BlockWithMenu(row, scope, marks, Modifier.padding(start = BlockSizes.INDENT * row.around.size))
         }
         for (note in marks.notes) {
             Row {

@@ -7,6 +7,7 @@ import robotran.workshop.state.NoteKind
 
 /** The tags of the room of programs, by which tests and the page find what is on the screen. */
 object ProgramTags {
+    const val ACTIONS_MORE = "actions-more"
     const val ADD_PROGRAM = "add-program"
     const val BLOCKS = "blocks"
     const val BLOCKS_ADD = "blocks-add"

@@ -3,8 +3,10 @@ package robotran.ui.program.blocks
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.luminance
 import robotran.robolang.words.BlockGroup
+import robotran.robolang.words.LineForm
 import robotran.ui.code.BlockLook
 import robotran.ui.code.BlockLooks
+import robotran.ui.code.BlockSigns
 import robotran.ui.code.GroupSigns
 import robotran.uikit.*
 import kotlin.test.Test
@@ -49,6 +51,23 @@ class BlockLooksTest {
             val looks = BlockLooks(colours)
             assertEquals(BlockGroup.entries.size, BlockGroup.entries.map { looks.of(it).edge }.toSet().size, theme)
         }
+    }
+
+    @Test
+    fun `turning and driving back have signs of their own, in which the side can be seen`() {
+        val lines = mapOf(
+            "forward 20" to LineForm.MOVE,
+            "backward 20" to LineForm.MOVE,
+            "turn left 90" to LineForm.TURN,
+            "turn right 90" to LineForm.TURN,
+            "stop" to LineForm.STOP,
+        )
+        assertEquals(lines.size, lines.map { (line, form) -> BlockSigns.of(form, line) }.toSet().size)
+        assertEquals(
+            BlockSigns.of(LineForm.TURN, "turn right 90"),
+            BlockSigns.of(LineForm.START_TURNING, "start turning Right"),
+        )
+        assertEquals(GroupSigns.of(BlockGroup.CONTROL), BlockSigns.of(LineForm.REPEAT, "repeat 4 times"))
     }
 
     private fun looksOf(colours: RobotranColours): Map<String, BlockLook> {

@@ -104,8 +104,7 @@ class BlocksKeyboardTest {
             assertEquals("turn right 90\n", workshop.text)
             keys(listOf(Key.F2))
             pass(300)
-            // The first button does the block now, the next one doubles it.
-            keys(listOf(Key.DirectionRight))
+            // The first button duplicates the block.
             keys(listOf(Key.Enter))
             pass(300)
             assertEquals("turn right 90\nturn right 90\n", workshop.text)

@@ -74,8 +74,8 @@ class BlocksSpeechTest {
         perform(ProgramTags.block("1"), "Move down")
         assertEquals("repeat 4 times\n  turn left 90\n  forward 20\nend\n", it.text)
         assertEquals("Moved: forward 20 cm, 2 of 2 in repeat 4 times", words(ProgramTags.BLOCKS_SAID))
-        perform(ProgramTags.block("1"), "Double")
-        assertEquals("Doubled: forward 20 cm, 3 of 3 in repeat 4 times", words(ProgramTags.BLOCKS_SAID))
+        perform(ProgramTags.block("1"), "Duplicate")
+        assertEquals("Duplicated: forward 20 cm, 3 of 3 in repeat 4 times", words(ProgramTags.BLOCKS_SAID))
         perform(ProgramTags.block("2"), "Delete")
         assertEquals("Deleted: turn left 90 degrees", words(ProgramTags.BLOCKS_SAID))
         assertEquals("repeat 4 times\n  forward 20\n  forward 20\nend\n", it.text)
@@ -85,7 +85,6 @@ class BlocksSpeechTest {
     fun `a program is built with actions alone`() = onTabletInBlocks("beep\n") {
         perform(ProgramTags.block("0"), "Add a block below")
         click(ProgramTags.take("move"))
-        click(ProgramTags.BLOCK_SHEET_CLOSE)
         click(socketOf(it.text, "20"))
         click(ProgramTags.digit('7'))
         click(ProgramTags.BLOCK_SHEET_CLOSE)

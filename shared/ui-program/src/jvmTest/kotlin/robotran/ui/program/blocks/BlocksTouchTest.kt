@@ -1,7 +1,9 @@
 package robotran.ui.program.blocks
 
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.click
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
@@ -9,16 +11,23 @@ import androidx.compose.ui.test.swipeUp
 import robotran.projects.ProgramView
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.tags.ProgramTags
+import robotran.ui.screen.assertWhole
 import robotran.ui.screen.checkTargets
+import robotran.ui.screen.isThere
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.pass
+import robotran.ui.screen.placesByTag
 import robotran.ui.screen.scrollAndTouch
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.touch
+import robotran.uikit.*
+import robotran.workshop.blocks.BlockDialog
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertTrue
 
 /** Tests blocks with a finger and without a keyboard. */
@@ -40,12 +49,14 @@ class BlocksTouchTest {
     @Test
     fun `a square is built from the palette on a phone`() = onPhoneInBlocks("") { workshop ->
         touch(ProgramTags.BLOCKS_ADD)
-        scrollAndTouch(ProgramTags.group(BlockGroup.CONTROL))
+        touch(ProgramTags.group(BlockGroup.CONTROL))
         scrollAndTouch(ProgramTags.take("repeat"))
-        scrollAndTouch(ProgramTags.group(BlockGroup.DRIVE))
+        touch(ProgramTags.BLOCKS_ADD)
+        touch(ProgramTags.group(BlockGroup.DRIVE))
         scrollAndTouch(ProgramTags.take("move"))
+        touch(ProgramTags.BLOCKS_ADD)
         scrollAndTouch(ProgramTags.take("turn"))
-        touch(ProgramTags.BLOCK_SHEET_CLOSE)
+        assertFalse(isThere(ProgramTags.BLOCK_SHEET), "the palette is closed, so that the program is in sight")
         assertEquals("repeat 4 times\n  forward 20\n  turn left 90\nend", workshop.text.trim())
     }
 
@@ -60,6 +71,53 @@ class BlocksTouchTest {
         touch(ProgramTags.UNDO)
         assertEquals(SQUARE, workshop.text)
     }
+
+    @Test
+    fun `a second touch on a block opens nothing, wherever it is`() = onTabletInBlocks(SQUARE) { workshop ->
+        for (block in listOf("1", "2")) {
+            for (part in 0..SPOTS) {
+                val spot = touchAt(ProgramTags.block(block), part.toFloat() / SPOTS)
+                assertTrue(isThere(ProgramTags.BLOCK_MORE), "the block is chosen")
+                touchAt(ProgramTags.block(block), part.toFloat() / SPOTS)
+                val sheet = workshop.state.programs.blocks?.sheet
+                assertFalse(sheet is BlockDialog.Actions, "a second touch on $block at $spot opens $sheet")
+                workshop.handle(BlockEvent.DialogShown(null))
+                pass(100)
+            }
+        }
+    }
+
+    @Test
+    fun `beside a chosen block a button opens its four usual actions, and deleting is apart`() =
+        onTabletInBlocks(SQUARE) {
+            touch(ProgramTags.block("1"))
+            val block = placeOf(ProgramTags.block("1"))
+            assertTrue(placeOf(ProgramTags.BLOCK_MORE).left >= block.right)
+            touch(ProgramTags.BLOCK_MORE)
+            val usual = listOf(ProgramTags.DUPLICATE, ProgramTags.WRAP, ProgramTags.NOW, ProgramTags.HELP)
+            assertEquals(
+                (usual + ProgramTags.DELETE).map(ProgramTags::action).toSet(),
+                placesByTag().keys.filter { it.startsWith("action-") }.toSet(),
+            )
+            val lowest = usual.maxOf { placeOf(ProgramTags.action(it)).bottom }
+            assertTrue(placeOf(ProgramTags.action(ProgramTags.DELETE)).top > lowest + Dimensions.TARGET.value)
+            touch(ProgramTags.ACTIONS_MORE)
+            assertTrue(isThere(ProgramTags.action(ProgramTags.CUT)))
+        }
+
+    @Test
+    fun `the palette has all groups in sight, and nothing in it moves while one goes through them`() =
+        onPhoneInBlocks(SQUARE) {
+            touch(ProgramTags.BLOCKS_ADD)
+            val groups = BlockGroup.entries.map { ProgramTags.group(it) }
+            val fixed = groups + listOf(ProgramTags.BLOCK_SHEET, ProgramTags.PALETTE_SEARCH, ProgramTags.PALETTE_BLOCKS)
+            val before = fixed.associateWith(::placeOf)
+            for (group in groups) {
+                assertWhole(group, group)
+                touch(group)
+                for ((tag, place) in before) assertEquals(place, placeOf(tag), "$tag after $group")
+            }
+        }
 
     @Test
     fun `a choice is made in a menu`() = onTabletInBlocks(SQUARE) { workshop ->
@@ -114,7 +172,21 @@ class BlocksTouchTest {
         assertTrue(onAllNodesWithTag(ProgramTags.block("0")).fetchSemanticsNodes().isEmpty())
     }
 
+    /** Touches the block [tag] at [part] of its width. */
+    private fun ComposeUiTest.touchAt(tag: String, part: Float): Offset {
+        var spot = Offset.Zero
+        onNodeWithTag(tag).performTouchInput {
+            spot = Offset(1 + (width - 2) * part, height / 2f)
+            click(spot)
+        }
+        pass(200)
+        return spot
+    }
+
     private companion object {
+        /** How many places of a block are touched. */
+        const val SPOTS = 8
+
         const val SQUARE = "repeat 4 times\n  forward 20\n  turn left 90\nend\n"
         val LONG = (1..2_000).joinToString("\n", postfix = "\n") { "forward $it" }
 

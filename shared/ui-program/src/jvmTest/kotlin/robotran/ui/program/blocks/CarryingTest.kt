@@ -12,6 +12,7 @@ import androidx.compose.ui.test.performMouseInput
 import androidx.compose.ui.test.performTouchInput
 import robotran.robolang.words.BlockGroup
 import robotran.ui.program.tags.ProgramTags
+import robotran.ui.screen.isThere
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
@@ -135,13 +136,15 @@ class CarryingTest {
             scrollAndTouch(ProgramTags.group(BlockGroup.SENSE))
             scrollAndTouch(ProgramTags.take("value-light"))
             assertEquals("forward 20\n", workshop.text)
-            assertTrue(placeOf(ProgramTags.BLOCKS_ERROR).bottom < placeOf(ProgramTags.BLOCK_SHEET).top)
+            assertFalse(isThere(ProgramTags.BLOCK_SHEET), "the program, where the value may go, is in sight")
+            assertTrue(placeOf(ProgramTags.BLOCKS_ERROR).top > placeOf(ProgramTags.block("0")).bottom)
         }
 
     @Test
     fun `several blocks are chosen by touch and carried together`() = onPhoneInBlocks("beep\nbuzz\nstop\n") {
         touch(ProgramTags.block("0"))
         touch(ProgramTags.BLOCK_MORE)
+        touch(ProgramTags.ACTIONS_MORE)
         scrollAndTouch(ProgramTags.action(ProgramTags.CHOOSE))
         touch(ProgramTags.block("1"))
         carry(ProgramTags.block("0"), placeOf(ProgramTags.block("2")).bottomLeft + CLEAR)
@@ -154,6 +157,7 @@ class CarryingTest {
     fun `a block with all below it is carried as a stack`() = onTabletInBlocks(NESTED) {
         touch(ProgramTags.block("1"))
         touch(ProgramTags.BLOCK_MORE)
+        touch(ProgramTags.ACTIONS_MORE)
         scrollAndTouch(ProgramTags.action(ProgramTags.STACK))
         carry(ProgramTags.block("1"), placeOf(ProgramTags.block("0-end")).bottomLeft + CLEAR)
         assertEquals("repeat 2 times\nend\nbeep\nbuzz\n", it.text)

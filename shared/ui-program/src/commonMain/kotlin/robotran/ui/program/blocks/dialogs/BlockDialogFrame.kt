@@ -2,6 +2,7 @@ package robotran.ui.program.blocks.dialogs
 
 import androidx.compose.foundation.focusGroup
 import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
@@ -47,7 +48,8 @@ import robotran.uikit.*
  * A sheet over the blocks. If it was opened by a key, its first button has the focus unless something else takes it;
  * arrows lead from one to the next, and Escape closes it.
  *
- * @param scrolls false for a sheet whose content scrolls itself.
+ * @param scrolls false for a sheet whose content scrolls itself, and fills it.
+ * @param field stands in the place of [title], which screen readers say nevertheless; null for the title.
  */
 @OptIn(ExperimentalComposeUiApi::class)
 @Composable
@@ -56,6 +58,7 @@ internal fun BlockDialogFrame(
     onClose: () -> Unit,
     modifier: Modifier = Modifier,
     scrolls: Boolean = true,
+    field: (@Composable () -> Unit)? = null,
     content: @Composable ColumnScope.() -> Unit,
 ) {
     val input = LocalInputModeManager.current
@@ -90,7 +93,21 @@ internal fun BlockDialogFrame(
         if (LocalSheetPlace.current == SheetPlace.OVER) {
             TitlelessContent(onClose, scrolling, focused, content)
         } else {
-            TitledContent(title, onClose, scrolling, focused, content)
+            TitledContent({
+                if (field ==
+                    null
+                ) {
+                    DialogTitle(title)
+                } else {
+                    Box(Modifier.padding(bottom = Space.SMALL)) { field() }
+                }
+            }, onClose, focused) {
+                Column(
+                    Modifier.weight(1f, fill = !scrolls).then(scrolling).then(INNER),
+                    Arrangement.spacedBy(8.dp),
+                    content = content,
+                )
+            }
         }
     }
 }
@@ -110,29 +127,23 @@ private fun TitlelessContent(
 
 @Composable
 private fun TitledContent(
-    title: String,
+    title: @Composable () -> Unit,
     onClose: () -> Unit,
-    scrolling: Modifier,
     focused: Modifier,
     content: @Composable ColumnScope.() -> Unit,
-) = Column(Modifier.fillMaxWidth()) {
+) = Column(Modifier.fillMaxWidth().then(focused)) {
     Row(Modifier.padding(start = 16.dp, end = 4.dp), verticalAlignment = Alignment.CenterVertically) {
-        Text(
-            title,
-            Modifier.weight(1f).heading(),
-            TextStyles.body.medium,
-            maxLines = 2,
-            overflow = TextOverflow.Ellipsis,
-        )
+        Box(Modifier.weight(1f)) { title() }
         CloseDialogButton(onClose)
     }
-    val inner = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
-    Column(
-        Modifier.weight(1f, fill = false).then(scrolling).then(inner).then(focused),
-        Arrangement.spacedBy(8.dp),
-        content = content,
-    )
+    content()
 }
+
+@Composable
+private fun DialogTitle(title: String) =
+    Text(title, Modifier.heading(), TextStyles.body.medium, maxLines = 2, overflow = TextOverflow.Ellipsis)
+
+private val INNER = Modifier.fillMaxWidth().padding(start = 16.dp, end = 16.dp, bottom = 16.dp)
 
 @Composable
 private fun CloseDialogButton(onClose: () -> Unit) =

@@ -52,7 +52,7 @@ internal data class BlocksRoom(
 
                 else -> {
                     val sheet = maxOf(height * SHARE, minOf(height - LEFT_FREE, NUMBER_HEIGHT * scale))
-                    val palette = maxOf(height * PALETTE_SHARE, minOf(height - PALETTE_FREE, NUMBER_HEIGHT * scale))
+                    val palette = maxOf(height * PALETTE_SHARE, minOf(height - PALETTE_FREE, PALETTE_LEAST * scale))
                     BlocksRoom(rail, SheetPlace.BELOW, WIDEST, sheet, maxOf(palette, sheet))
                 }
             }
@@ -83,6 +83,9 @@ internal data class BlocksRoom(
 
         /** Above the palette a part of the row with the cursor stays visible. */
         private val PALETTE_FREE = 36.dp
+
+        /** With this height the palette shows all groups and a block with its sentence. */
+        private val PALETTE_LEAST = 340.dp
 
         /** With this height the sheet of a number does not scroll. */
         private val NUMBER_HEIGHT = 300.dp

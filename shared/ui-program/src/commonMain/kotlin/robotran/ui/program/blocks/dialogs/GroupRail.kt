@@ -6,9 +6,14 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
+import androidx.compose.foundation.layout.IntrinsicSize
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.defaultMinSize
+import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.foundation.rememberScrollState
@@ -50,7 +55,7 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
     ) {
         for (group in BlockGroup.entries) {
             val isShown = scope.state.sheet == BlockDialog.Palette && scope.state.palette.group == group
-            GroupButton(group, isShown, scope) {
+            GroupButton(group, isShown, scope, colours.pane) {
                 scope.onEvent(BlockEvent.PaletteGroupSelected(BlockPalette(group)))
                 scope.show(BlockDialog.Palette.takeIf { !isShown })
             }
@@ -58,57 +63,78 @@ internal fun GroupRail(scope: BlockScope, modifier: Modifier = Modifier) {
     }
 }
 
+/**
+ * All groups in two rows, for a sheet. They are in sight at once, and stay where they are.
+ *
+ * @param hasNames whether each says its name below its sign.
+ * @param saysShown whether, without names, that of the shown group is behind the signs.
+ */
+@OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun GroupButton(group: BlockGroup, isShown: Boolean, scope: BlockScope, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
+internal fun GroupGrid(
+    palette: BlockPalette,
+    hasNames: Boolean,
+    saysShown: Boolean,
+    scope: BlockScope,
+    onTurn: (BlockPalette) -> Unit,
+) {
+    val isShown = { group: BlockGroup -> palette.query.isEmpty() && palette.group == group }
+    if (!hasNames) {
+        FlowRow {
+            for (group in BlockGroup.entries) {
+                GroupSign(group, isShown(group), scope) { onTurn(BlockPalette(group)) }
+            }
+            if (saysShown && palette.query.isEmpty()) {
+                Box(Modifier.height(GRID_CELL).padding(start = Space.SMALL), Alignment.CenterStart) {
+                    Text(scope.messages.group(palette.group), style = TextStyles.body.medium)
+                }
+            }
+        }
+        return
+    }
+    val shown = LocalRobotranColours.current.desk
+    Column(Modifier.testTag(ProgramTags.BLOCK_GROUPS)) {
+        for (row in BlockGroup.entries.chunked(GROUPS_IN_ROW)) {
+            Row(Modifier.height(IntrinsicSize.Max)) {
+                for (group in row) {
+                    val place = Modifier.weight(1f).fillMaxHeight().clip(Shapes.MEDIUM)
+                    GroupButton(group, isShown(group), scope, shown, place) { onTurn(BlockPalette(group)) }
+                }
+            }
+        }
+    }
+}
+
+/** A group with its name below its sign, on [shownColour] if its blocks are shown. */
+@Composable
+private fun GroupButton(
+    group: BlockGroup,
+    isShown: Boolean,
+    scope: BlockScope,
+    shownColour: Color,
+    modifier: Modifier = Modifier,
+    onClick: () -> Unit,
+) {
     val words = scope.messages.group(group)
     Column(
         Modifier
-            .fillMaxWidth()
             .testTag(ProgramTags.group(group))
-            .defaultMinSize(minHeight = BUTTON_HEIGHT)
             .focusRing()
-            .background(if (isShown) colours.pane else Color.Transparent)
+            .then(modifier)
+            .fillMaxWidth()
+            .defaultMinSize(minHeight = BUTTON_HEIGHT)
+            .background(if (isShown) shownColour else Color.Transparent)
             .clickable(role = Role.Button, onClick = onClick)
             .semantics {
                 contentDescription = words
                 selected = isShown
             }
-            .padding(horizontal = 2.dp, vertical = 4.dp),
+            .padding(horizontal = 2.dp, vertical = 2.dp),
         Arrangement.spacedBy(2.dp, Alignment.CenterVertically),
         Alignment.CenterHorizontally,
     ) {
         GroupBadge(group, scope)
         Text(words, style = TextStyles.signLines, textAlign = TextAlign.Center)
-    }
-}
-
-/** A group in a row of groups. */
-@Composable
-internal fun GroupChip(group: BlockGroup, isShown: Boolean, scope: BlockScope, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
-    val words = scope.messages.group(group)
-    val shape = Shapes.MEDIUM
-    Row(
-        Modifier
-            .testTag(ProgramTags.group(group))
-            .broughtIntoSight(isShown)
-            .defaultMinSize(minHeight = Dimensions.TARGET)
-            .focusRing()
-            .clip(shape)
-            .background(if (isShown) colours.onPane else colours.pane)
-            .border(1.dp, colours.quiet, shape)
-            .clickable(role = Role.Button, onClick = onClick)
-            .semantics {
-                contentDescription = words
-                selected = isShown
-            }
-            .padding(start = 8.dp, end = 14.dp),
-        Arrangement.spacedBy(8.dp),
-        Alignment.CenterVertically,
-    ) {
-        GroupBadge(group, scope)
-        Text(words, style = TextStyles.body, color = if (isShown) colours.pane else colours.onPane)
     }
 }
 
@@ -146,6 +172,7 @@ internal fun GroupBadge(group: BlockGroup, scope: BlockScope) {
     ) { IconView(GroupSigns.of(group), look.ink, size = 20.dp) }
 }
 
-private val BUTTON_HEIGHT = 64.dp
+private val BUTTON_HEIGHT = 56.dp
 private val GRID_CELL = 50.dp
 private val BADGE = 34.dp
+private const val GROUPS_IN_ROW = 4

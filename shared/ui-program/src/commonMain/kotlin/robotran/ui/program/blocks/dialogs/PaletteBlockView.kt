@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
 import robotran.ui.code.BlockLook
+import robotran.ui.code.BlockSigns
 import robotran.ui.code.GroupSigns
 import robotran.ui.program.blocks.BlockOutline
 import robotran.ui.program.blocks.BlockShape
@@ -58,7 +59,10 @@ private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier:
     Arrangement.spacedBy(8.dp),
     Alignment.CenterVertically,
 ) {
-    if (block != null) IconView(GroupSigns.of(block.group), look.ink, size = 20.dp)
+    if (block != null) {
+        val sign = block.form?.let { BlockSigns.of(it, label) } ?: GroupSigns.of(block.group)
+        IconView(sign, look.ink, size = 20.dp)
+    }
     Text(label, Modifier.clearAndSetSemantics { }, TextStyles.body.medium, color = look.ink)
 }
 

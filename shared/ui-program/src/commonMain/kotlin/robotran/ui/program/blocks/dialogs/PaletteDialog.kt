@@ -1,7 +1,6 @@
 package robotran.ui.program.blocks.dialogs
 
 import androidx.compose.foundation.focusGroup
-import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
@@ -9,6 +8,7 @@ import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.width
 import androidx.compose.foundation.lazy.LazyColumn
 import androidx.compose.foundation.lazy.LazyListState
@@ -34,9 +34,11 @@ import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.input.key.type
 import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.layout.positionInRoot
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.LocalInputModeManager
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.text.input.ImeAction
+import androidx.compose.ui.unit.coerceAtMost
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.PaletteBlock
@@ -61,9 +63,10 @@ import robotran.workshop.blocks.placeForNew
 import robotran.workshop.event.BlockEvent
 
 /**
- * The blocks that can be added: a group, or what is searched for; in the tutorial only those that it has introduced. A
+ * The blocks that can be added: a group, or what is searched for; in a lesson only those that lessons have introduced. A
  * touch adds one below the cursor, and a value where the cursor is in a line; one that is carried out of the sheet lands
- * anywhere.
+ * anywhere. The sheet has one height for all groups, so that nothing moves when a finger goes from one to the next, and
+ * closes after a choice unless it stands beside the blocks.
  */
 @Composable
 internal fun PaletteDialog(
@@ -83,40 +86,55 @@ internal fun PaletteDialog(
     val list = remember { FocusRequester() }
     val input = LocalInputModeManager.current
     val take = { block: PaletteBlock ->
+        // The pupil wants to see the new block, and the keyboard goes on there. An error would go with the sheet.
+        if (input.areKeysInUse || room.dialogs != SheetPlace.BESIDE) onClose()
         scope.onEvent(BlockEvent.Taken(block))
-        // A finger often takes several blocks; the keyboard goes on at the new one.
-        if (input.areKeysInUse) onClose()
     }
     val search: @Composable () -> Unit = {
         PaletteSearchField(palette, turn, { list.requestFocus() }) { shown.first?.let(take) }
+    }
+    val groups = if (room.hasGroups) PaletteGroups.BESIDE else PaletteGroups.of(room, LocalDensity.current.fontScale)
+    val height = rememberPaletteHeight(scope, introduced, groups).coerceAtMost(room.paletteHeight)
+    val sized = when (room.dialogs) {
+        SheetPlace.BELOW -> modifier.height(height)
+        SheetPlace.BESIDE -> modifier.fillMaxHeight()
+        SheetPlace.OVER -> modifier
     }
     val showAll: @Composable () -> Unit = {
         if (shown.isIntroduction && !scope.isIntroductionFixed) {
             DialogButton(BlockTexts.showAll(spoken), ProgramTags.PALETTE_ALL) { showsAll = true }
         }
     }
-    BlockDialogFrame(BlockTexts.palette(spoken), onClose, modifier.seenThrough(dragging, room), scrolls = false) {
+    BlockDialogFrame(BlockTexts.palette(spoken), onClose, sized.seenThrough(dragging, room), scrolls = false, search) {
         if (room.dialogs == SheetPlace.OVER) {
             Row(Modifier.fillMaxSize(), Arrangement.spacedBy(16.dp)) {
                 Column(Modifier.width(SIDE).verticalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
                     search()
-                    GroupGrid(scope, turn)
+                    GroupGrid(palette, hasNames = false, saysShown = false, scope, turn)
                 }
                 PaletteList(
                     shown,
                     scope,
                     dragging,
                     take,
+                    hasHeading = true,
                     Modifier.weight(1f).fillMaxHeight().focusRequester(list),
                     showAll,
                 )
             }
         } else {
-            search()
-            if (!room.hasGroups) GroupChips(scope, turn)
-            if (shown.isEmpty) NoneFound(shown, scope)
-            showAll()
-            PaletteList(shown, scope, dragging, take, Modifier.fillMaxWidth().focusRequester(list))
+            if (groups != PaletteGroups.BESIDE) {
+                GroupGrid(palette, groups == PaletteGroups.NAMES, saysShown = true, scope, turn)
+            }
+            PaletteList(
+                shown,
+                scope,
+                dragging,
+                take,
+                hasHeading = false,
+                Modifier.weight(1f).fillMaxWidth().focusRequester(list),
+                showAll,
+            )
         }
     }
 }
@@ -152,21 +170,24 @@ private fun NoneFound(shown: PaletteContent, scope: BlockScope) = Text(
     color = LocalRobotranColours.current.onPane,
 )
 
-/** @param after what stands below the blocks; null where it stands above them, as what else there is to say does. */
+/**
+ * @param hasHeading whether it says the name of the group.
+ * @param after what stands below the blocks.
+ */
 @Composable
 private fun PaletteList(
     shown: PaletteContent,
     scope: BlockScope,
     dragging: BlockDragging,
     onTake: (PaletteBlock) -> Unit,
+    hasHeading: Boolean,
     modifier: Modifier,
-    after: (@Composable () -> Unit)? = null,
+    after: @Composable () -> Unit,
 ) {
     val palette = scope.state.palette
     // Other blocks begin at the top.
     val items = remember(palette) { LazyListState() }
     val valuesFirst = palette.query.isBlank() && palette.group == BlockGroup.SENSE
-    val hasAll = after != null
     LazyColumn(
         modifier
             .focusGroup()
@@ -175,8 +196,8 @@ private fun PaletteList(
         items,
         verticalArrangement = Arrangement.spacedBy(8.dp),
     ) {
-        if (hasAll && palette.query.isBlank()) item { DialogHeading(scope.messages.group(palette.group)) }
-        if (hasAll && shown.isEmpty) item { NoneFound(shown, scope) }
+        if (hasHeading && palette.query.isBlank()) item { DialogHeading(scope.messages.group(palette.group)) }
+        if (shown.isEmpty) item { NoneFound(shown, scope) }
         val allLines = {
             items(shown.lines) { block ->
                 Row(verticalAlignment = Alignment.Top) {
@@ -192,7 +213,7 @@ private fun PaletteList(
             if (shown.lines.isNotEmpty()) item { DialogHeading(BlockTexts.paletteLines(spoken)) }
             allLines()
         }
-        if (after != null && shown.isIntroduction) item { after() }
+        if (shown.isIntroduction) item { after() }
     }
 }
 
@@ -217,38 +238,15 @@ private fun PaletteSearchField(
     onKeyboard = KeyboardActions(onSearch = { onTake() }),
 )
 
-/** All groups beside their blocks. The list says the name of the one that it shows. */
-@Composable
-private fun GroupGrid(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
-    val palette = scope.state.palette
-    Column {
-        for (row in BlockGroup.entries.chunked(GROUPS_IN_ROW)) {
-            Row {
-                for (group in row) {
-                    val isShown = palette.query.isEmpty() && palette.group == group
-                    GroupSign(group, isShown, scope) { onTurn(BlockPalette(group)) }
-                }
-            }
-        }
-    }
-}
-
-@Composable
-private fun GroupChips(scope: BlockScope, onTurn: (BlockPalette) -> Unit) {
-    val palette = scope.state.palette
-    Row(Modifier.horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
-        for (group in BlockGroup.entries) {
-            val isShown = palette.query.isEmpty() && palette.group == group
-            GroupChip(group, isShown, scope) { onTurn(BlockPalette(group)) }
-        }
-    }
-}
-
 /** The lines that can be added, and the values. */
-private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
+internal fun paletteBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
     val own = ownBlocks(state.program, state.placeForNew)
     val known = Palette.blocksFor(brick).filter { introduced == null || it.id in introduced }
-    val all = (known + own).filterNot { it.isWritten }
+    return (known + own).filterNot { it.isWritten }
+}
+
+private fun shownBlocks(state: BlocksState, introduced: Set<String>?, brick: BrickKind): List<PaletteBlock> {
+    val all = paletteBlocks(state, introduced, brick)
     val query = state.palette.query
     return if (query.isBlank()) all.filter { it.group == state.palette.group } else searchPalette(query, all, HELP)
 }
@@ -260,4 +258,3 @@ private const val CARRIED_FROM = 0.2f
 
 /** In this width all groups are in two rows. */
 private val SIDE = 216.dp
-private const val GROUPS_IN_ROW = 4
