@@ -10,6 +10,7 @@ import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
+import robotran.documents.FileKind
 
 @RunWith(RobolectricTestRunner::class)
 class SharingTest {
@@ -25,6 +26,18 @@ class SharingTest {
         val message = checkNotNull(chooser.getParcelableExtra<Intent>(Intent.EXTRA_INTENT))
         assertEquals("text/plain", message.type)
         assertEquals("#p=aXY", message.getStringExtra(Intent.EXTRA_TEXT))
+    }
+
+    @Test
+    fun `a picture goes to the share sheet as a file that the other app may read`() = runBlocking {
+        assertTrue(sharing.canShareFiles)
+        assertTrue(sharing.shareFile("square.png", FileKind.PNG, byteArrayOf(1, 2, 3)))
+        val chooser = shadowOf(context).nextStartedActivity
+
+        @Suppress("DEPRECATION")
+        val message = checkNotNull(chooser.getParcelableExtra<Intent>(Intent.EXTRA_INTENT))
+        assertEquals("image/png", message.type)
+        assertTrue(message.flags and Intent.FLAG_GRANT_READ_URI_PERMISSION != 0)
     }
 
     @Test
