@@ -37,7 +37,8 @@ import robotran.workshop.state.SavedOwnCourse
 @Composable
 internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val robots = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
+    // Reading the files of all worlds takes long, so nobody does before somebody searches.
+    val robots = if (state.query.isBlank()) emptyMap() else robotsOfWorlds()
     var brick by rememberSaveable { mutableStateOf<BrickKind?>(null) }
     val found = remember(state.query, state.language, robots, brick) {
         WorldGallery.search(state.query, state.language) { robots.getValue(it.name) }
@@ -72,6 +73,9 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
         }
     }
 }
+
+@Composable
+private fun robotsOfWorlds(): Map<String, String> = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
 
 /** Shows all worlds, or only those whose robot has the chosen brick. */
 @OptIn(ExperimentalLayoutApi::class)
