@@ -5,6 +5,7 @@ import android.content.Intent
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertTrue
+import org.junit.Before
 import org.junit.Test
 import org.junit.runner.RunWith
 import org.robolectric.RobolectricTestRunner
@@ -16,6 +17,9 @@ import robotran.documents.FileKind
 class SharingTest {
     private val context = RuntimeEnvironment.getApplication()
     private val sharing = AndroidPlatform(context).sharing
+
+    @Before
+    fun forgetPlaces() = forgetProvidedFiles()
 
     @Test
     fun `a link goes to the share sheet as text`() = runBlocking {

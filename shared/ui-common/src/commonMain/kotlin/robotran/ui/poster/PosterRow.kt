@@ -35,7 +35,8 @@ internal class PosterRow(
             val area = PosterArea(start + BEFORE + left, top, piece.width, LINE - 2 * SOCKET_TOP)
             PosterBox(area, SOCKET_CORNER, piece.groundOn(look), piece.edgeOn(look))
         }
-        return RowFlow(height + SPACE, barBoxes(height + SPACE) + body + sockets, words)
+        val isBroken = placed.last().line > 0
+        return RowFlow(height + SPACE, barBoxes(height + SPACE) + body + sockets, words, isBroken)
     }
 
     private fun barBoxes(height: Double): List<PosterBox> {
@@ -45,7 +46,7 @@ internal class PosterRow(
     }
 
     private fun barOf(depth: Int, colour: Color, top: Double, bottom: Double) =
-        PosterBox(PosterArea(depth * INDENT, top, BAR, bottom - top), corner = 0.0, colour)
+        PosterBox(PosterArea(depth * INDENT, top, BAR, bottom - top + SEAM), corner = 0.0, colour)
 
     private fun place(pieces: List<PosterPiece>, room: Double): List<PlacedPiece> {
         var line = 0
@@ -64,6 +65,9 @@ internal class PosterRow(
     private companion object {
         const val INDENT = 1.1
         const val BAR = 0.7
+
+        /** Bars overlap, so that nothing shines through between them. */
+        const val SEAM = 0.04
         const val LINE = 2.0
         const val SPACE = 0.14
         const val BLANK = 1.0
@@ -78,8 +82,17 @@ internal class PosterRow(
     }
 }
 
-/** A row in its column: boxes from back to front, and words. All lengths are in heights of the letters. */
-internal class RowFlow(val height: Double, val boxes: List<PosterBox>, val words: List<PlacedWord>)
+/**
+ * A row in its column: boxes from back to front, and words. All lengths are in heights of the letters.
+ *
+ * @property isBroken whether it takes several lines.
+ */
+internal class RowFlow(
+    val height: Double,
+    val boxes: List<PosterBox>,
+    val words: List<PlacedWord>,
+    val isBroken: Boolean = false,
+)
 
 internal class PlacedWord(val left: Double, val baseline: Double, val text: String, val colour: Color)
 
@@ -94,13 +107,16 @@ internal class PosterPiece(val text: String, val isSocket: Boolean, private val 
 
     fun edgeOn(look: BlockLook): Color = note?.edge ?: look.edge
 
-    /** This piece in pieces that fit into [room]. */
+    /** This piece in pieces that fit into [room], cut between words where it can be. */
     fun cut(room: Double): List<PosterPiece> {
         val characters = ((room - 2 * inset) / CODE_ADVANCE).toInt().coerceAtLeast(1)
         if (text.length <= characters) return listOf(this)
-        return wrapped(listOf(PosterRun(text, Color.Unspecified)), characters).map { line ->
-            PosterPiece(line.joinToString("") { it.words }.trimStart(), isSocket, note)
+        val parts = mutableListOf("")
+        for (word in text.split(' ').flatMap { it.chunked(characters) }) {
+            val longer = "${parts.last()} $word".trimStart()
+            if (longer.length <= characters) parts[parts.lastIndex] = longer else parts += word
         }
+        return parts.map { PosterPiece(it, isSocket, note) }
     }
 
     private companion object {

@@ -20,12 +20,12 @@ internal class ProgramInBlocks(program: BlockProgram) : PosterProgram {
     }
 
     override fun fitted(area: PosterArea, moreLines: (Int) -> String): FittedProgram {
-        for (step in 0..SIZE_STEPS) {
-            val size = LARGEST - step * (LARGEST - SMALLEST) / SIZE_STEPS
-            for (columns in 1..MAX_COLUMNS) {
-                val fit = place(area, size, columns)
-                if (fit.placed == rows.size) return FittedProgram(size, fit.lines, fit.boxes)
-            }
+        val sizes = (0..SIZE_STEPS).map { LARGEST - it * (LARGEST - SMALLEST) / SIZE_STEPS }
+        val fits = sizes.asSequence().flatMap { size -> (1..MAX_COLUMNS).map { place(area, size, it) } }
+            .filter { it.placed == rows.size }
+        // Blocks that take one line each are worth more than larger letters in narrower columns.
+        (fits.firstOrNull { !it.hasBrokenRows } ?: fits.firstOrNull())?.let {
+            return FittedProgram(it.size, it.lines, it.boxes)
         }
         val most = (1..MAX_COLUMNS).map { place(area, SMALLEST, it, isCut = true) }.maxBy { it.placed }
         most.say(moreLines(groups.flatten().drop(most.placed).count { !it.isBlank }))
@@ -42,7 +42,7 @@ internal class ProgramInBlocks(program: BlockProgram) : PosterProgram {
 /** Rows of blocks in columns of [area], one below the other; [kept] is free below the last column. */
 private class PlacedRows(
     private val area: PosterArea,
-    private val size: Double,
+    val size: Double,
     private val columns: Int,
     private val kept: Double,
 ) {
@@ -51,6 +51,10 @@ private class PlacedRows(
 
     /** How many rows have found room. */
     var placed = 0
+        private set
+
+    /** Whether any row takes several lines. */
+    var hasBrokenRows = false
         private set
     private val width = columnWidth(area, columns)
     private var column = 0
@@ -72,7 +76,8 @@ private class PlacedRows(
     }
 
     private fun add(flow: RowFlow): Boolean {
-        val height = flow.height * size
+        // An empty line at the top of a column separates nothing.
+        val height = if (top == 0.0 && flow.boxes.isEmpty()) 0.0 else flow.height * size
         if (top + height > bottom) {
             if (column == columns - 1 || height > area.height - kept) return false
             goOn()
@@ -86,6 +91,7 @@ private class PlacedRows(
         }
         top += height
         placed++
+        hasBrokenRows = hasBrokenRows || flow.isBroken
         return true
     }
 

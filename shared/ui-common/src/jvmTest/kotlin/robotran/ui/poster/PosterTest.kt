@@ -143,6 +143,13 @@ class PosterTest {
     }
 
     @Test
+    fun `a value that is wider than its column goes on below, between its words`() {
+        val piece = PosterPiece("left bumper or right bumper", isSocket = true)
+        assertEquals(listOf("left bumper or", "right bumper"), piece.cut(room = 12.0).map { it.text })
+        assertEquals(listOf("abcdefgh", "ij"), PosterPiece("abcdefghij", isSocket = false).cut(5.0).map { it.text })
+    }
+
+    @Test
     fun `no block leaves the page, and those without room are counted`() {
         for (count in listOf(1, 20, 60, 400)) {
             val text = List(count) { "if left bumper or right bumper\n  show 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8\nend" }
