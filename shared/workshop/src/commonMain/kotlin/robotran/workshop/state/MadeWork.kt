@@ -1,8 +1,8 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.documents.FileKind
 import robotran.simulation.state.SessionState
-import robotran.workshop.platform.FileKind
 import robotran.world.World
 
 /**
