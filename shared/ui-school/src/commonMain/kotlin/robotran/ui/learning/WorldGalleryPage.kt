@@ -34,7 +34,8 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val robots = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
+    // Reading the files of all worlds takes long, so nobody does before somebody searches.
+    val robots = if (state.query.isBlank()) emptyMap() else robotsOfWorlds()
     var brick by rememberSaveable { mutableStateOf<BrickKind?>(null) }
     val found = remember(state.query, state.language, robots, brick) {
         WorldGallery.search(state.query, state.language) { robots.getValue(it.name) }
@@ -61,6 +62,9 @@ internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> 
         }
     }
 }
+
+@Composable
+private fun robotsOfWorlds(): Map<String, String> = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
 
 /** Shows all worlds, or only those whose robot has the chosen brick. */
 @OptIn(ExperimentalLayoutApi::class)
