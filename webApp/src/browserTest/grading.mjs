@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { onPage, TABLET } from './set-up.mjs';
-import { appears, choose, press, says } from './words.mjs';
+import { appears, asTeacher, choose, chooseFile, press, says } from './words.mjs';
 
 const grades = process.env.EXPECTED_GRADES;
 
@@ -20,10 +20,10 @@ const file = async (name) => ({
 /** Opens the assignment and lets the page grade the class. */
 export async function grade(page, { folder, assignment, title } = RCX) {
   let chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
+  await chooseFile(page, 'work-open');
   await (await chooser).setFiles([await file(path.join(folder, assignment))]);
   await says(page, 'task-title', title);
-  await choose(page, 'work-menu', 'work-hand-ins');
+  await asTeacher(page, 'teachers-hand-ins');
   chooser = page.waitForEvent('filechooser');
   await press(page, 'hand-ins-choose');
   const names = (await readdir(path.join(folder, 'class'))).sort();

@@ -1,5 +1,5 @@
 // Measures the built page in Chromium, by hand: ./gradlew :webApp:measurePage, or only some measurements with
-// -Pmeasure=loading,frames,memory,keys,blocks.
+// -Pmeasure=loading,frames,memory,keys,blocks,touches.
 import { readFileSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import os from 'node:os';
@@ -8,6 +8,7 @@ import { deflateRawSync } from 'node:zlib';
 import { findColour, launchPerson, startBrowser } from './browser.mjs';
 import { isReady, putWelcomeAway, RUN_GREEN } from './page.mjs';
 import { serve } from './serve.mjs';
+import { measureTouches } from './touch-times.mjs';
 import { placeOf, words } from './words.mjs';
 
 const SIZE = { width: 1280, height: 800 };
@@ -383,6 +384,7 @@ try {
   if (measures('memory')) await measureMemory();
   if (measures('keys')) await measureKeys();
   if (measures('blocks')) await measureBlocks();
+  if (measures('touches')) await measureTouches(browser, site);
 } finally {
   await browser.close();
   site.stop();

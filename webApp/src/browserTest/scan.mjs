@@ -1,5 +1,5 @@
 // The page of hand-ins with its scanner of QR codes.
-import { appears, choose, says } from './words.mjs';
+import { appears, asTeacher, chooseFile, says } from './words.mjs';
 
 export const scanner = (page) => page.locator('dialog.robotran-scanner');
 
@@ -17,10 +17,10 @@ const WORLD = {
 
 export async function openHandIns(page) {
   const chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
+  await chooseFile(page, 'work-open');
   const buffer = Buffer.from(JSON.stringify(WORLD));
   await (await chooser).setFiles([{ name: 'line.world.json', mimeType: 'application/json', buffer }]);
   await says(page, 'task-title', /A long line/);
-  await choose(page, 'work-menu', 'work-hand-ins');
+  await asTeacher(page, 'teachers-hand-ins');
   await appears(page, 'hand-ins-paste');
 }

@@ -100,15 +100,33 @@ export async function pointAtTool(page, tag, point) {
   await point(page, tag);
 }
 
-/** Opens the menu `opener` and selects `item` in it. A menu that has just opened may miss a click. */
+/** Opens the menu `opener` and selects `item` in it. */
 export async function choose(page, opener, item) {
   await press(page, opener);
+  await select(page, item);
+}
+
+/** Selects `item` in an open menu. One that has just opened may miss a click. */
+async function select(page, item) {
   await appears(page, item);
   for (let attempt = 0; attempt < 4 && (await words(page, item).count()) > 0; attempt++) {
     await press(page, item);
     if (await comes(page, item, false)) return;
   }
   await disappears(page, item);
+}
+
+/** Selects `item`, which is further down in the menu of the project: behind "Files and more". */
+export async function chooseFile(page, item) {
+  await choose(page, 'work-menu', 'work-more');
+  await select(page, item);
+}
+
+/** Opens what is for teachers, and there presses `button`. */
+export async function asTeacher(page, button) {
+  await choose(page, 'menu', 'menu-teachers');
+  await press(page, button);
+  await disappears(page, 'teachers-page');
 }
 
 /** Waits until `tag` exists, or no longer exists. */

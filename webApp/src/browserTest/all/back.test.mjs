@@ -14,6 +14,8 @@ const ON_A_TABLET = [
   [['menu', 'menu-examples'], 'examples-page'],
   [['menu', 'menu-words'], 'help'],
   [['menu', 'menu-first-page'], 'first-run'],
+  [['menu', 'menu-map'], 'map-page'],
+  [['menu', 'menu-teachers'], 'teachers-page'],
   [['edit-world'], 'edit-done'],
   [['work-menu', 'work-my-work'], 'document-dialog'],
   [['work-menu', 'work-share-link'], 'document-dialog'],

@@ -13,7 +13,7 @@ async function beginTutorial(page, hand) {
   const isChosen = (await words(page, 'first-blocks').getAttribute('aria-checked')) === 'true';
   if (!isChosen) await hand.press('first-blocks');
   await hand.press('try-tutorial');
-  await appears(page, 'run-step');
+  await appears(page, 'hint-wanted');
   await appears(page, 'block-pane');
 }
 
@@ -27,7 +27,7 @@ async function showBlocks(page, hand) {
 
 /** Runs the step's program, and waits until its task is done. */
 async function solves(page, hand) {
-  await hand.press('run-step');
+  await hand.press('run');
   await says(page, 'task-status', /done/);
 }
 
@@ -160,7 +160,7 @@ test('keys alone build the same', () =>
     await keys.press('Enter');
     await keys.goTo('try-tutorial');
     await keys.press('Enter');
-    await appears(page, 'run-step');
+    await appears(page, 'hint-wanted');
     await keys.goTo('run-more');
     await keys.press('Enter');
     await keys.goTo('panel-speed-fastest');

@@ -87,9 +87,21 @@ async function showTask(page, finger) {
   await appears(page, 'assignment-tries');
 }
 
-/** Opens the menu of the project and chooses `item`, which may have to be scrolled to. A menu that has just opened may miss a touch. */
-async function openMenu(page, finger, item) {
+/** Opens the menu of the project and chooses a file, behind "Files and more". */
+async function openFile(page, finger) {
   await finger.press('work-menu');
+  for (const item of ['work-more', 'work-open']) await choose(page, finger, item);
+}
+
+/** Opens what is for teachers, and there presses `button`. */
+async function asTeacher(page, finger, button) {
+  await finger.press('menu');
+  await choose(page, finger, 'menu-teachers');
+  await finger.press(button);
+}
+
+/** Chooses `item` in an open menu; it may have to be scrolled to. A menu that has just opened may miss a touch. */
+async function choose(page, finger, item) {
   for (let attempt = 0; attempt < 5; attempt++) {
     const place = await finger.placeOf(item);
     const below = place.top + place.height - page.viewportSize().height;
@@ -118,7 +130,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     const finger = fingerOn(page);
     await showText(page, finger);
     await type(page, finger, 'program', '// Drive to the mark.\n');
-    await openMenu(page, finger, 'work-make-assignment');
+    await asTeacher(page, finger, 'teachers-make');
     await appears(page, 'assignment-make');
     await type(page, finger, 'make-text', 'The mark is 40 cm ahead.\n\n`forward` takes centimetres.');
     await type(page, finger, 'make-name', 'First name');
@@ -126,7 +138,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await page.goBack();
     await disappears(page, 'assignment-make');
     await type(page, finger, 'program', 'forward 39\n');
-    await openMenu(page, finger, 'work-make-assignment');
+    await asTeacher(page, finger, 'teachers-make');
     // What was written beside the program to begin with is the solution.
     await says(page, 'make-solution', /ticked programs are the solution/);
     await finger.press('make-seeds-5');
@@ -237,9 +249,9 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
   let feedback = '';
   await onPage(TEACHER, async ({ page, troubles }) => {
     const finger = fingerOn(page);
-    await chosen(page, [teacherFile], () => openMenu(page, finger, 'work-open'));
+    await chosen(page, [teacherFile], () => openFile(page, finger));
     await appears(page, 'assignment-edit');
-    await openMenu(page, finger, 'work-hand-ins');
+    await asTeacher(page, finger, 'teachers-hand-ins');
     await appears(page, 'hand-ins-empty');
     await chosen(page, [handIn, second, lazy, broken], () => finger.press('hand-ins-choose'));
     await isSaid(page, /2 Solved/);
@@ -266,7 +278,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
   await onPage(PUPIL, async ({ page, troubles }) => {
     const finger = fingerOn(page);
     await finger.press('menu');
-    await chosen(page, [feedback], () => openMenu(page, finger, 'work-open'));
+    await chosen(page, [feedback], () => openFile(page, finger));
     await isSaid(page, /Well done, Änne/);
     await isSaid(page, /Vorgegebene Welt/);
     await photograph(page, 'class-feedback');
@@ -295,7 +307,7 @@ test('a photo for a task is made smaller, and one that the browser cannot read i
     const jpeg = Buffer.from(await page.evaluate(photo), 'base64');
     assert.ok(jpeg.length > 1_000_000, `${jpeg.length} bytes`);
     const file = (name, buffer) => ({ name, mimeType: 'application/octet-stream', buffer });
-    await openMenu(page, finger, 'work-make-assignment');
+    await asTeacher(page, finger, 'teachers-make');
     await appears(page, 'make-picture');
     await chosen(page, [file('IMG_1.HEIC', Buffer.from('\0\0\0\x18ftypheic\0\0\0\0mif1heic'))], () =>
       finger.press('make-picture'),

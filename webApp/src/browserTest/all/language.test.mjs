@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { photograph } from '../page.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { choose, disappears, PATIENCE, press, reports, says, writeProgram } from '../words.mjs';
+import { choose, chooseFile, disappears, PATIENCE, press, reports, says, writeProgram } from '../words.mjs';
 
 const JAVA = `import josx.platform.rcx.*;
 public class Program {
@@ -81,7 +81,7 @@ test('a program in Java has a kit for a real robot, as one in Robolang has', () 
   onPage(TABLET, async ({ page, troubles }) => {
     const kit = async () => {
       const download = page.waitForEvent('download');
-      await choose(page, 'work-menu', 'work-kit');
+      await chooseFile(page, 'work-kit');
       const file = await download;
       assert.match(file.suggestedFilename(), /\.zip$/);
       return (await readFile(await file.path())).toString('latin1');

@@ -49,7 +49,7 @@ async function viewOfTutorial(options, choose) {
   await page.click(choice('tutorial'));
   goOn();
   await appIsThere(page);
-  await appears(page, 'run-step');
+  await appears(page, 'hint-wanted');
   await page.waitForFunction(() => document.querySelector('#robotran-words :is([data-tag="block-pane"], [data-tag="program"])'));
   const hasBlocks = await page.locator('#robotran-words [data-tag="block-pane"]').count();
   await page.context().close();

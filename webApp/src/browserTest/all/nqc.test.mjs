@@ -7,7 +7,19 @@ import { isKept } from '../kept.mjs';
 import { assertRecordedRun, photograph, reload } from '../page.mjs';
 import { browserOptions, onPage, PHONE, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { choose, disappears, enterProgram, isSaid, press, programText, reports, says, tap, tapFor } from '../words.mjs';
+import {
+  choose,
+  chooseFile,
+  disappears,
+  enterProgram,
+  isSaid,
+  press,
+  programText,
+  reports,
+  says,
+  tap,
+  tapFor,
+} from '../words.mjs';
 
 // Runs are the same in the optimised code that pupils get.
 browserOptions.optimizing = true;
@@ -56,14 +68,14 @@ async function goToLine(page, line) {
 /** Opens `files` by the menu. */
 async function openFiles(page, files) {
   const chooser = page.waitForEvent('filechooser');
-  await choose(page, 'work-menu', 'work-open');
+  await chooseFile(page, 'work-open');
   await (await chooser).setFiles(files);
 }
 
 /** What the item `item` of the menu saves. */
 async function saved(page, item) {
   const download = page.waitForEvent('download');
-  await choose(page, 'work-menu', item);
+  await chooseFile(page, item);
   const file = await download;
   return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
 }

@@ -19,11 +19,14 @@ async function assertInSight(page, tag) {
 test('a phone shows the whole menu, and in it a list of what can be done with the work', () =>
   onPage(PHONE, async ({ page, troubles }) => {
     await tapFor(page, 'menu', 'menu-settings');
-    for (const tag of ['work-menu', 'menu-learn', 'menu-sound', 'menu-settings']) await assertInSight(page, tag);
+    for (const tag of ['work-menu', 'menu-map', 'menu-settings', 'menu-teachers']) await assertInSight(page, tag);
     await photograph(page, 'phone-menu');
     await tapFor(page, 'work-menu', 'work-new');
-    for (const tag of ['menu-back', 'work-new', 'work-share-link', 'work-kit']) await assertInSight(page, tag);
+    for (const tag of ['menu-back', 'work-new', 'work-share-link', 'work-more']) await assertInSight(page, tag);
     await photograph(page, 'phone-work-menu');
+    await tapFor(page, 'work-more', 'work-kit');
+    for (const tag of ['menu-back', 'work-open', 'work-save-as', 'work-kit']) await assertInSight(page, tag);
+    await tapFor(page, 'menu-back', 'work-new');
     await tapFor(page, 'menu-back', 'menu-settings');
     await tapFor(page, 'work-menu', 'work-my-work');
     await tapFor(page, 'work-my-work', 'document-dialog');
@@ -43,14 +46,15 @@ test('Escape closes the settings after another language was chosen with a finger
 
 test('with hint and solution open, what can be done with a step of the tutorial stays in sight', () =>
   onPage(PHONE, async ({ page, troubles }) => {
-    await tapFor(page, 'menu', 'menu-learn');
-    await tapFor(page, 'menu-learn', 'try-step');
-    await tap(page, 'try-step');
+    await tapFor(page, 'menu', 'menu-map');
+    await tapFor(page, 'menu-map', 'lesson-first-drive');
+    await tap(page, 'lesson-first-drive');
     await appears(page, 'program');
     await tapFor(page, 'fold-tutorial', 'hint-wanted');
     await tapFor(page, 'hint-wanted', 'hint');
-    for (const tag of ['run-step', 'begin-again', 'leave-tutorial', 'next-step']) await assertInSight(page, tag);
+    for (const tag of ['previous-step', 'step-more', 'next-step']) await assertInSight(page, tag);
     await photograph(page, 'phone-tutorial-hint');
+    await tapFor(page, 'step-more', 'leave-tutorial');
     await tap(page, 'leave-tutorial');
     await disappears(page, 'tutorial-steps');
     assert.deepEqual(troubles, []);

@@ -10,7 +10,7 @@ import { platformPage, unpack } from '../platform.mjs';
 import { serve } from '../serve.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, choose, press, says, words, writeProgram } from '../words.mjs';
+import { appears, asTeacher, press, says, words, writeProgram } from '../words.mjs';
 
 const assignment = {
   format: 'robotran-project',
@@ -41,7 +41,7 @@ async function madePackage(version) {
   const tag = `make-scorm-${version}`;
   const folder = await mkdtemp(path.join(tmpdir(), 'package-'));
   await onPage({ ...TABLET, acceptDownloads: true, address: link }, async ({ page, troubles }) => {
-    await choose(page, 'work-menu', 'work-make-assignment');
+    await asTeacher(page, 'teachers-make');
     await appears(page, tag);
 
     const [download] = await Promise.all([page.waitForEvent('download'), press(page, tag)]);

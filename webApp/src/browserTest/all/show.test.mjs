@@ -34,7 +34,10 @@ test('a run becomes a moving picture that plays everywhere', () =>
     await tap(page, 'show-moving');
     await appears(page, 'show-make');
     await photograph(page, 'show-speed');
-    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'));
+    await tap(page, 'show-make');
+    await appears(page, 'show-made');
+    await photograph(page, 'show-made');
+    const { name, bytes } = await downloaded(page, () => tap(page, 'show-save'));
     assert.match(name, /\.gif$/);
     const picture = await decodedGif(page, bytes);
     console.log(`${bytes.length} bytes, ${JSON.stringify(picture)}`);
@@ -65,7 +68,9 @@ test('a video is filmed in the page', () =>
     await drawAndShow(page);
     await tap(page, 'show-video');
     await tap(page, 'show-speed-4');
-    const { name, bytes } = await downloaded(page, () => tap(page, 'show-make'));
+    await tap(page, 'show-make');
+    await appears(page, 'show-made');
+    const { name, bytes } = await downloaded(page, () => tap(page, 'show-save'));
     assert.match(name, /\.webm$/);
     // The app's own policy allows no videos.
     const player = await page.context().newPage();
@@ -98,16 +103,19 @@ test('a poster with drawing and program is one page on paper', () =>
     await page.evaluate(() => {
       globalThis.print = () => (globalThis.hasPrinted = true);
     });
-    await tap(page, 'poster-print');
+    await tap(page, 'show-make');
+    await appears(page, 'show-made');
+    await photograph(page, 'show-made-poster');
+    await tap(page, 'show-print');
     await page.waitForFunction(() => globalThis.hasPrinted);
     const printed = await page.evaluate(() => document.getElementById('poster').textContent.replace(/\u00a0/g, ' '));
-    for (const words of [/Ada/, /pen down/, /forward 20/]) assert.match(printed, words);
+    for (const words of [/Ada/, /pen\s*down/, /forward\s*20/]) assert.match(printed, words);
     const pdf = await page.pdf({ preferCSSPageSize: true, printBackground: true });
     await writeFile(path.join(process.env.PICTURES, 'poster.pdf'), pdf);
     const text = pdf.toString('latin1');
     assert.equal(text.match(/\/Type\s*\/Page\b/g).length, 1, 'one page');
     assert.match(text, /\/MediaBox\s*\[0 0 59[45][\d.]* 84[12][\d.]*\]/, 'of A4, upright');
-    const { name, bytes } = await downloaded(page, () => tap(page, 'poster-save'));
+    const { name, bytes } = await downloaded(page, () => tap(page, 'show-save'));
     assert.match(name, /\.svg$/);
     assert.match(bytes.toString(), /^<svg [^>]*viewBox="0 0 210 297"/);
     assert.deepEqual(troubles, []);

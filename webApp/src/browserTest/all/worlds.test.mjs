@@ -5,7 +5,7 @@ import { linkTo } from '../link.mjs';
 import { photograph, reload } from '../page.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, choose, disappears, press, reports, says, tap, words, writeProgram } from '../words.mjs';
+import { appears, choose, chooseFile, disappears, press, reports, says, tap, words, writeProgram } from '../words.mjs';
 
 const TASK = 'Drive to the flag in the upper corner.\nLift the pen on the way.\nBeep when you are there.';
 const WORLD = {
@@ -172,6 +172,7 @@ for (const [name, size] of [
       await appears(page, 'task-text');
       await tap(page, 'run');
       await disappears(page, 'task-text');
+      await appears(page, 'task-title');
       assert.deepEqual(troubles, []);
     }));
 }
@@ -197,7 +198,7 @@ test('a world file that is opened leaves the world before in My work', () =>
   onPage(TABLET, async ({ page, troubles }) => {
     await buildWorld(page);
     const chooser = page.waitForEvent('filechooser');
-    await choose(page, 'work-menu', 'work-open');
+    await chooseFile(page, 'work-open');
     await (
       await chooser
     ).setFiles([

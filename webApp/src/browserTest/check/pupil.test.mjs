@@ -6,7 +6,7 @@ import { keysOn } from '../blocks.mjs';
 import { isKept } from '../kept.mjs';
 import { photograph, report } from '../page.mjs';
 import { onPage, TABLET } from '../set-up.mjs';
-import { appears, choose, press, reports, says, writeProgram } from '../words.mjs';
+import { appears, choose, chooseFile, press, reports, says, writeProgram } from '../words.mjs';
 
 test('a Java program is written, compiled in the page and run', () =>
   onPage(TABLET, async ({ page, troubles }) => {
@@ -62,12 +62,12 @@ test('a work is saved as a file and opened from it', () =>
     await writeProgram(page, 'forward 7\nbeep');
     await isKept(page, 'forward 7');
     const download = page.waitForEvent('download');
-    await choose(page, 'work-menu', 'work-save-as');
+    await chooseFile(page, 'work-save-as');
     const file = await (await download).path();
     await choose(page, 'work-menu', 'work-new');
     await says(page, 'program', /^(?!.*forward 7)/);
     const chooser = page.waitForEvent('filechooser');
-    await choose(page, 'work-menu', 'work-open');
+    await chooseFile(page, 'work-open');
     await (
       await chooser
     ).setFiles([{ name: 'mine.robotran', mimeType: 'application/json', buffer: await readFile(file) }]);

@@ -8,7 +8,6 @@ import android.graphics.Bitmap
 import android.graphics.Color
 import android.net.Uri
 import android.provider.MediaStore
-import androidx.core.content.FileProvider
 import kotlinx.coroutines.runBlocking
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
@@ -44,12 +43,8 @@ class PhotosTest {
     private val context = RuntimeEnvironment.getApplication()
     private val page: HandInsState get() = checkNotNull(app.workshop.state.handIns)
 
-    /** Each test has a cache of its own, but the provider keeps the place of the first. */
     @Before
-    fun forgetPlaces() {
-        val kept = FileProvider::class.java.getDeclaredField("sCache").apply { isAccessible = true }.get(null)
-        (kept as MutableMap<*, *>).clear()
-    }
+    fun forgetPlaces() = forgetProvidedFiles()
 
     @Test
     fun `without a camera app only pictures are offered`() {

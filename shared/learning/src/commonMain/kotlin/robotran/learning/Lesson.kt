@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
+import robotran.learning.drawing.RunDrawing
 import robotran.learning.hint.Attempt
 import robotran.programs.Program
 import robotran.projects.Project
@@ -40,6 +41,9 @@ class Lesson internal constructor(
 
     /** The same program with the task done. */
     val solution: SourceFile get() = version.solution
+
+    /** What the run of [solution] leaves on the sheet; null for the task of a [GalleryWorld]. */
+    val drawing: RunDrawing? get() = version.drawing
 
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }

@@ -7,6 +7,8 @@ import robotran.learning.hint.HintCondition
  * The text of a [Lesson]. Program text is between backticks.
  *
  * @property paragraphs two to four short ones; none for the task of a [GalleryWorld].
+ * @property skill what one can do after it, to stand behind "You can", such as `make it repeat`; null for the task of a
+ * [GalleryWorld].
  * @property nudge the first hint: where to look.
  * @property part the second hint: a part of the solution.
  * @property solution the third hint: the whole solution in words.
@@ -15,6 +17,7 @@ import robotran.learning.hint.HintCondition
 data class LessonText(
     val title: String,
     val paragraphs: List<String>,
+    val skill: String?,
     val task: String,
     val nudge: String,
     val part: String,
@@ -51,6 +54,7 @@ data class LessonText(
             return LessonText(
                 whole.heading,
                 shownParagraphs(whole.body.substringBefore("## ")),
+                if ("Skill" in parts) under("Skill") else null,
                 under("Task"),
                 under("Nudge"),
                 under("Part"),

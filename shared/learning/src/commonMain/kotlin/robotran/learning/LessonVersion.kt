@@ -3,6 +3,8 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.languagesupport.SourceFile
+import robotran.learning.drawing.RunDrawing
+import robotran.learning.drawing.readRunDrawing
 import robotran.world.Facing
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -10,7 +12,13 @@ import robotran.world.SensorPart
 import robotran.world.World
 
 /** What a lesson has for one kind of brick. */
-internal class LessonVersion(val brick: BrickKind, val program: SourceFile, val solution: SourceFile, val world: World)
+internal class LessonVersion(
+    val brick: BrickKind,
+    val program: SourceFile,
+    val solution: SourceFile,
+    val world: World,
+    val drawing: RunDrawing?,
+)
 
 /** The lesson in [files] as it is written: for a robot with the [BrickKind.default]. */
 internal fun plainVersion(files: Map<String, String>): LessonVersion {
@@ -23,6 +31,7 @@ internal fun plainVersion(files: Map<String, String>): LessonVersion {
         SourceFile(program.key, program.value),
         SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
         worldOf(files.getValue(WORLD)),
+        drawingIn(files, DRAWING),
     )
 }
 
@@ -35,14 +44,18 @@ internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<Strin
     val ending = plain.program.name.substringAfterLast('.')
     val program = files[prefix + plain.program.name] ?: onPenbot(brick, plain.program)
     val solution = files["$prefix$SOLUTION$ending"] ?: onPenbot(brick, plain.solution)
-    val world = files[prefix + WORLD]?.let(::worldOf) ?: plain.world
+    val ownWorld = files[prefix + WORLD]?.let(::worldOf)
     return LessonVersion(
         brick,
         SourceFile(plain.program.name, program),
         SourceFile(plain.program.name, solution),
-        world.withFirst(PUPILS_ROBOTS.getValue(brick)),
+        (ownWorld ?: plain.world).withFirst(PUPILS_ROBOTS.getValue(brick)),
+        if (ownWorld == null) plain.drawing else drawingIn(files, prefix + DRAWING),
     )
 }
+
+private fun drawingIn(files: Map<String, String>, file: String): RunDrawing? =
+    files[file]?.let { readRunDrawing(it.trim()) }
 
 private fun onPenbot(brick: BrickKind, file: SourceFile): String {
     val usual = lightPortOf(BrickKind.default)
@@ -77,3 +90,6 @@ private val PUPILS_ROBOTS: Map<BrickKind, RobotDescription> = BrickKind.entries.
 }
 
 private const val WORLD = "world.world.json"
+
+/** What the run of the solution leaves on the sheet. */
+internal const val DRAWING = "drawing.txt"

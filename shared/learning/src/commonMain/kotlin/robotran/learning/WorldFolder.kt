@@ -81,7 +81,9 @@ internal class WorldFolder(
         }
         val brick = world.robots.first().description.brick
         val solved = SourceFile(given.name, files.getValue(stem + own.extension))
-        return Lesson(name, "", others, version = { LessonVersion(brick, given, solved, world) }, read = read)
+        return Lesson(name, "", others, version = {
+            LessonVersion(brick, given, solved, world, drawing = null)
+        }, read = read)
     }
 
     private fun textIn(language: Language): String = files.translated("text", language)

@@ -42,6 +42,7 @@ object WorldGallery {
      */
     fun search(query: String, language: Language, robotLine: (GalleryWorld) -> String = { "" }): List<GalleryWorld> {
         val words = query.lowercase().split(' ').filter { it.isNotEmpty() }
+        if (words.isEmpty()) return worlds
         return worlds.mapNotNull { found ->
             val world = found.world(language)
             val searched = "${world.title} ${world.task}".lowercase()

@@ -7,6 +7,7 @@ import robotran.languagesupport.SourceFile
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
+import kotlin.test.assertNotNull
 import kotlin.test.assertTrue
 
 class LessonsTest {
@@ -57,6 +58,18 @@ class LessonsTest {
             )
         }
         assertTrue(said.none { text -> partsOf(text).any { '!' in it.replace(CODE, "") } }, lesson.name)
+    }
+
+    @Test
+    fun `every lesson says in a few words what one can do after it, and goes on after You can`() {
+        for (lesson in Lessons.all) {
+            val skills = Language.entries.map { assertNotNull(lesson.text(it).skill, lesson.name) }
+            assertEquals(skills.size, skills.toSet().size, lesson.name)
+            for (skill in skills) assertTrue(skill.length in 8..MOST_OF_SKILL && !skill.endsWith("."), skill)
+            assertTrue(skills.first().first().isLowerCase(), skills.first())
+        }
+        assertEquals(Lessons.all.size, Lessons.all.map { it.text(Language.ENGLISH).skill }.toSet().size)
+        assertTrue(worldTasks.all { it.text(Language.ENGLISH).skill == null })
     }
 
     @Test
@@ -122,6 +135,8 @@ class LessonsTest {
             text.whens.map { it.text }
 
     private companion object {
+        /** So that it fits into two or three lines of a card. */
+        const val MOST_OF_SKILL = 56
         val CODE = Regex("`[^`]*`")
     }
 

@@ -1,5 +1,6 @@
 package robotran.textediting
 
+import robotran.textediting.rows.TextRows
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.textediting.text.isWordCharacter
@@ -26,44 +27,41 @@ enum class CaretMove {
  * This text with the caret moved.
  *
  * @param selecting whether the selection extends to the new caret.
- * @param goal the preferred column for vertical movement, used in lines that are long enough; null for the current one.
- * @param page the number of lines on a page.
+ * @param goal the preferred cell for vertical movement, used in rows that are long enough; null for the current one.
+ * @param page the number of rows on a page.
+ * @param rows how this text is shown.
  */
-fun TextDocument.moved(move: CaretMove, selecting: Boolean, goal: Int? = null, page: Int = 1): TextDocument {
+fun TextDocument.moved(
+    move: CaretMove,
+    selecting: Boolean,
+    goal: Int? = null,
+    page: Int = 1,
+    rows: TextRows = TextRows(lines),
+): TextDocument {
     val leavesSelection = !selecting && !selection.isEmpty
     val caret = when {
         leavesSelection && move == CaretMove.LEFT -> selection.start
         leavesSelection && move == CaretMove.RIGHT -> selection.end
-        else -> target(move, goal ?: lines.columnOf(selection.caret), page)
+        else -> target(move, page) { by -> rows.vertically(selection.caret, by, goal ?: rows.cellOf(selection.caret)) }
     }
     return copy(selection = TextSelection(if (selecting) selection.anchor else caret, caret))
 }
 
-private fun TextDocument.target(move: CaretMove, column: Int, page: Int): Int {
+private fun TextDocument.target(move: CaretMove, page: Int, vertically: (Int) -> Int): Int {
     val caret = selection.caret
     return when (move) {
         CaretMove.LEFT -> if (caret > 0) caret - widthBefore(text, caret) else 0
         CaretMove.RIGHT -> if (caret < text.length) caret + widthAt(text, caret) else caret
         CaretMove.WORD_LEFT -> wordStartBefore(text, caret)
         CaretMove.WORD_RIGHT -> wordEndAfter(text, caret)
-        CaretMove.UP -> vertically(-1, column)
-        CaretMove.DOWN -> vertically(1, column)
-        CaretMove.PAGE_UP -> vertically(-page, column)
-        CaretMove.PAGE_DOWN -> vertically(page, column)
+        CaretMove.UP -> vertically(-1)
+        CaretMove.DOWN -> vertically(1)
+        CaretMove.PAGE_UP -> vertically(-page)
+        CaretMove.PAGE_DOWN -> vertically(page)
         CaretMove.LINE_START -> lineStart()
         CaretMove.LINE_END -> lines.end(lines.lineOf(caret))
         CaretMove.TEXT_START -> 0
         CaretMove.TEXT_END -> text.length
-    }
-}
-
-private fun TextDocument.vertically(by: Int, column: Int): Int {
-    val line = lines.lineOf(selection.caret)
-    val target = line + by
-    return when {
-        target < 0 -> if (line == 0) 0 else lines.offset(0, column)
-        target >= lines.count -> if (line == lines.count - 1) text.length else lines.offset(lines.count - 1, column)
-        else -> lines.offset(target, column)
     }
 }
 

@@ -1,5 +1,6 @@
 package robotran.workshop
 
+import robotran.blockediting.BlockProgram
 import robotran.documents.SavedBreakpoint
 import robotran.programs.Program
 import robotran.projects.Assignment
@@ -59,6 +60,7 @@ internal class OpenProject(
 
     override val savedBreakpoints: List<SavedBreakpoint> get() = programs.savedBreakpoints
     override val shownProgram: Program get() = programs.shownProgram
+    override val shownBlocks: BlockProgram? get() = programs.state.blocks?.program
     override val shownRobot: RobotPlacement get() = programs.state.robot
     override val session: SessionState get() = run.state.session
 

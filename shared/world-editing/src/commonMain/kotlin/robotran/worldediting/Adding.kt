@@ -6,6 +6,7 @@ import robotran.world.World
 import robotran.world.geometry.Bounds
 import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
+import robotran.world.geometry.simplified
 
 /** Adds [element] near [at], where there is free space, and selects it. */
 internal fun WorldEditing.put(element: Element, at: Point): Outcome? {

@@ -6,6 +6,7 @@ import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.await
+import robotran.documents.FileKind
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.NoTowerPorts
@@ -34,6 +35,7 @@ import robotran.workshop.platform.WallClock
 import robotran.workshop.platform.WebSite
 import robotran.workshop.platform.WindowMemory
 import robotran.workshop.sound.LoudSpeaker
+import kotlin.io.encoding.Base64
 import kotlin.js.Promise
 
 /**
@@ -95,6 +97,11 @@ private object WebSharing : Sharing {
     override suspend fun copy(text: String): Boolean = copyText(text).await<JsBoolean>().toBoolean()
 
     override suspend fun share(text: String): Boolean = shareText(text).await<JsBoolean>().toBoolean()
+
+    override val canShareFiles: Boolean = canSharePictures()
+
+    override suspend fun shareFile(name: String, kind: FileKind, bytes: ByteArray): Boolean =
+        shareFile(name, kind.mimeType, Base64.encode(bytes)).await<JsBoolean>().toBoolean()
 }
 
 private object WebClock : WallClock {
@@ -163,6 +170,30 @@ private fun copyText(text: String): Promise<JsBoolean> =
 
 private fun shareText(text: String): Promise<JsBoolean> =
     js("navigator.share({ url: text }).then(() => true, () => false)")
+
+private fun canSharePictures(): Boolean = js(
+    """(() => {
+        if (typeof navigator.canShare !== 'function') return false;
+        try {
+            return navigator.canShare({ files: [new File([new Uint8Array(1)], 'a.png', { type: 'image/png' })] });
+        } catch (failure) {
+            return false;
+        }
+    })()""",
+)
+
+/** Whoever closes the share sheet has not been refused. */
+private fun shareFile(name: String, type: String, content: String): Promise<JsBoolean> = js(
+    """(async () => {
+        const bytes = Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0));
+        try {
+            await navigator.share({ files: [new File([bytes], name, { type })] });
+            return true;
+        } catch (failure) {
+            return failure.name === 'AbortError';
+        }
+    })()""",
+)
 
 private fun currentTime(): Double = js("Date.now()")
 

@@ -1,5 +1,6 @@
 package robotran.ui.poster
 
+import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Canvas
@@ -47,15 +48,23 @@ class DrawnPoster(private val poster: Poster) {
         val corner = Offset(page.sheet.left.toFloat() * scale, page.sheet.top.toFloat() * scale)
         val area = Size(page.sheet.width.toFloat() * scale, page.sheet.height.toFloat() * scale)
         translate(corner.x, corner.y) {
-            clipRect(0f, 0f, area.width, area.height) {
-                val drawing = fit.into(area)
-                CanvasDrawScope().draw(this, layoutDirection, drawContext.canvas, area) {
-                    drawSheet(drawing, poster.session, SheetColours.LIGHT, labels)
-                }
-            }
+            clipRect(0f, 0f, area.width, area.height) { drawPart(area, labels) }
             drawRect(RobotranColours.LIGHT.line, Offset.Zero, area, style = Stroke(EDGE.toFloat() * scale))
         }
+        for (box in page.boxes) drawBox(box, scale)
         for (line in page.lines) drawLine(line, scale, labels, code)
+    }
+
+    /** The part of the sheet that is seen in [area]. */
+    private fun DrawScope.drawPart(area: Size, labels: TextMeasurer) {
+        val perCentimetre = area.width / page.crop.width.toFloat()
+        val paper = poster.world.paper
+        val whole = Size(paper.width.toFloat() * perCentimetre, paper.height.toFloat() * perCentimetre)
+        translate(-page.crop.left.toFloat() * perCentimetre, -page.crop.top.toFloat() * perCentimetre) {
+            CanvasDrawScope().draw(this, layoutDirection, drawContext.canvas, whole) {
+                drawSheet(fit.into(whole), poster.session, SheetColours.LIGHT, labels)
+            }
+        }
     }
 
     /** The page with [pixelsPerMillimetre], for a printer. */
@@ -69,6 +78,14 @@ class DrawnPoster(private val poster: Poster) {
         }
         return image
     }
+}
+
+private fun DrawScope.drawBox(box: PosterBox, scale: Float) {
+    val corner = Offset(box.area.left.toFloat() * scale, box.area.top.toFloat() * scale)
+    val area = Size(box.area.width.toFloat() * scale, box.area.height.toFloat() * scale)
+    val radius = CornerRadius(box.corner.toFloat() * scale)
+    drawRoundRect(box.fill, corner, area, radius)
+    box.edge?.let { drawRoundRect(it, corner, area, radius, Stroke(EDGE.toFloat() * scale)) }
 }
 
 private fun DrawScope.drawLine(line: PosterLine, scale: Float, labels: TextMeasurer, code: FontFamily) {

@@ -1,5 +1,8 @@
 package robotran.ui.poster
 
+import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.geometry.Size
 import robotran.ui.sheet.svg.SheetSvg
 import robotran.ui.sheet.svg.SvgWriter
 import robotran.ui.sheet.svg.figure
@@ -20,7 +23,7 @@ fun posterSvg(poster: Poster): String {
     ) {
         svg.textElement("title", poster.title)
         svg.element("rect", "width" to page.width, "height" to page.height, "fill" to "#ffffff")
-        with(page.sheet) { SheetSvg(poster.world, poster.session).writeInto(svg, left, top, width, height) }
+        SheetSvg(poster.world, poster.session).writeInto(svg, page.crop.rect(), page.sheet.rect())
         svg.element(
             "rect",
             "x" to page.sheet.left,
@@ -31,10 +34,28 @@ fun posterSvg(poster: Poster): String {
             "stroke" to hex(RobotranColours.LIGHT.line),
             "stroke-width" to EDGE,
         )
+        for (box in page.boxes) svg.box(box)
         for (line in page.lines) svg.line(line)
     }
     return svg.toString()
 }
+
+private fun PosterArea.rect(): Rect {
+    val corner = Offset(left.toFloat(), top.toFloat())
+    return Rect(corner, Size(width.toFloat(), height.toFloat()))
+}
+
+private fun SvgWriter.box(box: PosterBox) = element(
+    "rect",
+    "x" to box.area.left,
+    "y" to box.area.top,
+    "width" to box.area.width,
+    "height" to box.area.height,
+    "rx" to box.corner.takeIf { it > 0 },
+    "fill" to hex(box.fill),
+    "stroke" to box.edge?.let(::hex),
+    "stroke-width" to EDGE.takeIf { box.edge != null },
+)
 
 private fun SvgWriter.line(line: PosterLine) = runs(
     "text",

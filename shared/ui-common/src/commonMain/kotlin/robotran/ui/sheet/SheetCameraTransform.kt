@@ -60,7 +60,7 @@ private fun centreInView(wanted: Double, seen: Float, length: Double, margin: Do
 }
 
 /** The visible desk around [paper], in centimetres: space for its walls and the grid's numbers. */
-internal fun marginOf(paper: Paper): Double = maxOf(MIN_MARGIN, maxOf(paper.width, paper.height) * MARGIN_SHARE)
+fun marginOf(paper: Paper): Double = maxOf(MIN_MARGIN, maxOf(paper.width, paper.height) * MARGIN_SHARE)
 
 private const val MIN_MARGIN = 3.0
 private const val MARGIN_SHARE = 0.03

@@ -37,24 +37,25 @@ class SheetPictures {
 
     /**
      * The thumbnail of [world] with the cache key [key] for [room], after a run of the programs in [loads], if any;
-     * drawn on first use.
+     * changed by [shown]; drawn on first use.
      */
     suspend fun of(
         key: String,
         world: World,
         colours: SheetColours,
         room: PictureBounds,
+        shown: (SessionState) -> SessionState = { it },
         loads: suspend () -> List<RobotProgramSet> = { emptyList() },
     ): ImageBitmap = drawing.withLock {
         val kept = cache.takeIf { it.colours == colours && it.pictures.size < MAX } ?: Cache(colours, emptyMap())
-        kept.pictures[key to room.pixels] ?: draw(world, loads, colours, room).also {
+        kept.pictures[key to room.pixels] ?: draw(world, { shown(stateOf(world, loads(), it)) }, colours, room).also {
             cache = Cache(colours, kept.pictures + ((key to room.pixels) to it))
         }
     }
 
     private suspend fun draw(
         world: World,
-        loads: suspend () -> List<RobotProgramSet>,
+        state: suspend (PhysicsEngine) -> SessionState,
         colours: SheetColours,
         room: PictureBounds,
     ): ImageBitmap {
@@ -62,7 +63,7 @@ class SheetPictures {
         val engine = physics ?: loadPhysicsEngine().also { physics = it }
         val width = room.widthFor(world.paper)
         return withContext(Dispatchers.Default) {
-            renderSheet(world, stateOf(world, loads(), engine), width, colours = colours, density = room.density)
+            renderSheet(world, state(engine), width, colours = colours, density = room.density)
         }
     }
 

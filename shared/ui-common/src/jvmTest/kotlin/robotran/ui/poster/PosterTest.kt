@@ -3,14 +3,24 @@ package robotran.ui.poster
 import org.w3c.dom.Document
 import org.w3c.dom.Element
 import org.xml.sax.InputSource
+import robotran.blockediting.blocksOf
 import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.BlockGroup
+import robotran.simulation.state.Ink
+import robotran.simulation.state.InkStroke
+import robotran.ui.code.BlockLooks
 import robotran.ui.sheet.SheetScenes
+import robotran.ui.sheet.svg.hex
+import robotran.uikit.*
 import robotran.workshop.state.Poster
 import robotran.world.Paper
+import robotran.world.geometry.Point
 import java.io.StringReader
 import javax.xml.parsers.DocumentBuilderFactory
+import kotlin.math.round
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -92,7 +102,66 @@ class PosterTest {
         assertEquals("297mm", document.documentElement.getAttribute("height"))
         val words = document.elements("text").map { it.textContent.replace('\u00A0', ' ') }
         assertTrue("<Tom> & \"Ann\"" in words && "  forward 20 # cm" in words, "$words")
-        assertEquals(1, document.elements("svg").count { it.getAttribute("viewBox") == "0 0 120 90" })
+        assertEquals(2, document.elements("svg").size)
+    }
+
+    @Test
+    fun `the drawing with a margin fills its place, and the paper is never left`() {
+        val line = listOf(Point(20.0, 30.0), Point(40.0, 60.0))
+        val session = SheetScenes.everythingLater.copy(ink = Ink(listOf(InkStroke(line)), 36.0), robots = emptyList())
+        val crop = cropOf(SheetScenes.everything, session, aspect = 1.0)
+        assertEquals(listOf(34.8, 34.8), listOf(crop.width, crop.height).map { round(it * 10) / 10 })
+        assertEquals(listOf(12.6, 27.6), listOf(crop.left, crop.top).map { round(it * 10) / 10 })
+        val atEdge = session.copy(ink = Ink(listOf(InkStroke(listOf(Point(0.0, 0.0), Point(119.0, 1.0)))), 119.0))
+        assertEquals(PosterArea(0.0, 0.0, 120.0, 90.0), cropOf(SheetScenes.everything, atEdge, aspect = 1.0))
+        val empty = session.copy(ink = Ink.NONE)
+        assertEquals(PosterArea(0.0, 0.0, 120.0, 90.0), cropOf(SheetScenes.everything, empty, aspect = 1.0))
+    }
+
+    @Test
+    fun `a small drawing takes more than half of the page's width and height beside the margins`() {
+        val ink = Ink(listOf(InkStroke(listOf(Point(60.0, 50.0), Point(80.0, 50.0), Point(80.0, 70.0)))), 40.0)
+        val small = poster.copy(session = SheetScenes.everythingLater.copy(ink = ink, robots = emptyList()))
+        val page = layPoster(small)
+        assertTrue(page.sheet.width * page.sheet.height > 0.5 * 186 * 252, "${page.sheet}")
+        assertTrue(page.crop.width < 40)
+    }
+
+    @Test
+    fun `a program built with blocks is printed as blocks`() {
+        val text = "pen down // now it draws\nrepeat 4 times\n  forward 20\n  turn left 90 degrees\nend"
+        val page = layPoster(posterOf(text).inBlocks())
+        val words = page.lines.filter { it.isCode }.map { it.text }
+        assertEquals(
+            listOf("pen", "down", "now it draws", "repeat", "4", "times", "forward", "20 cm", "turn", "left", "90"),
+            words.take(11),
+        )
+        assertEquals("end", words.last())
+        val groups = page.boxes.map { it.fill }.toSet()
+        assertTrue(groups.containsAll(listOf(BlockGroup.PEN, BlockGroup.DRIVE, BlockGroup.CONTROL).map(::fillOf)))
+        assertTrue("fill=\"${hex(fillOf(BlockGroup.DRIVE))}\"" in posterSvg(posterOf(text).inBlocks()))
+    }
+
+    @Test
+    fun `a value that is wider than its column goes on below, between its words`() {
+        val piece = PosterPiece("left bumper or right bumper", isSocket = true)
+        assertEquals(listOf("left bumper or", "right bumper"), piece.cut(room = 12.0).map { it.text })
+        assertEquals(listOf("abcdefgh", "ij"), PosterPiece("abcdefghij", isSocket = false).cut(5.0).map { it.text })
+    }
+
+    @Test
+    fun `no block leaves the page, and those without room are counted`() {
+        for (count in listOf(1, 20, 60, 400)) {
+            val text = List(count) { "if left bumper or right bumper\n  show 1 + 2 + 3 + 4 + 5 + 6 + 7 + 8\nend" }
+            val page = layPoster(posterOf(text.joinToString("\n")).inBlocks())
+            assertEquals(emptyList(), page.errors(), "$count blocks")
+            val outside = page.boxes.filter { (area) ->
+                area.left < 11.9 || area.left + area.width > page.width - 11.9 ||
+                    area.top + area.height > page.height - 11
+            }
+            assertEquals(emptyList(), outside, "$count blocks")
+            assertEquals(count > 20, page.lines.last().text.startsWith("… and "), "$count blocks")
+        }
     }
 
     private fun PosterPage.errors(): List<String> {
@@ -124,6 +193,11 @@ class PosterTest {
         program = Program.of("stars.robo", text),
         language = Language.ENGLISH,
     )
+
+    private fun Poster.inBlocks() =
+        copy(blocks = blocksOf(program.files.single().text, RobolangMessages.of(Language.ENGLISH)))
+
+    private fun fillOf(group: BlockGroup) = BlockLooks(RobotranColours.LIGHT).of(group).fill
 
     private fun read(svg: String): Document =
         DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(InputSource(StringReader(svg)))

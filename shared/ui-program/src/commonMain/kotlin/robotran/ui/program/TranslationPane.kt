@@ -169,8 +169,8 @@ private fun TranslatedText(
     LaunchedEffect(seen, view.size) {
         withFrameNanos { }
         val inText = seen.filter { it <= view.geometry.lines }
-        inText.maxOrNull()?.let { view.scrollTo(it - 1, null) }
-        inText.minOrNull()?.let { view.scrollTo(it - 1, null) }
+        inText.maxOrNull()?.let { view.scrollTo(it - 1) }
+        inText.minOrNull()?.let { view.scrollTo(it - 1) }
     }
     EditorSurface(
         paint,

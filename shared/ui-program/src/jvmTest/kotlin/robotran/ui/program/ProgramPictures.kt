@@ -53,6 +53,14 @@ class ProgramPictures {
         workshop.handle(ProgramEvent.DraftChanged(TextDocument(draft.text).withCaret(place), EditKind.OTHER))
     }
 
+    @Test
+    fun `lines in several rows, with a mistake, a selection and a breakpoint, can be photographed`() =
+        photograph("rows") { workshop ->
+            workshop.handle(ProgramEvent.ProgramEdited(LONG))
+            workshop.write(LONG, caret = 70, anchor = 20)
+            workshop.handle(ProgramEvent.BreakpointToggled(3))
+        }
+
     private fun photograph(name: String, keys: List<Key> = emptyList(), prepare: (Workshop) -> Unit) {
         for (screen in Screen.entries) {
             val workshop = runBlocking { openWorkshop() }
@@ -103,6 +111,15 @@ class ProgramPictures {
             beep beep
             var x = 3.7
             show x
+        """.trimIndent()
+
+        val LONG = """
+            wait until left bumper or right bumper or left bumper
+            repeat 4 times
+              if 20 > 10 and (left bumper or right bumper or not left bumper)
+                forwrd 20 // a long remark that goes on and on until it needs a second row
+              end
+            end
         """.trimIndent()
     }
 }

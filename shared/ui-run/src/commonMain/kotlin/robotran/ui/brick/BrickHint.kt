@@ -4,8 +4,6 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -29,7 +27,7 @@ fun brickHintWords(state: BrickState, isSolved: Boolean = false): String? = stat
 
 /**
  * Shows [brickHintWords] and the calls of an exception, with [action] and a close button if [onClose] is set; empty
- * without a message. Long messages scroll.
+ * without a message.
  */
 @Composable
 fun BrickHint(
@@ -42,14 +40,7 @@ fun BrickHint(
     val words = brickHintWords(state, isSolved) ?: return
     Surface(modifier.fillMaxWidth()) {
         Row {
-            val scroll = rememberScrollState()
-            Column(
-                Modifier
-                    .weight(1f)
-                    .scrollHint(scroll)
-                    .verticalScroll(scroll)
-                    .padding(12.dp),
-            ) {
+            Column(Modifier.weight(1f).padding(12.dp)) {
                 Text(
                     words,
                     Modifier.testTag(RunTags.BRICK_HINT).announced(),

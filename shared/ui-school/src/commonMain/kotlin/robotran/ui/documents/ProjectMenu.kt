@@ -39,14 +39,29 @@ import robotran.workshop.state.DocumentState
 @Composable
 fun ProjectMenu(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     var open by remember { mutableStateOf(false) }
+    var showsMore by remember { mutableStateOf(false) }
+    val choose = { event: WorkshopEvent ->
+        open = false
+        onEvent(event)
+    }
     Box(modifier) {
-        ProjectName(state) { open = true }
+        ProjectName(state) {
+            showsMore = false
+            open = true
+        }
         AppMenu(
             expanded = open,
             onDismissRequest = { open = false },
             modifier = Modifier.widthIn(min = 240.dp).testTag(DocumentTags.WORK_MENU_ITEMS),
+            page = showsMore,
         ) {
-            ProjectMenuItems(state, onEvent, { open = false })
+            if (showsMore) {
+                LessItem { showsMore = false }
+                MenuDivider()
+                MoreProjectItems(state, choose)
+            } else {
+                ProjectMenuItems(state, choose) { showsMore = true }
+            }
         }
     }
 }
@@ -54,7 +69,6 @@ fun ProjectMenu(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, modifier
 /** The same as a menu entry; [onClick] should show the list of actions on the project. */
 @Composable
 fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
-    val colours = LocalRobotranColours.current
     val words =
         DocumentTexts.menu(spoken, state.name.ifEmpty { DocumentTexts.untitled(spoken) })
     val condition = conditionOf(state)
@@ -65,12 +79,25 @@ fun ProjectMenuEntry(state: DocumentState, onClick: () -> Unit) {
             contentDescription = words
             if (condition != null) stateDescription = condition
         },
-        trailing = { SmallIcon(MORE_ICON, colours.quiet) },
+        trailing = { MoreSign() },
     ) {
         val named = listOfNotNull(signOf(state), words).joinToString(" ")
         Text(named, style = TextStyles.body, maxLines = 1, overflow = TextOverflow.Ellipsis)
     }
 }
+
+/** Behind a menu entry that opens a list in place of the menu. */
+@Composable
+fun MoreSign() = SmallIcon(MORE_ICON, LocalRobotranColours.current.quiet)
+
+/** Leads back from the list of [MoreProjectItems]. */
+@Composable
+private fun LessItem(onClick: () -> Unit) = MenuItem(
+    DocumentTexts.backToMenu(spoken),
+    DocumentTags.menuItem(DocumentTags.LESS),
+    leading = { SmallIcon(Icon.BACK, LocalRobotranColours.current.onPane) },
+    onClick = onClick,
+)
 
 /** The sign for the save status before the project's name; null if all is saved. */
 private fun signOf(state: DocumentState): String? = when {

@@ -3,29 +3,26 @@ package robotran.ui.documents
 import androidx.compose.runtime.Composable
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.school.tags.DocumentTags
-import robotran.ui.school.tags.HandInTags
 import robotran.ui.school.texts.DocumentTexts
-import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.OTHER_BRICKS
 import robotran.uikit.*
-import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ExportEvent
-import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DocumentState
 
-/** All actions on the project, as items of a menu; [close] closes the menu. */
+/**
+ * What pupils do with their project, as at most nine items of a menu.
+ *
+ * @param choose closes the menu and sends the event.
+ * @param onMore shows [MoreProjectItems] instead.
+ */
 @Composable
-fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, close: () -> Unit) {
-    val choose = { event: WorkshopEvent ->
-        close()
-        onEvent(event)
-    }
+fun ProjectMenuItems(state: DocumentState, choose: (WorkshopEvent) -> Unit, onMore: () -> Unit) {
     if (state.error != null) {
         ProjectMenuItem(DocumentTexts::notKept, DocumentTags.TROUBLE, "⚠ ") { choose(DocumentEvent.WarningShown(true)) }
         HorizontalDivider()
@@ -37,29 +34,37 @@ fun ProjectMenuItems(state: DocumentState, onEvent: (WorkshopEvent) -> Unit, clo
         }
     }
     ProjectMenuItem(CommonTexts::myWork, DocumentTags.MY_WORK) { choose(DocumentEvent.ProjectListRequested) }
-    ProjectMenuItem(DocumentTexts::open, DocumentTags.OPEN) { choose(DocumentEvent.OpenRequested) }
-    ProjectMenuItem(DocumentTexts::openLink, DocumentTags.OPEN_LINK) { choose(DocumentEvent.LinkPastingRequested) }
     HorizontalDivider()
     ProjectMenuItem(DocumentTexts::rename, DocumentTags.RENAME) { choose(DocumentEvent.RenameRequested) }
     if (state.fileName != null) {
         ProjectMenuItem(DocumentTexts::save, DocumentTags.SAVE) { choose(DocumentEvent.SaveRequested) }
     }
-    ProjectMenuItem(CommonTexts::saveAs, DocumentTags.SAVE_AS) { choose(DocumentEvent.SaveAsRequested) }
-    ProjectMenuItem(DocumentTexts::share, DocumentTags.SHARE_LINK) { choose(DocumentEvent.LinkRequested) }
-    HorizontalDivider()
-    if (state.canSend) ProjectMenuItem(CommonTexts::sendToRobot, CommonTags.SEND_ROBOT) { choose(SendEvent.Requested) }
     ProjectMenuItem(CommonTexts::showWork, DocumentTags.SHOW) { choose(ExportEvent.Requested) }
-    ProjectMenuItem(SchoolTexts::makeTitle, DocumentTags.MAKE_ASSIGNMENT) { choose(AssignmentEvent.MakingRequested) }
-    ProjectMenuItem(DocumentTexts::replay, DocumentTags.REPLAY) { choose(DocumentEvent.ReplayRequested) }
+    ProjectMenuItem(DocumentTexts::share, DocumentTags.SHARE_LINK) { choose(DocumentEvent.LinkRequested) }
+    if (state.canSend) ProjectMenuItem(CommonTexts::sendToRobot, CommonTags.SEND_ROBOT) { choose(SendEvent.Requested) }
+    HorizontalDivider()
+    MenuItem(
+        DocumentTexts.more(spoken),
+        DocumentTags.menuItem(DocumentTags.MORE),
+        trailing = { MoreSign() },
+        onClick = onMore,
+    )
+}
+
+/** What is done with a project now and then: files, and what else can be made of it. */
+@Composable
+fun MoreProjectItems(state: DocumentState, choose: (WorkshopEvent) -> Unit) {
+    ProjectMenuItem(DocumentTexts::open, DocumentTags.OPEN) { choose(DocumentEvent.OpenRequested) }
+    ProjectMenuItem(DocumentTexts::openLink, DocumentTags.OPEN_LINK) { choose(DocumentEvent.LinkPastingRequested) }
+    HorizontalDivider()
+    ProjectMenuItem(CommonTexts::saveAs, DocumentTags.SAVE_AS) { choose(DocumentEvent.SaveAsRequested) }
     ProjectMenuItem(DocumentTexts::programFile, DocumentTags.PROGRAM_FILE) {
         choose(DocumentEvent.ProgramFileRequested)
     }
     val kit = if (state.hasFirmwareImage) NqcTexts::documentsFirmwareImage else CommonTexts::sendingKit
     ProjectMenuItem(kit, DocumentTags.KIT) { choose(DocumentEvent.KitRequested) }
-    if (state.hasGoals) {
-        HorizontalDivider()
-        ProjectMenuItem(SchoolTexts::handInsMenu, HandInTags.HAND_INS) { choose(HandInsEvent.Requested) }
-    }
+    HorizontalDivider()
+    ProjectMenuItem(DocumentTexts::replay, DocumentTags.REPLAY) { choose(DocumentEvent.ReplayRequested) }
 }
 
 @Composable

@@ -7,6 +7,7 @@ import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.state.ExportState
+import robotran.workshop.state.MadePicture
 import robotran.workshop.state.ShowStep
 
 /** The buttons of the step: at the left the one that leaves it, at the right what goes on. */
@@ -26,16 +27,19 @@ internal fun ExportButtons(state: ExportState, onEvent: (ExportEvent) -> Unit, m
     }
 }
 
-private fun actionsOf(state: ExportState): Pair<ShowAction, List<ShowAction>> = when (state.step) {
+private fun actionsOf(state: ExportState): Pair<ShowAction, List<ShowAction>> = when (val step = state.step) {
     ShowStep.Choosing -> ShowAction.CLOSE to emptyList()
-    is ShowStep.ChoosingSpeed -> ShowAction.BACK to listOf(ShowAction.MAKE)
+    is ShowStep.ChoosingSpeed, is ShowStep.ChoosingPoster -> ShowAction.BACK to listOf(ShowAction.MAKE)
     is ShowStep.Making -> ShowAction.CANCEL to emptyList()
 
-    is ShowStep.ChoosingPoster -> {
-        ShowAction.BACK to listOf(ShowAction.SAVE, ShowAction.PRINT).filter { it != ShowAction.PRINT || state.canPrint }
-    }
+    is ShowStep.Made -> ShowAction.MORE to listOfNotNull(
+        ShowAction.PRINT.takeIf { state.canPrint && step.work.shown is MadePicture.Page },
+        ShowAction.SHARE.takeIf { state.canShare },
+        ShowAction.SAVE,
+        ShowAction.CLOSE.takeIf { step.savedAs != null },
+    )
 
-    is ShowStep.Saved, is ShowStep.Failed -> ShowAction.MORE to listOf(ShowAction.CLOSE)
+    is ShowStep.Failed -> ShowAction.MORE to listOf(ShowAction.CLOSE)
 }
 
 private enum class ShowAction(val words: Label, val tag: String, val event: ExportEvent) {
@@ -44,6 +48,7 @@ private enum class ShowAction(val words: Label, val tag: String, val event: Expo
     CANCEL(ExportTexts::cancel, ExportTags.SHOW_CANCEL, ExportEvent.BackRequested),
     MORE(ExportTexts::more, ExportTags.SHOW_MORE, ExportEvent.BackRequested),
     MAKE(ExportTexts::make, ExportTags.SHOW_MAKE, ExportEvent.MakingRequested),
-    SAVE(ExportTexts::posterSave, ExportTags.POSTER_SAVE, ExportEvent.PosterSaved),
-    PRINT(ExportTexts::posterPrint, ExportTags.POSTER_PRINT, ExportEvent.PosterPrinted),
+    SAVE(ExportTexts::save, ExportTags.SHOW_SAVE, ExportEvent.SaveRequested),
+    SHARE(ExportTexts::share, ExportTags.SHOW_SHARE, ExportEvent.ShareRequested),
+    PRINT(ExportTexts::posterPrint, ExportTags.SHOW_PRINT, ExportEvent.PrintRequested),
 }

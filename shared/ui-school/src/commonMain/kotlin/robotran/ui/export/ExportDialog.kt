@@ -38,7 +38,7 @@ internal fun ShowCard(
             is ShowStep.ChoosingSpeed -> SpeedChoice(step, onEvent)
             is ShowStep.Making -> MakingView(step)
             is ShowStep.ChoosingPoster -> PosterForm(step, onEvent)
-            is ShowStep.Saved -> SavedView(step.name)
+            is ShowStep.Made -> MadeView(step)
             is ShowStep.Failed -> FailedView(step.error)
         }
     }

@@ -88,36 +88,29 @@ internal fun MakingView(step: ShowStep.Making) {
     }
 }
 
-@Composable
-internal fun SavedView(name: String) = ExportResult(ExportTexts.saved(spoken, name), ExportTags.SHOW_SAVED)
-
-@Composable
-internal fun FailedView(error: ShowError) = ExportResult(
-    when (error) {
-        ShowError.TooLarge -> ExportTexts.tooLarge(spoken)
-        ShowError.NoVideo -> ExportTexts.noVideo(spoken)
-        is ShowError.NotPrinted -> ExportTexts.notPrinted(spoken, error.reason).trim()
-
-        is ShowError.NotSaved -> when {
-            error.isFull -> ExportTexts.full(spoken)
-            else -> ExportTexts.notSaved(spoken, error.reason).trim()
-        }
-    },
-    ExportTags.SHOW_FAILED,
-    isError = true,
-)
-
 /** One sentence in the middle. */
 @Composable
-private fun ExportResult(label: String, tag: String, isError: Boolean = false) {
-    val colours = LocalRobotranColours.current
+internal fun FailedView(error: ShowError) {
     Column(Modifier.fillMaxSize(), Arrangement.Center) {
         Text(
-            label,
-            Modifier.fillMaxWidth().testTag(tag).announced(),
+            sentenceOf(error),
+            Modifier.fillMaxWidth().testTag(ExportTags.SHOW_FAILED).announced(),
             TextStyles.leadSentence,
-            color = if (isError) colours.error else colours.onPane,
+            color = LocalRobotranColours.current.error,
         )
+    }
+}
+
+@Composable
+internal fun sentenceOf(error: ShowError): String = when (error) {
+    ShowError.TooLarge -> ExportTexts.tooLarge(spoken)
+    ShowError.NoVideo -> ExportTexts.noVideo(spoken)
+    ShowError.NotShared -> ExportTexts.notShared(spoken)
+    is ShowError.NotPrinted -> ExportTexts.notPrinted(spoken, error.reason).trim()
+
+    is ShowError.NotSaved -> when {
+        error.isFull -> ExportTexts.full(spoken)
+        else -> ExportTexts.notSaved(spoken, error.reason).trim()
     }
 }
 

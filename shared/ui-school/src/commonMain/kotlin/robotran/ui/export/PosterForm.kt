@@ -80,7 +80,12 @@ private fun PosterField(value: String, label: String, tag: String, onChange: (St
     TextField(value, onChange, Modifier.fillMaxWidth().testTag(tag), label)
 
 @Composable
-private fun PosterPreview(poster: Poster, modifier: Modifier) {
+private fun PosterPreview(poster: Poster, modifier: Modifier) =
+    PosterView(poster, modifier, Modifier.testTag(ExportTags.POSTER_PREVIEW))
+
+/** The page, as large as there is room. */
+@Composable
+internal fun PosterView(poster: Poster, modifier: Modifier, pageModifier: Modifier) {
     val drawn = remember(poster) { DrawnPoster(poster) }
     val labels = rememberTextMeasurer(CACHED_LINES)
     val code = codeStyle().fontFamily
@@ -88,10 +93,9 @@ private fun PosterPreview(poster: Poster, modifier: Modifier) {
     BoxWithConstraints(modifier, Alignment.TopCenter) {
         val line = LocalRobotranColours.current.line
         Canvas(
-            Modifier
+            pageModifier
                 .aspectRatio((drawn.width / drawn.height).toFloat())
                 .border(1.dp, line)
-                .testTag(ExportTags.POSTER_PREVIEW)
                 .semantics {
                     role = Role.Image
                     contentDescription = description

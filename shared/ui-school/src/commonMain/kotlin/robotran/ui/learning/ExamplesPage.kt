@@ -53,11 +53,11 @@ private fun LazyGridScope.examples(set: ExampleSet, onEvent: (LearningEvent) -> 
 @Composable
 private fun ExampleCard(name: String, id: String, about: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    PictureCard(id, ExamplePictures, LearningTags.example(id), PICTURE_ASPECT, padding = 12.dp, onClick) {
+    PictureCard(id, ExamplePictures, LearningTags.example(id), LOOK, onClick) {
         Text(name, style = TextStyles.body.strong)
         Text(about, style = TextStyles.smallLines, color = colours.quiet)
     }
 }
 
 private val CARD_WIDTH = 200.dp
-private const val PICTURE_ASPECT = 4f / 3f
+private val LOOK = CardLook(4f / 3f, padding = Space.MEDIUM)

@@ -4,6 +4,8 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ExperimentalLayoutApi
+import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
 import androidx.compose.foundation.layout.fillMaxSize
@@ -93,13 +95,26 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
-                onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-            }
+            OtherPages(onEvent)
             if (room == WelcomeRoom.HIGH) {
                 Text(LearningTexts.welcomeAgain(spoken), style = TextStyles.smallLines, color = colours.quiet)
             }
         }
+    }
+}
+
+/** The ways to all lessons, and to what is for teachers. */
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun OtherPages(onEvent: (LearningEvent) -> Unit) = FlowRow(
+    horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
+    verticalArrangement = Arrangement.spacedBy(Space.SMALL),
+) {
+    Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
+        onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+    }
+    Button(LearningTexts.teachers(spoken), LearningTags.TRY_TEACHERS, ButtonKind.QUIET) {
+        onEvent(LearningEvent.PageRequested(LearningPage.TEACHERS))
     }
 }
 

@@ -40,9 +40,9 @@ private fun HintCard(hint: Hint, inBlocks: Boolean, isLatest: Boolean) {
             .testTag(if (isLatest) LearningTags.HINT else LearningTags.hint(hint.stage))
             .broughtIntoSight(isLatest)
             .border(1.dp, colours.line, Shapes.MEDIUM)
-            .padding(12.dp)
+            .padding(Space.SMALL)
             .semantics(mergeDescendants = true) { liveRegion = LiveRegionMode.Polite },
-        Arrangement.spacedBy(4.dp),
+        Arrangement.spacedBy(Space.HAIR),
     ) {
         val line = hint.line?.let { " · ${LearningTexts.hintLine(spoken, it)}" }.orEmpty()
         Text("${hint.stage.title(spoken)}$line", style = TextStyles.small.strong)

@@ -22,6 +22,7 @@ import robotran.workshop.state.SavedOwnCourse
  *
  * @param view how programs are shown.
  * @param saved what came of saving lessons or worlds as a course.
+ * @param hasGoals whether the open project has goals.
  * @param foot the height of the run bar, which help on words leaves free.
  */
 @Composable
@@ -29,13 +30,15 @@ fun LearningPages(
     state: LearningState,
     view: ProgramView,
     saved: SavedOwnCourse?,
+    hasGoals: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
     foot: Dp = 0.dp,
 ) {
     when (state.page) {
         LearningPage.FIRST_RUN -> FirstRunPage(view, onEvent)
-        LearningPage.MAP -> LessonMapPage(state, saved, onEvent)
-        LearningPage.WORLDS -> WorldGalleryPage(state, saved, onEvent)
+        LearningPage.MAP -> LessonMapPage(state, onEvent)
+        LearningPage.TEACHERS -> TeachersPage(state.language, hasGoals, saved, onEvent)
+        LearningPage.WORLDS -> WorldGalleryPage(state, onEvent)
         LearningPage.EXAMPLES -> ExamplesPage(state.help.programLanguage, state.help.brick, onEvent)
 
         LearningPage.HELP -> BoxWithConstraints(Modifier.fillMaxSize().padding(bottom = foot).padding(12.dp)) {

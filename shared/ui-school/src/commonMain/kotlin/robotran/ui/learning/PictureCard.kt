@@ -35,31 +35,45 @@ internal interface CardPictures<T> {
 }
 
 /**
+ * How the cards of a gallery look.
+ *
+ * @property aspect the ratio of the picture's width to its height.
+ * @property padding around the words; half of it around the picture.
+ */
+internal class CardLook(val aspect: Float, val padding: Dp)
+
+/**
  * A clickable card of a gallery: a picture of [subject] above [words]. The words describe the picture, so it needs no
  * accessibility text.
  *
- * @param aspect the ratio of the picture's width to its height.
- * @param padding around the words; half of it around the picture.
+ * @param isNext whether it is the one to press next.
  */
 @Composable
 internal fun <T : Any> PictureCard(
     subject: T,
     pictures: CardPictures<T>,
     tag: String,
-    aspect: Float,
-    padding: Dp,
+    look: CardLook,
     onClick: () -> Unit,
+    modifier: Modifier = Modifier,
+    isNext: Boolean = false,
     words: @Composable ColumnScope.() -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    CardButton(tag, onClick, Modifier.fillMaxWidth()) {
+    CardButton(
+        tag,
+        onClick,
+        modifier.fillMaxWidth(),
+        color = if (isNext) RobotranColours.YELLOW else colours.pane,
+        border = edge(if (isNext) RobotranColours.YELLOW_EDGE else colours.line),
+    ) {
         Column {
             CardPicture(
                 subject,
                 pictures,
-                Modifier.fillMaxWidth().aspectRatio(aspect).background(colours.desk).padding(padding / 2),
+                Modifier.fillMaxWidth().aspectRatio(look.aspect).background(colours.desk).padding(look.padding / 2),
             )
-            Column(Modifier.padding(padding), Arrangement.spacedBy(6.dp), content = words)
+            Column(Modifier.padding(look.padding), Arrangement.spacedBy(6.dp), content = words)
         }
     }
 }

@@ -1,5 +1,7 @@
 package robotran.ui.learning
 
+import androidx.compose.foundation.layout.Arrangement
+import androidx.compose.foundation.layout.Column
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -12,18 +14,17 @@ import robotran.workshop.state.SavedOwnCourse
 
 /** Saves the course [name], which comes with Robotran and is called [title] here, as a file. */
 @Composable
-internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
-    // Several such buttons on a page sound alike otherwise.
-    val words = SchoolTexts.courseSaveOwnOf(spoken, title)
-    Button(
-        SchoolTexts.courseSaveOwn(spoken),
-        LearningTags.courseSave(name),
-        ButtonKind.QUIET,
-        Modifier.named(words),
-    ) { onEvent(CourseEvent.OwnCourseSaved(name)) }
-    if (saved?.name != name) return
+internal fun SaveOwnCourse(name: String, title: String, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) =
+    Column(verticalArrangement = Arrangement.spacedBy(Space.TINY)) {
+        val words = SchoolTexts.courseSaveOwnOf(spoken, title)
+        Button(words, LearningTags.courseSave(name), ButtonKind.SECOND) { onEvent(CourseEvent.OwnCourseSaved(name)) }
+        if (saved?.name == name) Outcome(saved)
+    }
+
+@Composable
+private fun Outcome(saved: SavedOwnCourse) {
     val error = saved.error
-    val news = Modifier.testTag(LearningTags.courseSaved(name)).announced()
+    val news = Modifier.testTag(LearningTags.courseSaved(saved.name)).announced()
     if (error == null) {
         Explanation(SchoolTexts.handInSaved(spoken, saved.file.orEmpty()), news)
     } else {

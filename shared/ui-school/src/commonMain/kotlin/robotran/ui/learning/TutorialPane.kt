@@ -4,19 +4,23 @@ import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.ColumnScope
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.key
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.paneTitle
 import androidx.compose.ui.semantics.semantics
-import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
@@ -26,8 +30,8 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.TutorialState
 
 /**
- * The current step of the tutorial: its text, program and task. It is next to the program, above it, or in its place.
- * The text scrolls; the actions below it stay visible.
+ * The current step of the tutorial, above the program or in its place: first the task, which is always there, below or
+ * beside it how it works. Both scroll; the way through the lessons stays visible.
  */
 @Composable
 fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
@@ -39,67 +43,88 @@ fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifie
             paneTitle = title
         },
     ) {
-        val isBroad = maxWidth >= BROAD * LocalDensity.current.fontScale
-        val maxFoot = maxHeight * FOOT_SHARE
+        val scale = LocalDensity.current.fontScale
+        val isBroad = maxWidth >= BROAD * scale
+        val isTall = maxHeight >= TALL * scale
         Column(Modifier.fillMaxSize()) {
             TutorialStrip(state, onEvent)
             HorizontalDivider()
-            key(tutorial.step) { Step(state, tutorial, isBroad, onEvent, Modifier.weight(1f)) }
+            key(tutorial.step) {
+                if (isBroad) {
+                    TaskAndText(state, tutorial, onEvent, Modifier.weight(1f))
+                } else {
+                    TaskOverText(state, tutorial, isTall, onEvent, Modifier.weight(1f))
+                }
+            }
             HorizontalDivider()
-            TutorialFoot(tutorial, state.isStepDone, isBroad, maxFoot, onEvent)
+            TutorialFoot(tutorial, state.isStepDone, onEvent)
         }
     }
 }
 
 @Composable
-private fun Step(
+private fun TaskAndText(
     state: LearningState,
     tutorial: TutorialState,
-    isBroad: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
-) {
-    val scroll = rememberScrollState()
-    val scrolled = modifier
-        .fillMaxSize()
-        .testTag(LearningTags.TUTORIAL_TEXT)
-        .scrollHint(scroll)
-        .verticalScroll(scroll)
-        .padding(horizontal = 20.dp, vertical = 16.dp)
-    if (isBroad) {
-        Row(scrolled, Arrangement.spacedBy(24.dp)) {
-            Column(Modifier.weight(1f), Arrangement.spacedBy(16.dp)) { StepText(state, tutorial) }
-            Column(Modifier.weight(1f)) { TutorialTask(state, tutorial, onEvent) }
-        }
-    } else {
-        Column(scrolled, Arrangement.spacedBy(16.dp)) {
-            StepText(state, tutorial)
-            TutorialTask(state, tutorial, onEvent)
-        }
+) = Row(modifier.fillMaxSize()) {
+    Scrolled(LearningTags.TASK_AND_HELP, Modifier.weight(1f)) {
+        StepTitle(state, tutorial)
+        TutorialTask(state, tutorial, onEvent)
     }
+    Scrolled(LearningTags.TUTORIAL_TEXT, Modifier.weight(1f)) { Paragraphs(state, tutorial) }
+}
+
+/** @param isTall whether there is room for both, so that the text needs no unfolding. */
+@Composable
+private fun TaskOverText(
+    state: LearningState,
+    tutorial: TutorialState,
+    isTall: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier,
+) = Scrolled(LearningTags.TUTORIAL_TEXT, modifier) {
+    var isOpen by rememberSaveable(tutorial.isLoaded, isTall) { mutableStateOf(isTall || !tutorial.isLoaded) }
+    StepTitle(state, tutorial)
+    TutorialTask(state, tutorial, onEvent)
+    Disclosure(LearningTexts.explanation(spoken), LearningTags.EXPLANATION, isOpen) { isOpen = it }
+    if (isOpen) Paragraphs(state, tutorial)
 }
 
 @Composable
-private fun StepText(state: LearningState, tutorial: TutorialState) {
-    val text = tutorial.current.text(state.language, state.isInBlocks)
-    Text(
-        text.title,
-        Modifier.testTag(LearningTags.STEP_TITLE).heading(),
-        // A long word of a larger title would be broken on a phone.
-        TextStyle(
-            fontSize = if (LocalDensity.current.fontScale > LARGE) TextSizes.LEAD else TextSizes.KEY,
-            lineHeight = LineHeights.HEADING,
-        ).strong,
-        color = LocalRobotranColours.current.onPane,
+private fun Scrolled(tag: String, modifier: Modifier, content: @Composable ColumnScope.() -> Unit) {
+    val scroll = rememberScrollState()
+    Column(
+        modifier
+            .fillMaxSize()
+            .testTag(tag)
+            .scrollHint(scroll)
+            .verticalScroll(scroll)
+            .padding(horizontal = Space.LARGE, vertical = Space.MEDIUM),
+        Arrangement.spacedBy(Space.SMALL),
+        content = content,
     )
-    for (paragraph in text.paragraphs) MarkedText(paragraph)
 }
 
-/** From this font scale on, the text itself is as large as a title. */
-private const val LARGE = 1.5f
+@Composable
+private fun StepTitle(state: LearningState, tutorial: TutorialState) = Text(
+    tutorial.current.text(state.language, state.isInBlocks).title,
+    Modifier.testTag(LearningTags.STEP_TITLE).heading(),
+    TextStyles.cardTitle.strong,
+    color = LocalRobotranColours.current.onPane,
+)
+
+@Composable
+private fun Paragraphs(state: LearningState, tutorial: TutorialState) = Column(
+    Modifier.testTag(LearningTags.EXPLANATION_TEXT),
+    Arrangement.spacedBy(Space.SMALL),
+) {
+    for (paragraph in tutorial.current.text(state.language, state.isInBlocks).paragraphs) MarkedText(paragraph)
+}
 
 /** From this width on, at default font size, the task is next to the text. */
 private val BROAD = 640.dp
 
-/** The max share of the pane for the full set of actions. */
-private const val FOOT_SHARE = 0.35f
+/** From this height on, at default font size, there is room for a task and its text. */
+private val TALL = 480.dp

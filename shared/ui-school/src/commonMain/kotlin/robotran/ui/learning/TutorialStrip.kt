@@ -23,6 +23,7 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.graphics.drawscope.Stroke
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.contentDescription
@@ -48,6 +49,7 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
     val colours = LocalRobotranColours.current
     if (tutorial.isFolded && !tutorial.isLoaded) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
+    val isLarge = LocalDensity.current.fontScale > LARGE
     WordsBeside(
         { StripButtons(tutorial, onEvent) },
         modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
@@ -69,14 +71,30 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
                     lessons.indexOf(tutorial.current) + 1,
                     lessons.size,
                 )
-                val title = if (tutorial.isFolded) " · ${tutorial.current.text(state.language).title}" else ""
-                Text("$name$title", style = TextStyles.body.medium)
-                StepDots(state, Modifier.padding(top = 4.dp))
+                val title = tutorial.current.text(state.language).title
+                val words = when {
+                    !tutorial.isFolded -> name
+                    isLarge -> title
+                    else -> "$name · $title"
+                }
+                Text(words, style = TextStyles.body.medium)
+                if (tutorial.isFolded) FoldedTask(state, tutorial) else StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
         }
     }
 }
+
+/** Its first words, in the place of how many lessons are done. */
+@Composable
+private fun FoldedTask(state: LearningState, tutorial: TutorialState) = Text(
+    tutorial.current.text(state.language, state.isInBlocks).task.replace("`", ""),
+    Modifier.testTag(LearningTags.TUTORIAL_TASK),
+    TextStyles.caption,
+    color = LocalRobotranColours.current.quiet,
+    maxLines = if (LocalDensity.current.fontScale > LARGE) 1 else 2,
+    overflow = TextOverflow.Ellipsis,
+)
 
 @Composable
 private fun StripButtons(tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
@@ -205,5 +223,7 @@ private fun DrawScope.drawDot(index: Int, isDone: Boolean, isShown: Boolean, col
     if (isShown) drawCircle(colour, radius + 3.dp.toPx(), middle, style = line)
 }
 
+/** From this font scale on, a phone has room for two lines only. */
+private const val LARGE = 1.3f
 private val DOT_STEP = 18.dp
 private val DOT_RADIUS = 4.dp

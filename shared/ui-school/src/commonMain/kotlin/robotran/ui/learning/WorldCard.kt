@@ -24,9 +24,7 @@ import robotran.uikit.*
 internal fun WorldCard(world: GalleryWorld, language: Language, done: Set<String>, onChoose: (GalleryWorld) -> Unit) {
     val colours = LocalRobotranColours.current
     val shown = remember(world, language) { world.world(language) }
-    PictureCard(world, WorldPictures, LearningTags.world(world.name), PICTURE_ASPECT, padding = 16.dp, {
-        onChoose(world)
-    }) {
+    PictureCard(world, WorldPictures, LearningTags.world(world.name), LOOK, { onChoose(world) }) {
         Text(shown.title, style = TextStyles.lead.strong)
         Row(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalAlignment = Alignment.CenterVertically) {
             Text(world.level.title(spoken), style = TextStyles.compact.medium, color = colours.quiet)
@@ -63,4 +61,4 @@ private val WorldLevel.title: Label
         WorldLevel.HARD -> LearningTexts::levelHard
     }
 
-private const val PICTURE_ASPECT = 16f / 10f
+private val LOOK = CardLook(16f / 10f, padding = Space.LARGE)

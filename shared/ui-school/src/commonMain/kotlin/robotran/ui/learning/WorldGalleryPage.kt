@@ -20,7 +20,6 @@ import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.assignments.course.OwnCourses
 import robotran.brick.kind.BrickKind
 import robotran.learning.WorldGallery
 import robotran.ui.empty.EmptyPicture
@@ -29,15 +28,14 @@ import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
-import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningState
-import robotran.workshop.state.SavedOwnCourse
 
 /** All built-in worlds to choose from. */
 @Composable
-internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEvent: (WorkshopEvent) -> Unit) {
+internal fun WorldGalleryPage(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val colours = LocalRobotranColours.current
-    val robots = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
+    // Reading the files of all worlds takes long, so nobody does before somebody searches.
+    val robots = if (state.query.isBlank()) emptyMap() else robotsOfWorlds()
     var brick by rememberSaveable { mutableStateOf<BrickKind?>(null) }
     val found = remember(state.query, state.language, robots, brick) {
         WorldGallery.search(state.query, state.language) { robots.getValue(it.name) }
@@ -60,18 +58,13 @@ internal fun WorldGalleryPage(state: LearningState, saved: SavedOwnCourse?, onEv
             items(found, key = { it.name }) { world ->
                 WorldCard(world, state.language, state.worldsDone) { onEvent(LearningEvent.WorldChosen(it.name)) }
             }
-            if (found.isEmpty()) {
-                wholeRow("none") { NothingFound() }
-            } else {
-                wholeRow("save") {
-                    Column {
-                        SaveOwnCourse(OwnCourses.WORLDS, LearningTexts.worlds(spoken), saved, onEvent)
-                    }
-                }
-            }
+            if (found.isEmpty()) wholeRow("none") { NothingFound() }
         }
     }
 }
+
+@Composable
+private fun robotsOfWorlds(): Map<String, String> = WorldGallery.worlds.associate { it.name to robotOf(it.plainWorld) }
 
 /** Shows all worlds, or only those whose robot has the chosen brick. */
 @OptIn(ExperimentalLayoutApi::class)

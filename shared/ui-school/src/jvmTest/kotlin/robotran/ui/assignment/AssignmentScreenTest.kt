@@ -119,12 +119,13 @@ class AssignmentScreenTest {
     }
 
     @Test
-    fun `after a failed run its card tells the tries and leads to the hint`() = on(TABLET) { workshop ->
+    fun `after a failed run the task tells the tries and has the hint`() = on(TABLET) { workshop ->
         workshop.attempt("beep\n")
         pass(SETTLED)
-        onNodeWithTag(ScreenTags.OUTCOME_TRIES).assertTextContains("1 try. Best: 0 of 2 goals", substring = true)
-        touch(ScreenTags.MISSING_HINT)
-        assertTrue(has(LearningTags.HINT))
+        onNodeWithTag(
+            AssignmentTags.ASSIGNMENT_TRIES,
+        ).assertTextContains("1 try. Best: 0 of 2 goals", substring = true)
+        assertTrue(has(LearningTags.HINT) && has(ScreenTags.MISSING_CARD))
     }
 
     @Test
@@ -134,7 +135,7 @@ class AssignmentScreenTest {
             on(size) { workshop ->
                 workshop.attempt(AnyAssignment.SOLUTION)
                 pass(SETTLED)
-                touch(ScreenTags.SOLVED_HAND_IN)
+                scrollAndTouch(ScreenTags.SOLVED_HAND_IN)
                 onNodeWithTag(AssignmentTags.HAND_IN_NAME).performTextInput("Ada")
                 pass(SETTLED)
                 touch(AssignmentTags.HAND_IN_GO_ON)
@@ -239,7 +240,6 @@ class AssignmentScreenTest {
                 workshop.attempt("beep\n")
                 workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
                 pass(SETTLED)
-                touch(ScreenTags.MISSING_HINT)
                 assertTrue(has(LearningTags.HINT), "$size")
                 val described = listOf(ScreenTags.OUTCOME_TRIES, AssignmentTags.ASSIGNMENT_TRIES).count { has(it) }
                 assertEquals(1, described, "$size")
@@ -289,9 +289,10 @@ class AssignmentScreenTest {
     }
 
     @Test
-    fun `the menu of the project opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
-        touch(DocumentTags.WORK_MENU)
-        touch(DocumentTags.menuItem(DocumentTags.MAKE_ASSIGNMENT))
+    fun `what is for teachers opens the page, which makes hints`() = on(TABLET, AnyAssignment.teachers) { workshop ->
+        touch(ScreenTags.MENU)
+        touch(ScreenTags.MENU_TEACHERS)
+        touch(LearningTags.TEACHERS_MAKE)
         assertTrue(has(AssignmentTags.ASSIGNMENT_MAKE))
         val before = assignmentOf(workshop).hints.size
         scrollAndTouch(AssignmentTags.MAKE_HINT_ADD)

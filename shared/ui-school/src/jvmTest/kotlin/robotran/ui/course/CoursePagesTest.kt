@@ -24,6 +24,7 @@ import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
 import robotran.ui.screen.scrollAndTouch
+import robotran.ui.screen.scrollTo
 import robotran.ui.screen.tags.ScreenTags
 import robotran.uikit.KitTags
 import robotran.workshop.Workshop
@@ -78,6 +79,7 @@ class CoursePagesTest {
         onNodeWithTag(CourseTags.COURSE_PAGE).assertDoesNotExist()
         workshop.attempt(AnyAssignment.SOLUTION)
         pass(600)
+        scrollTo(CourseTags.SOLVED_COURSE_NEXT)
         onNodeWithTag(CourseTags.SOLVED_COURSE_NEXT).assertIsDisplayed().assertTextContains("Next: Out of the circle")
         touch(CourseTags.SOLVED_COURSE_NEXT)
         assertEquals("circle-2", workshop.state.assignment?.assignment?.id)
@@ -105,10 +107,13 @@ class CoursePagesTest {
     }
 
     @Test
-    fun `the menu lists the courses, and one is removed after a question`() = onCourse { workshop ->
+    fun `below the lessons are the courses, and one is removed after a question`() = onCourse { workshop ->
         touch(KitTags.close(CourseTags.COURSE_PAGE))
         touch(ScreenTags.MENU)
-        touch(ScreenTags.MENU_COURSES)
+        touch(ScreenTags.MENU_MAP)
+        onNodeWithTag(LearningTags.MAP).performScrollToKey("courses")
+        pass(300)
+        touch(LearningTags.MAP_COURSES)
         val key = assertIs<CoursePage.MyCourses>(workshop.state.course.page).courses.single().key
         touch(CourseTags.remove(key))
         touch(CourseTags.COURSE_REMOVE_NO)
@@ -200,18 +205,13 @@ class CoursePagesTest {
     }
 
     @Test
-    fun `a strand and the worlds are saved as courses from their pages`() = onCourse(1280, 1400) { workshop ->
+    fun `a teacher saves a strand and the worlds as courses`() = onCourse(1280, 1400) { workshop ->
         workshop.handle(CourseEvent.PageClosed)
         machine.files.location = "/home/drive.course.json"
-        workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.TEACHERS))
         pass(300)
         touch(LearningTags.courseSave("drive"))
         onNodeWithTag(LearningTags.courseSaved("drive")).assertTextContains("drive.course.json", substring = true)
-        workshop.handle(LearningEvent.PageRequested(LearningPage.WORLDS))
-        pass(300)
-        onNodeWithTag(LearningTags.WORLD_CARDS).assertIsDisplayed()
-        onNodeWithTag(LearningTags.WORLD_CARDS).performScrollToKey("save")
-        pass(300)
         touch(LearningTags.courseSave("worlds"))
         assertEquals("worlds", assertNotNull(workshop.state.course.saved).name)
     }

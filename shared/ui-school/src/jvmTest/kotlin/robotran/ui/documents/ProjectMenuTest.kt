@@ -55,20 +55,37 @@ class ProjectMenuTest {
         for (item in listOf(
             DocumentTags.NEW,
             DocumentTags.MY_WORK,
-            DocumentTags.OPEN,
-            DocumentTags.OPEN_LINK,
             DocumentTags.RENAME,
-            DocumentTags.SAVE_AS,
             DocumentTags.SHARE_LINK,
             DocumentTags.SHOW,
+            DocumentTags.MORE,
+        )) {
+            assertForFingers(item)
+        }
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.SAVE)).assertDoesNotExist()
+    }
+
+    @Test
+    fun `files and what is rare are one touch further, with a way back`() = shown {
+        choose(DocumentTags.MORE)
+        for (item in listOf(
+            DocumentTags.OPEN,
+            DocumentTags.OPEN_LINK,
+            DocumentTags.SAVE_AS,
             DocumentTags.REPLAY,
             DocumentTags.PROGRAM_FILE,
             DocumentTags.KIT,
         )) {
-            val bounds = onNodeWithTag(DocumentTags.menuItem(item)).fetchSemanticsNode().touchBoundsInRoot
-            assertTrue(bounds.height >= 48f, "$item is only $bounds")
+            assertForFingers(item)
         }
-        onNodeWithTag(DocumentTags.menuItem(DocumentTags.SAVE)).assertDoesNotExist()
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.LESS)).performClick()
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.RENAME)).assertIsDisplayed()
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.OPEN)).assertDoesNotExist()
+    }
+
+    private fun ComposeUiTest.assertForFingers(item: String) {
+        val bounds = onNodeWithTag(DocumentTags.menuItem(item)).fetchSemanticsNode().touchBoundsInRoot
+        assertTrue(bounds.height >= 48f, "$item is only $bounds")
     }
 
     @Test
@@ -214,7 +231,9 @@ class ProjectMenuTest {
 
     @Test
     fun `a link is opened by pasting it, and a broken one says why`() = shown { workshop ->
-        choose(DocumentTags.OPEN_LINK)
+        choose(DocumentTags.MORE)
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.OPEN_LINK)).performClick()
+        waitForIdle()
         onNodeWithTag(DocumentTags.DOCUMENT_TEXT).performTextReplacement("#w=a???")
         onNodeWithTag(DocumentTags.DOCUMENT_DONE).performClick()
         onNodeWithTag(DocumentTags.DOCUMENT_TROUBLE).assertTextContains("The link is broken", substring = true)

@@ -2,16 +2,19 @@ package robotran.ui.export
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.ui.golden.GoldenPicture
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.poster.posterSvg
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
 import robotran.workshop.Workshop
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.platform.FileKind
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.NoVideoRecorder
 import robotran.workshop.platform.Posters
@@ -40,10 +43,10 @@ class ExportPictures {
 /** The sheet with which pupils show what they made, compared with references. */
 class ExportPicturesTest {
     @Test
-    fun `the choice and the poster look as they did`() {
+    fun `the choice, the poster and what was made look as they did`() {
         for (screen in Screen.entries) {
             for ((look, settings) in LOOKS.filterKeys { it == "light" || it == "dark" }) {
-                for ((step, prepare) in STEPS.filterKeys { it == "choice" || it == "poster" }) {
+                for ((step, prepare) in STEPS.filterKeys { it in GOLDEN }) {
                     val name = "show-$step-${screen.name.lowercase()}-$look"
                     GoldenPicture.check(name, picture(screen, settings, prepare))
                 }
@@ -100,11 +103,22 @@ private val LOOKS = mapOf(
     "200" to Settings(lessMotion = true, textScale = 2f),
 )
 
+private val GOLDEN = setOf("choice", "poster", "made-poster")
+
 private val STEPS: Map<String, Workshop.() -> Unit> = mapOf(
     "choice" to {},
     "speed" to { handle(ExportEvent.MovingChosen(MovingKind.VIDEO)) },
     "poster" to {
         handle(ExportEvent.PosterChosen)
         handle(ExportEvent.PosterChanged("My square", "Ada", isDated = true))
+    },
+    "made-picture" to { handle(ExportEvent.StillChosen(FileKind.PNG)) },
+    "made-poster" to {
+        handle(ExportEvent.Closed)
+        handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        handle(ExportEvent.Requested)
+        handle(ExportEvent.PosterChosen)
+        handle(ExportEvent.PosterChanged("My square", "Ada", isDated = true))
+        handle(ExportEvent.MakingRequested)
     },
 )

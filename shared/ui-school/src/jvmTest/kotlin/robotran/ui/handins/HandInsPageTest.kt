@@ -20,8 +20,8 @@ import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import robotran.language.Language
 import robotran.projects.AssignmentChecks
-import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.tags.HandInTags
+import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.checkTargets
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pageBackEvents
@@ -48,12 +48,13 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class HandInsPageTest {
     @Test
-    fun `the menu of a project with goals leads to the page, and Escape leads back`() {
+    fun `what is for teachers leads to the page, if the project has goals, and Escape leads back`() {
         val workshop = gradedClass(AnyClass.few)
         workshop.handle(HandInsEvent.Closed)
         onScreenOf(workshop, 1280, 800) {
-            tap(DocumentTags.WORK_MENU)
-            tap(DocumentTags.menuItem(HandInTags.HAND_INS))
+            tap(ScreenTags.MENU)
+            tap(ScreenTags.MENU_TEACHERS)
+            tap(LearningTags.TEACHERS_HAND_INS)
             workshop.awaiting { handIns?.rows?.size == 6 }
             settle()
             onNodeWithTag(HandInTags.row(0)).assertIsDisplayed()

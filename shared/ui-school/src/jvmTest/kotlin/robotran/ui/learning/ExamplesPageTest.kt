@@ -23,7 +23,6 @@ import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SettingsEvent
-import robotran.workshop.examples.examples
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.LearningPage
 import kotlin.test.Test

@@ -1,6 +1,7 @@
 package robotran.ui.learning
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
@@ -26,6 +27,7 @@ class LearningPictures {
     fun `every page can be photographed, in every size and theme, in German and with large text`() {
         for (look in Look.entries) {
             drawWorlds(look.settings)
+            drawLessons(look.settings)
             val workshop = runBlocking { openWorkshop() }
             workshop.handle(SettingsEvent.SettingsChanged(look.settings))
             photograph(workshop, look, "first-run") { handle(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
@@ -51,8 +53,38 @@ class LearningPictures {
                 handle(LearningEvent.TutorialFolded(false))
             }
             photograph(workshop, look, "folded") { handle(LearningEvent.TutorialFolded(true)) }
+            drawOwn(workshop, look.settings)
             photograph(workshop, look, "map") { handle(LearningEvent.PageRequested(LearningPage.MAP)) }
+            photograph(workshop, look, "map-further") {
+                handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "line" }))
+                handle(LearningEvent.PageRequested(LearningPage.MAP))
+            }
+            photograph(workshop, look, "teachers") { handle(LearningEvent.PageRequested(LearningPage.TEACHERS)) }
             workshop.close()
+        }
+    }
+
+    /** The thumbnails load in the background; here they are needed at once, of any size. */
+    private fun drawLessons(settings: Settings) = runBlocking {
+        val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
+        for (lesson in Lessons.all) {
+            LessonPictures.of(
+                ShownLesson(lesson.on(BrickKind.default), own = null),
+                SheetColours.of(colours),
+                PictureBounds.of(280, 210, density = 1f),
+            )
+        }
+    }
+
+    private fun drawOwn(workshop: Workshop, settings: Settings) = runBlocking {
+        val colours = if (settings.theme == AppTheme.DARK) RobotranColours.DARK else RobotranColours.LIGHT
+        for ((name, own) in workshop.state.learning.drawings) {
+            val lesson = checkNotNull(Lessons.named(name)).on(BrickKind.default)
+            LessonPictures.of(
+                ShownLesson(lesson, own),
+                SheetColours.of(colours),
+                PictureBounds.of(280, 210, density = 1f),
+            )
         }
     }
 

@@ -90,7 +90,7 @@ class LearningScreenTest {
         press(LearningTags.TRY_STEP, workshop)
         workshop.handle(ProgramEvent.ProgramEdited(Lessons.all[0].solution.text))
         unfold(workshop)
-        press(LearningTags.RUN_STEP, workshop)
+        onNodeWithTag(RunTags.RUN).performClick()
         pass(4500)
         assertTrue(workshop.state.learning.isStepDone)
         unfold(workshop)
@@ -184,10 +184,11 @@ class LearningScreenTest {
     }
 
     @Test
-    fun `one touch leads back to the pupil's own work`() = onEither { workshop ->
+    fun `two touches lead back to the pupil's own work`() = onEither { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 3\n"))
         workshop.handle(LearningEvent.TutorialStarted)
         pass(100)
+        press(LearningTags.STEP_MORE, workshop)
         press(LearningTags.LEAVE_TUTORIAL, workshop)
         assertEquals("forward 3\n", workshop.state.programText)
         onNodeWithTag(LearningTags.TUTORIAL).assertDoesNotExist()

@@ -2,9 +2,13 @@ package robotran.ui.learning
 
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
+import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
+import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.run.tags.RunTags
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.assertUnmoved
 import robotran.ui.screen.assertWhole
@@ -32,25 +36,46 @@ class TutorialFootTest {
     fun `the text shows that there is more of it`() {
         for ((width, height) in SIZES) {
             onStep(width, height, Settings(textScale = 2f)) {
-                assertTrue(saysThereIsMore(LearningTags.TUTORIAL_TEXT), "$width x $height")
+                if (!isThere(LearningTags.EXPLANATION_TEXT)) {
+                    scrollTo(LearningTags.EXPLANATION)
+                    press(LearningTags.EXPLANATION)
+                }
+                val parts = listOf(LearningTags.TUTORIAL_TEXT, LearningTags.TASK_AND_HELP).filter { isThere(it) }
+                assertTrue(parts.any { saysThereIsMore(it) }, "$width x $height")
             }
         }
     }
 
     @Test
-    fun `on a phone and a tablet all buttons are there, and where there is little room a menu has the seldom ones`() {
-        for ((width, height) in listOf(412 to 915, 1280 to 800, 820 to 1180)) {
-            onStep(width, height) { assertFalse(isThere(LearningTags.STEP_MORE), "$width x $height") }
-        }
-        onStep(1024, 768) { workshop ->
-            workshop.handle(ProgramEvent.ProgramEdited("beep"))
-            press(LearningTags.STEP_MORE)
-            press(LearningTags.BEGIN_AGAIN)
-            assertEquals(Lessons.all[0].program.text, workshop.state.programText)
-            press(LearningTags.STEP_MORE)
-            press(LearningTags.LEAVE_TUTORIAL)
-            assertNull(workshop.state.learning.tutorial)
-        }
+    fun `back, next and a menu with the seldom actions are in one row`() = onEachSize { workshop, described ->
+        val row = placesByTag()
+        val tags = listOf(LearningTags.PREVIOUS_STEP, LearningTags.STEP_MORE, LearningTags.NEXT_STEP)
+        assertEquals(1, tags.map { row.getValue(it).center.y }.toSet().size, described)
+        workshop.handle(ProgramEvent.ProgramEdited("beep"))
+        press(LearningTags.STEP_MORE)
+        press(LearningTags.BEGIN_AGAIN)
+        assertEquals(Lessons.all[0].program.text, workshop.state.programText)
+        press(LearningTags.STEP_MORE)
+        press(LearningTags.LEAVE_TUTORIAL)
+        assertNull(workshop.state.learning.tutorial)
+    }
+
+    @Test
+    fun `the task is in sight at once, and there is one Run`() = onEachSize { _, described ->
+        assertWhole(LearningTags.TASK_STATUS, described)
+        val task = placesByTag().getValue(LearningTags.TASK)
+        assertTrue(task.height > 40, "$described: $task")
+        onNodeWithTag(RunTags.RUN).assertIsDisplayed()
+        onNodeWithTag("run-step").assertDoesNotExist()
+    }
+
+    @Test
+    fun `how it works unfolds below the task`() = onStep(1366, 768) { workshop ->
+        val text = workshop.state.learning.tutorial?.current?.text(Language.ENGLISH)?.paragraphs.orEmpty()
+        onNodeWithText(text.first().substringBefore('`'), substring = true).assertDoesNotExist()
+        scrollTo(LearningTags.EXPLANATION)
+        press(LearningTags.EXPLANATION)
+        onNodeWithText(text.first().substringBefore('`'), substring = true).assertExists()
     }
 
     @Test
@@ -62,7 +87,7 @@ class TutorialFootTest {
             assertWhole(LearningTags.HINT, "the hint")
             assertUnmoved(
                 before,
-                listOf(LearningTags.HINT_WANTED, LearningTags.SOLUTION_WANTED, LearningTags.RUN_STEP),
+                listOf(LearningTags.HINT_WANTED, LearningTags.SOLUTION_WANTED, LearningTags.NEXT_STEP),
                 "with the hint",
             )
         }
@@ -110,6 +135,10 @@ class TutorialFootTest {
                 assertFalse(isThere(LearningTags.TUTORIAL_RETURN), described)
             }
         }
+    }
+
+    private fun onEachSize(check: ComposeUiTest.(Workshop, described: String) -> Unit) {
+        for ((width, height) in SIZES) onStep(width, height) { check(it, "$width x $height") }
     }
 
     private fun onStep(

@@ -8,9 +8,11 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.ui.school.tags.LearningTags
+import robotran.ui.screen.isThere
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.scrollAndTouch
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SettingsEvent
@@ -31,6 +33,7 @@ class TutorialOnNxtTest {
                 assertEquals(BrickKind.NXT, workshop.state.programs.brick)
                 workshop.handle(LearningEvent.StepChosen(Lessons.indexOf(assertNotNull(Lessons.named("java-bumpers")))))
                 pass(300)
+                if (!isThere(LearningTags.EXPLANATION_TEXT)) scrollAndTouch(LearningTags.EXPLANATION)
                 assertEquals(BrickKind.NXT, workshop.state.programs.brick)
                 assertContains(workshop.state.programText, "SensorPort.S2")
                 onNodeWithText("the right one. Each gets a name", substring = true).assertExists()

@@ -35,7 +35,7 @@ import robotran.ui.screen.placesByTag
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.undrawnTest
 import robotran.ui.theme.RobotranTheme
-import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.send.USB_TOWER
@@ -228,10 +228,10 @@ class SendDialogTest {
 
     @Test
     fun `where the row of tools is too narrow for its button, the sheet opens from the menu of the tools`() =
-        onScreen(1180, 820) { workshop ->
-            workshop.handle(LearningEvent.TutorialStarted)
+        onScreen(1024, 768) { workshop ->
+            workshop.handle(ProgramEvent.ProgramEdited("forward 5\n"))
             pass(1_000)
-            assertWhole(ProgramTags.EDITOR_MORE, "a tablet across with the tutorial")
+            assertWhole(ProgramTags.EDITOR_MORE, "a small tablet across")
             assertTrue(!isThere(CommonTags.SEND_ROBOT))
             onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
             pass(500)

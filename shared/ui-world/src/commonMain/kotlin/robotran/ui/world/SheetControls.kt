@@ -124,10 +124,11 @@ private fun robotToFollow(view: SheetViewState): Int =
     view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
 
 /** Whether a sheet of [width] by [height] has room for zoom buttons, which two fingers can replace. */
-fun hasZoomButtons(width: Dp, height: Dp): Boolean = width >= MIN_WIDTH_FOR_ZOOM && height >= MIN_HEIGHT_FOR_ZOOM
+internal fun hasZoomButtons(width: Dp, height: Dp): Boolean =
+    width >= MIN_WIDTH_FOR_ZOOM && height >= MIN_HEIGHT_FOR_ZOOM
 
 /** The number of columns of the buttons of [world] beside a sheet of this [height]. */
-fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): Int {
+internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): Int {
     val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + if (noticesSurroundings(world)) 1 else 0
     val inColumn = ((height - GAP) / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
     return (buttons + inColumn - 1) / inColumn
@@ -141,4 +142,4 @@ private val MIN_HEIGHT_FOR_ZOOM = 400.dp
 private val GAP = 8.dp
 
 /** A button and the gap to the next. */
-val SHEET_BUTTON_STEP = Dimensions.TARGET + GAP
+internal val SHEET_BUTTON_STEP = Dimensions.TARGET + GAP

@@ -18,6 +18,7 @@ import androidx.compose.ui.unit.dp
 import robotran.simulation.state.SessionState
 import robotran.ui.sheet.SheetCanvas
 import robotran.ui.sheet.ShownWorld
+import robotran.ui.sheet.drawDrawingFrame
 import robotran.ui.sheet.drawPreview
 import robotran.ui.sheet.drawShortfalls
 import robotran.ui.sheet.drawStrayed
@@ -45,7 +46,8 @@ import robotran.world.geometry.Point
  *
  * @property preview what a number that is edited would do; null for nothing.
  * @property shortfalls what was missing for the goals.
- * @property isSolved whether the task is solved; the robot dances when it becomes so, which the hand does not feel.
+ * @property isSolved whether the task is solved: then the drawing has a frame, and the robot dances when it becomes so,
+ * which the hand does not feel.
  */
 class WorldMarks(
     val preview: SheetPreview? = null,
@@ -71,21 +73,17 @@ fun WorldPane(
     val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
-        // The buttons are on the side with more space beside the paper.
-        val upright = maxWidth / maxHeight > (world.paper.width / world.paper.height).toFloat()
-        val withZoom = hasZoomButtons(maxWidth, maxHeight)
-        val edge = SHEET_BUTTON_STEP * (if (upright) sheetButtonColumns(world, withZoom, maxHeight) else 1) + MARGIN / 2
-        val aside = if (upright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
+        val room = SheetRoom.of(world, maxWidth, maxHeight)
         if (view.isIn3D) {
-            TouchableSpace(shown, marks, aside, inputs, onEvent)
+            TouchableSpace(shown, marks, room.aside, inputs, onEvent)
         } else {
-            TouchableSheet(shown, marks, aside, inputs, onEvent)
+            TouchableSheet(shown, marks, room.aside, inputs, onEvent)
         }
         SheetControls(
             shown,
             inputs,
-            upright,
-            withZoom,
+            room.isUpright,
+            hasZoomButtons(maxWidth, maxHeight),
             canShow,
             onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
@@ -133,6 +131,7 @@ private fun TouchableSheet(
         aside,
         if (measuring == null) hand else ruler,
         overlay = { sheet ->
+            if (marks.isSolved) drawDrawingFrame(session.ink, world.paper, sheet)
             if (SheetLayer.GOALS in view.shown) drawShortfalls(marks.shortfalls, sheet, labels)
             drawStrayed(strayed, world, sheet)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }

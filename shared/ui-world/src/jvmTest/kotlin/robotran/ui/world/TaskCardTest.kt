@@ -28,7 +28,7 @@ class TaskCardTest {
     private val screens = mapOf("phone" to (411 to 891), "phone-on-its-side" to (891 to 411), "tablet" to (1280 to 800))
 
     @Test
-    fun `the task is shown beside the sheet, goes with a touch and is one touch away`() {
+    fun `the task is shown beside the sheet, goes with a touch, is one touch away, and leaves its line to a run`() {
         for ((width, height) in screens.values) {
             onScreen(width, height) { workshop ->
                 workshop.services.editor.changeWorld(workshop.withTask(TASK), isAnother = true)
@@ -45,7 +45,8 @@ class TaskCardTest {
                 onNodeWithTag(AssignmentTags.TASK_CARD).assertIsDisplayed()
                 onNodeWithTag(RunTags.RUN).performClick()
                 pass(300)
-                onNodeWithTag(AssignmentTags.TASK_CARD).assertDoesNotExist()
+                onNodeWithTag(AssignmentTags.TASK_TITLE).assertIsDisplayed()
+                onNodeWithTag(AssignmentTags.TASK_TEXT).assertDoesNotExist()
             }
         }
     }

@@ -58,7 +58,7 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
         val brickWidth = minOf(maxWidth * BRICK_SHARE, (maxHeight - MARGIN * 2) * BRICK_ASPECT, MAX_BRICK_WIDTH)
         if (brickWidth >= MIN_BRICK_WIDTH) {
             Row(Modifier.fillMaxSize()) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
+                SheetStage(state, onEvent, MessageOptions(isEmbedded = true), Modifier.weight(1f), isEmbedded = true)
                 WholeBrick(
                     state.run,
                     onEvent,
@@ -67,7 +67,7 @@ private fun WorldAndBrick(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f), withNotice = false)
+                SheetStage(state, onEvent, MessageOptions(isEmbedded = true), Modifier.weight(1f), isEmbedded = true)
                 Strip(state.run, onEvent, Modifier.padding(12.dp))
             }
         }

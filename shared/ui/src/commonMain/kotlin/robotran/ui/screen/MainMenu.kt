@@ -15,16 +15,16 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.unit.dp
 import robotran.editing.RobotTexts
+import robotran.ui.documents.MoreProjectItems
+import robotran.ui.documents.MoreSign
 import robotran.ui.documents.ProjectMenuEntry
 import robotran.ui.documents.ProjectMenuItems
 import robotran.ui.documents.conditionOf
 import robotran.ui.school.texts.LearningTexts
-import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
-import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.SettingsEvent
@@ -33,57 +33,73 @@ import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.LearningPage
 
-/** The menu button with rare actions and, [withProject], a submenu of actions on the project. */
+/**
+ * The menu button: at most nine entries, among them, [withProject], that of the project. A few open a list of their own in
+ * its place.
+ */
 @Composable
 internal fun MainMenu(
     document: DocumentState,
-    soundOn: Boolean,
     isEditingWorld: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
     withProject: Boolean = false,
 ) {
     var open by remember { mutableStateOf(false) }
-    var showsProject by remember { mutableStateOf(false) }
+    var list by remember { mutableStateOf(MenuList.MAIN) }
     val choose = { event: WorkshopEvent ->
         open = false
         onEvent(event)
     }
     Box {
         MenuButton(document, withProject) {
-            showsProject = false
+            list = MenuList.MAIN
             open = true
         }
         AppMenu(open, {
             open = false
-        }, Modifier.widthIn(min = 260.dp).testTag(ScreenTags.MENU_ITEMS), page = showsProject) {
-            if (showsProject) {
-                // First, so that a double tap returns instead of changing the project.
-                BackItem { showsProject = false }
+        }, Modifier.widthIn(min = 260.dp).testTag(ScreenTags.MENU_ITEMS), page = list) {
+            // First, so that a double tap returns instead of changing the project.
+            if (list != MenuList.MAIN) {
+                BackItem { list = if (list == MenuList.MORE) MenuList.PROJECT else MenuList.MAIN }
                 MenuDivider()
-                ProjectMenuItems(document, onEvent, { open = false })
-            } else {
-                if (withProject) {
-                    ProjectMenuEntry(document) { showsProject = true }
-                    MenuDivider()
+            }
+            when (list) {
+                MenuList.MAIN -> {
+                    if (withProject) {
+                        ProjectMenuEntry(document) { list = MenuList.PROJECT }
+                        MenuDivider()
+                    }
+                    MainMenuItems(isEditingWorld, choose) { list = MenuList.BUILD }
                 }
-                MainMenuItems(soundOn, isEditingWorld, choose)
+
+                MenuList.BUILD -> BuildItems(choose)
+                MenuList.PROJECT -> ProjectMenuItems(document, choose) { list = MenuList.MORE }
+                MenuList.MORE -> MoreProjectItems(document, choose)
             }
         }
     }
 }
 
+/** What the menu shows. */
+private enum class MenuList {
+    MAIN,
+
+    /** What can be built: a world, a robot. */
+    BUILD,
+    PROJECT,
+
+    /** More of the project. */
+    MORE,
+}
+
 @Composable
-private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit) {
-    MenuItem(ScreenTexts.learn(spoken), ScreenTags.MENU_LEARN) {
-        choose(LearningEvent.PageRequested(LearningPage.TUTORIAL))
-    }
+private fun MainMenuItems(isEditingWorld: Boolean, choose: (WorkshopEvent) -> Unit, onBuild: () -> Unit) {
     MenuItem(LearningTexts.map(spoken), ScreenTags.MENU_MAP) {
         choose(LearningEvent.PageRequested(LearningPage.MAP))
     }
     MenuItem(ScreenTexts.worlds(spoken), ScreenTags.MENU_WORLDS) {
         choose(LearningEvent.PageRequested(LearningPage.WORLDS))
     }
-    MenuItem(SchoolTexts.courseList(spoken), ScreenTags.MENU_COURSES) { choose(CourseEvent.ListRequested) }
     MenuItem(LearningTexts.examples(spoken), ScreenTags.MENU_EXAMPLES) {
         choose(LearningEvent.PageRequested(LearningPage.EXAMPLES))
     }
@@ -91,18 +107,22 @@ private fun MainMenuItems(soundOn: Boolean, isEditingWorld: Boolean, choose: (Wo
         choose(LearningEvent.PageRequested(LearningPage.HELP))
     }
     if (!isEditingWorld) {
-        MenuItem(SheetTexts.editWorld(spoken), ScreenTags.MENU_EDIT_WORLD) { choose(WorldEditEvent.EditorOpened) }
-        MenuItem(RobotTexts.buildMenu(spoken), ScreenTags.MENU_BUILD_ROBOT) {
-            choose(RobotEditEvent.BenchOpened())
-        }
+        MenuItem(ScreenTexts.buildMenu(spoken), ScreenTags.MENU_BUILD, trailing = { MoreSign() }, onClick = onBuild)
     }
     MenuItem(ScreenTexts.firstPage(spoken), ScreenTags.MENU_FIRST_PAGE) {
         choose(LearningEvent.PageRequested(LearningPage.FIRST_RUN))
     }
     MenuDivider()
-    val sound = if (soundOn) ScreenTexts::soundSwitchOff else ScreenTexts::soundSwitchOn
-    MenuItem(sound(spoken), ScreenTags.MENU_SOUND) { choose(SettingsEvent.SoundSwitched(!soundOn)) }
     MenuItem(ScreenTexts.settingsTitle(spoken), ScreenTags.MENU_SETTINGS) { choose(SettingsEvent.SettingsShown(true)) }
+    MenuItem(LearningTexts.teachers(spoken), ScreenTags.MENU_TEACHERS) {
+        choose(LearningEvent.PageRequested(LearningPage.TEACHERS))
+    }
+}
+
+@Composable
+private fun BuildItems(choose: (WorkshopEvent) -> Unit) {
+    MenuItem(SheetTexts.editWorld(spoken), ScreenTags.MENU_EDIT_WORLD) { choose(WorldEditEvent.EditorOpened) }
+    MenuItem(RobotTexts.buildMenu(spoken), ScreenTags.MENU_BUILD_ROBOT) { choose(RobotEditEvent.BenchOpened()) }
 }
 
 /** Marked if the menu contains the project and autosave fails. */

@@ -66,7 +66,7 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                 Modifier.background(LocalRobotranColours.current.pane),
                 verticalAlignment = Alignment.CenterVertically,
             ) {
-                MainMenu(state.document, state.soundOn, state.worldEdit != null, onEvent, withProject = true)
+                MainMenu(state.document, state.worldEdit != null, onEvent, withProject = true)
                 PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
                     perform(ScreenEvent.PaneChosen(it))
                 }, Modifier.weight(1f))
@@ -161,7 +161,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         val isBroad = maxWidth > maxHeight
         if (isBroad && isStripBeside(maxWidth, maxHeight, textScale)) {
             Row(Modifier.fillMaxSize(), verticalAlignment = Alignment.Bottom) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
+                SheetStage(state, onEvent, MessageOptions(onWholeBrick = showBrick), Modifier.weight(1f))
                 Column(horizontalAlignment = Alignment.End) {
                     WorldTaskAndGoals(state, onEvent, isSlim = true)
                     StripWithSize(state.run, onEvent, showBrick)
@@ -169,7 +169,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             }
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
-                CoveredSheet(state, onEvent, Modifier.weight(1f), onWholeBrick = showBrick)
+                SheetStage(state, onEvent, MessageOptions(onWholeBrick = showBrick), Modifier.weight(1f))
                 if (isBroad) {
                     // In one row if they fit, since the paper is low.
                     FlowRow {
@@ -224,7 +224,9 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
         val width = minOf(maxWidth - MARGIN * 2, high * BRICK_ASPECT).coerceIn(MIN_BRICK_WIDTH, MAX_BRICK_WIDTH)
         if (isAcross) {
             Row(Modifier.fillMaxSize().padding(horizontal = MARGIN), Arrangement.spacedBy(MARGIN), Alignment.Top) {
-                Box(Modifier.weight(1f).padding(vertical = MARGIN)) { BrickHint(run.brick, isSolved = run.isSolved) }
+                Box(Modifier.weight(1f).padding(vertical = MARGIN).verticalScroll(rememberScrollState())) {
+                    BrickHint(run.brick, isSolved = run.isSolved)
+                }
                 WholeBrick(
                     run,
                     onEvent,
@@ -234,7 +236,7 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
             }
         } else {
             Column(Modifier.verticalScroll(rememberScrollState()).padding(MARGIN), Arrangement.spacedBy(MARGIN)) {
-                Box(Modifier.width(width).height(hint), Alignment.BottomStart) {
+                Box(Modifier.width(width).height(hint).verticalScroll(rememberScrollState()), Alignment.BottomStart) {
                     BrickHint(run.brick, isSolved = run.isSolved)
                 }
                 WholeBrick(run, onEvent, Modifier.width(width))
@@ -246,6 +248,9 @@ private fun BrickAlone(run: RunPaneState, onEvent: (WorkshopEvent) -> Unit) {
 /** An on-screen keyboard covers half of the pane: more errors would hide the program. */
 private const val MAX_DIAGNOSTICS = 2
 private val MARGIN = 16.dp
+
+/** At the default font size, for words of ten letters. */
+private val MIN_CARD = 190.dp
 
 /** The small brick with its button. */
 private val STRIP_WIDTH = 250.dp

@@ -7,10 +7,8 @@ import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
-import androidx.compose.foundation.rememberScrollState
-import androidx.compose.foundation.shape.RoundedCornerShape
-import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
@@ -22,10 +20,8 @@ import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.Color
-import androidx.compose.ui.input.pointer.pointerInput
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
-import robotran.simulation.state.GoalShortfall
 import robotran.ui.assignment.HandInButton
 import robotran.ui.assignment.Line
 import robotran.ui.assignment.triesText
@@ -37,11 +33,13 @@ import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.sheet.SheetColours
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AssignmentState
+import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.LearningPage
-import robotran.workshop.state.OpenCourseTask
+import robotran.workshop.state.ShortfallMark
 import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
@@ -64,51 +62,63 @@ internal fun OutcomeCard(
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
     if (isClosed || state.run.isSeeking || state.run.time < finished) return
     val solved = state.learning.solved
-    // What had not begun yet has nothing to say that the one before it does not.
-    val missing = state.run.shortfalls.filterNot { it.shortfall == GoalShortfall.NotBegun }.take(MAX_SHOWN)
+    val missing = state.run.shortfalls
     val isTimeUp = state.run.isTimeUp
+    val onClose = { isClosed = true }
     when {
-        solved != null -> Card(RobotranColours.RUN_GREEN, {
-            isClosed = true
-        }, modifier.testTag(ScreenTags.SOLVED_CARD)) {
-            Solved(solved, state.assignment, state.course.open.takeIf { canHandIn }, canHandIn, tellsTries, onEvent)
+        solved != null -> Card(SolvedLook, onClose, modifier) {
+            solved.learned?.let { Text(RunTexts.outcomeLearned(spoken, it), style = TextStyles.sentence) }
+            Onward(state, solved, canHandIn, tellsTries, onEvent)
+            Text(recordText(solved), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
         }
 
-        missing.isNotEmpty() || isTimeUp -> Card(
-            SheetColours.SHORTFALL,
-            { isClosed = true },
-            modifier.testTag(ScreenTags.MISSING_CARD),
-        ) {
-            Heading(RunTexts.outcomeMissing(spoken))
+        missing.isNotEmpty() || isTimeUp -> Card(MissingLook, onClose, modifier) {
             if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), ScreenTags.MISSING_TIME_UP)
-            for (mark in missing) ShortfallRow(mark, onEvent)
+            Missing(missing, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
-            val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
-            if (!state.taskShown && hints.isNotEmpty()) {
-                // The hint that fits is in the card of the task.
-                Button(LearningTexts.hint(spoken), ScreenTags.MISSING_HINT, ButtonKind.SECOND) {
-                    onEvent(ScreenEvent.TaskShown(true))
-                }
-            }
+            Hint(state, onEvent)
         }
     }
 }
 
+/** Leads to the hint that fits, which is in the card of the task, unless that is open. */
 @Composable
-private fun Solved(
+private fun Hint(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
+    val hints = state.assignment?.hints ?: state.learning.worldTask?.help?.hints.orEmpty()
+    val isTaskOpen = state.taskShown && (state.assignment != null || !state.taskFolded)
+    if (isTaskOpen || hints.isEmpty()) return
+    Button(LearningTexts.hint(spoken), ScreenTags.MISSING_HINT, ButtonKind.SECOND) {
+        onEvent(ScreenEvent.TaskShown(true))
+    }
+}
+
+/** The first that went wrong; the rest is behind it, in the goals. */
+@Composable
+private fun Missing(missing: List<ShortfallMark>, onEvent: (WorkshopEvent) -> Unit) {
+    val first = firstMissed(missing) ?: return
+    ShortfallRow(first, onEvent)
+    val others = missing.size - 1
+    if (others > 0) {
+        Button(RunTexts.outcomeOthers(spoken, others), ScreenTags.MISSING_OTHERS, ButtonKind.SMALL_LINK) {
+            onEvent(RunEvent.DrawerChosen(DrawerTab.GOALS))
+        }
+    }
+}
+
+/** The way on, once: the panel of a lesson has its own. */
+@Composable
+private fun Onward(
+    state: WorkshopState,
     solved: SolvedTask,
-    assignment: AssignmentState?,
-    course: OpenCourseTask?,
     canHandIn: Boolean,
     tellsTries: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Heading(RunTexts.outcomeSolved(spoken))
-    for (line in solvedText(solved)) {
-        Text(line, style = TextStyles.sentence)
-    }
+    val assignment = state.assignment
+    val course = state.course.open.takeIf { canHandIn }
+    val isLessonOpen = state.learning.tutorial?.isFolded == false
     when {
-        assignment == null -> Next(solved, onEvent)
+        assignment == null -> if (!isLessonOpen) Next(solved, onEvent)
         course == null -> Tries(assignment, canHandIn, tellsTries, onEvent)
 
         else -> {
@@ -135,64 +145,57 @@ private fun Tries(
 @Composable
 private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
     val next = solved.nextStep
-    val worlds = LearningTexts.tryWorlds(spoken)
-    val showWorlds = { onEvent(LearningEvent.PageRequested(LearningPage.WORLDS)) }
-    FlowRow(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
-        for (harder in solved.harder) {
-            val title = harder.world(LocalLanguage.current).title
-            Button(LearningTexts.harder(spoken, title), ScreenTags.solved(harder.name)) {
-                onEvent(LearningEvent.WorldChosen(harder.name))
-            }
-        }
+    FlowRow(Modifier, Arrangement.spacedBy(Space.SMALL), Arrangement.spacedBy(Space.SMALL)) {
         if (next != null) {
             Button(LearningTexts.next(spoken), ScreenTags.SOLVED_NEXT) {
                 onEvent(LearningEvent.StepChosen(next))
                 onEvent(LearningEvent.TutorialFolded(false))
             }
-        } else if (solved.harder.isEmpty()) {
-            Button(worlds, ScreenTags.SOLVED_WORLDS, onClick = showWorlds)
-        } else {
-            Button(worlds, ScreenTags.SOLVED_WORLDS, ButtonKind.SECOND, onClick = showWorlds)
+        }
+        solved.harder.forEachIndexed { place, harder ->
+            val title = harder.world(LocalLanguage.current).title
+            val kind = if (next == null && place == 0) ButtonKind.PRIMARY else ButtonKind.QUIET
+            Button(LearningTexts.harder(spoken, title), ScreenTags.solved(harder.name), kind) {
+                onEvent(LearningEvent.WorldChosen(harder.name))
+            }
+        }
+        if (next == null) {
+            val kind = if (solved.harder.isEmpty()) ButtonKind.PRIMARY else ButtonKind.QUIET
+            Button(LearningTexts.tryWorlds(spoken), ScreenTags.SOLVED_WORLDS, kind) {
+                onEvent(LearningEvent.PageRequested(LearningPage.WORLDS))
+            }
         }
     }
 }
 
-@Composable
-private fun Heading(text: String) = Text(text, Modifier.heading(), TextStyles.cardTitle.strong)
+/** @property bar the colour of the bar at its left side. */
+private class CardLook(val title: Label, val bar: Color, val tag: String)
 
-/** @param bar the colour of the bar at its left side. */
+private val SolvedLook = CardLook(RunTexts::outcomeSolved, RobotranColours.RUN_GREEN, ScreenTags.SOLVED_CARD)
+private val MissingLook = CardLook(RunTexts::outcomeMissing, SheetColours.SHORTFALL, ScreenTags.MISSING_CARD)
+
 @Composable
-private fun Card(bar: Color, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
+private fun Card(look: CardLook, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
     val colours = LocalRobotranColours.current
-    Row(
+    Column(
         modifier
-            .clip(RoundedCornerShape(CORNER))
+            .testTag(look.tag)
+            .clip(Shapes.MEDIUM)
             .background(colours.pane)
-            .border(1.dp, colours.line, RoundedCornerShape(CORNER))
-            // Blocks touches on the content below.
-            .pointerInput(Unit) { }
-            // Above the fade of the text that scrolls.
+            .border(1.dp, colours.line, Shapes.MEDIUM)
             .drawWithContent {
                 drawContent()
-                drawRect(bar, size = Size(BAR.toPx(), size.height))
-            },
-        verticalAlignment = Alignment.Top,
+                drawRect(look.bar, size = Size(BAR.toPx(), size.height))
+            }
+            .padding(start = 22.dp, bottom = Space.MEDIUM)
+            .announced(),
     ) {
-        val scroll = rememberScrollState()
-        Column(
-            Modifier
-                .weight(1f)
-                .scrollHint(scroll)
-                .verticalScroll(scroll)
-                .padding(start = 22.dp, top = 12.dp, bottom = 12.dp)
-                .announced(),
-            Arrangement.spacedBy(4.dp),
-        ) { content() }
-        IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
+        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
+            Text(look.title(spoken), Modifier.weight(1f).heading(), TextStyles.cardTitle.strong)
+            IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
+        }
+        Column(Modifier.padding(end = Space.MEDIUM), Arrangement.spacedBy(Space.TINY)) { content() }
     }
 }
 
-/** The rest is in the goals. */
-private const val MAX_SHOWN = 2
 private val BAR = 6.dp
-private val CORNER = Corners.MEDIUM

@@ -21,21 +21,21 @@ internal enum class BrickPlacement {
  * The layout of paper and brick. It depends on nothing that changes during a run, so nothing moves.
  *
  * @property brickWidth the width of the whole brick.
- * @property hintBeside whether there is room above the brick for its message; otherwise it covers the paper.
+ * @property messagesAbove whether there is room above the brick for all messages; otherwise they are beside the paper.
  */
-internal data class PaneLayout(val place: BrickPlacement, val brickWidth: Dp, val hintBeside: Boolean) {
+internal data class PaneLayout(val place: BrickPlacement, val brickWidth: Dp, val messagesAbove: Boolean) {
     companion object {
         /** The layout for an area of [width] by [height] with the font scale [textScale]; [isWhole] asks for all of it. */
         fun of(width: Dp, height: Dp, textScale: Float, isWhole: Boolean): PaneLayout {
-            if (!isWhole) return PaneLayout(BrickPlacement.SMALL, MIN_BRICK_WIDTH, hintBeside = false)
+            if (!isWhole) return PaneLayout(BrickPlacement.SMALL, MIN_BRICK_WIDTH, messagesAbove = false)
             val widest = minOf(width * BRICK_SHARE, MAX_BRICK_WIDTH)
-            val underHint = minOf(widest, (height - MARGIN * 3 - HINT * textScale) * BRICK_ASPECT)
+            val underMessages = minOf(widest, (height - MARGIN * 3 - MESSAGES * textScale) * BRICK_ASPECT)
             val alone = minOf(widest, (height - MARGIN * 2) * BRICK_ASPECT).coerceAtLeast(MIN_BRICK_WIDTH)
             val isBeside = width - MIN_BRICK_WIDTH - MARGIN * 2 >= MIN_SHEET_WIDTH &&
                 (height - MARGIN * 2) * BRICK_ASPECT >= MIN_BRICK_WIDTH
-            val hintBeside = isBeside && underHint >= MIN_BRICK_WIDTH
+            val messagesAbove = isBeside && underMessages >= MIN_BRICK_WIDTH
             val place = if (isBeside) BrickPlacement.BESIDE else BrickPlacement.OVER
-            return PaneLayout(place, if (hintBeside) underHint else alone, hintBeside)
+            return PaneLayout(place, if (messagesAbove) underMessages else alone, messagesAbove)
         }
 
         val MARGIN = 16.dp
@@ -43,7 +43,7 @@ internal data class PaneLayout(val place: BrickPlacement, val brickWidth: Dp, va
         private val MAX_BRICK_WIDTH = 300.dp
         private val MIN_SHEET_WIDTH = 320.dp
 
-        /** The brick's message at default font size: five lines at the min width of the brick beside the paper. */
-        private val HINT = 134.dp
+        /** At the default font size: a task with its buttons, or an outcome, at the min width of the brick. */
+        private val MESSAGES = 240.dp
     }
 }

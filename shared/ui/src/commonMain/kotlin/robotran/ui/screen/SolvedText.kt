@@ -5,13 +5,9 @@ import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 import robotran.workshop.state.SolvedTask
 
-/** What was learned, and time and length of the program beside the pupil's own best, a line each. */
+/** Time and length of the program beside the pupil's own best. */
 @Composable
-internal fun solvedText(solved: SolvedTask): List<String> = listOfNotNull(
-    solved.learned?.let { RunTexts.outcomeLearned(spoken, it) },
-    timeText(solved),
-    linesText(solved),
-)
+internal fun recordText(solved: SolvedTask): String = "${timeText(solved)}\n${linesText(solved)}"
 
 @Composable
 private fun timeText(solved: SolvedTask): String {

@@ -30,7 +30,6 @@ import robotran.workshop.state.Pane
 @Composable
 internal fun TopStrip(
     document: DocumentState,
-    soundOn: Boolean,
     isEditingWorld: Boolean,
     fullPane: Pane?,
     onEvent: (WorkshopEvent) -> Unit,
@@ -43,7 +42,7 @@ internal fun TopStrip(
             Modifier.fillMaxWidth().defaultMinSize(minHeight = Dimensions.TARGET),
             verticalAlignment = Alignment.CenterVertically,
         ) {
-            MainMenu(document, soundOn, isEditingWorld, onEvent)
+            MainMenu(document, isEditingWorld, onEvent)
             Box(Modifier.weight(1f)) { ProjectMenu(document, onEvent) }
             FullPaneButtons(fullPane, onEvent)
             IconButton(

@@ -44,7 +44,7 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
             else -> PROGRAM_SHARE_READING
         }
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
+            TopStrip(state.document, state.worldEdit != null, state.fullPane, onEvent)
             HorizontalDivider(color = line)
             when {
                 isTutorialOpen -> TutorialPane(

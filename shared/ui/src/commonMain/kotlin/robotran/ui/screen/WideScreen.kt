@@ -43,7 +43,7 @@ internal fun WideScreen(
             state.fullPane == Pane.WORLD
         val tutorialWidth = (maxWidth * TUTORIAL_SHARE).coerceIn(MIN_TUTORIAL_WIDTH, MAX_TUTORIAL_WIDTH)
         Column(Modifier.fillMaxSize()) {
-            TopStrip(state.document, state.soundOn, state.worldEdit != null, state.fullPane, onEvent)
+            TopStrip(state.document, state.worldEdit != null, state.fullPane, onEvent)
             HorizontalDivider()
             if (tutorial != null && !isTutorialOpen) TutorialStrip(state.learning, onEvent)
             Row(Modifier.weight(1f)) {
@@ -128,13 +128,13 @@ private fun shareFor(view: ProgramView): Float = when (view) {
     ProgramView.BOTH -> BOTH_SHARE
 }
 
-/** From this width on, at default font size, the tutorial has its own column. */
-private val TUTORIAL_BESIDE_WIDTH = 1100.dp
+/** From this width on, at default font size, the tutorial has its own column and the sheet still has most room. */
+private val TUTORIAL_BESIDE_WIDTH = 1600.dp
 private val MAX_TUTORIAL_WIDTH = 328.dp
 private val MIN_TUTORIAL_WIDTH = 280.dp
 private const val TUTORIAL_SHARE = 0.26f
 
-/** The height of the tutorial above a program that is 1 high: its text needs more room than the first programs. */
+/** The height of the tutorial above a program that is 1 high: a task with its latest hint fits. */
 private const val TUTORIAL_WEIGHT = 1.2f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f

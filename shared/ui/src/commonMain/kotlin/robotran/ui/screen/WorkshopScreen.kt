@@ -130,7 +130,8 @@ private fun Panes(
 @Composable
 private fun Pages(state: WorkshopState, footHeight: Dp, onEvent: (WorkshopEvent) -> Unit) {
     val makingPlace = remember { MakingPlace() }
-    LearningPages(state.learning, state.settings.programView, state.course.saved, onEvent, footHeight)
+    val hasGoals = state.document.hasGoals
+    LearningPages(state.learning, state.settings.programView, state.course.saved, hasGoals, onEvent, footHeight)
     state.course.page?.let { CoursePages(it, onEvent) }
     state.making?.let { AssignmentEditorPage(it, makingPlace, onEvent) }
     if (state.settingsShown) {

@@ -19,10 +19,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.Dp
-import androidx.compose.ui.unit.dp
 import robotran.simulation.SessionInput
 import robotran.ui.brick.BrickFront
-import robotran.ui.brick.BrickHint
 import robotran.ui.brick.BrickStrip
 import robotran.ui.drawer.RunDrawer
 import robotran.uikit.*
@@ -57,7 +55,10 @@ internal fun WorldColumn(
     }
 }
 
-/** Paper and, if it [isWhole], the brick. The paper gets all space that the brick leaves, and no control ever moves. */
+/**
+ * Paper and, if it [isWhole], the brick. The paper gets all space that the brick and the messages leave, and no control
+ * ever moves. Messages stand above the brick if there is room.
+ */
 @Composable
 private fun SheetAndBrick(
     state: WorkshopState,
@@ -70,25 +71,19 @@ private fun SheetAndBrick(
         val scale = LocalDensity.current.fontScale.coerceAtLeast(1f)
         val plan = PaneLayout.of(maxWidth, maxHeight, scale, isWhole)
         Row(Modifier.fillMaxSize()) {
-            CoveredSheet(
+            val options = MessageOptions(onWholeBrick = onWholeBrick.takeUnless { isWhole })
+            SheetStage(
                 state,
                 onEvent,
+                options.takeUnless { plan.messagesAbove },
                 Modifier.weight(1f).fillMaxHeight(),
-                withHint = !plan.hintBeside,
-                onWholeBrick = onWholeBrick.takeUnless { isWhole },
             )
             if (plan.place == BrickPlacement.BESIDE) {
                 Column(
                     Modifier.fillMaxHeight().padding(end = PaneLayout.MARGIN, bottom = PaneLayout.MARGIN),
                 ) {
                     Box(Modifier.weight(1f).width(plan.brickWidth)) {
-                        if (plan.hintBeside) {
-                            BrickHint(
-                                state.run.brick,
-                                Modifier.padding(top = PaneLayout.MARGIN, bottom = HINT_GAP),
-                                isSolved = state.run.isSolved,
-                            )
-                        }
+                        if (plan.messagesAbove) Messages(state, onEvent, options)
                     }
                     WholeBrick(state.run, onEvent, Modifier.width(plan.brickWidth))
                 }
@@ -143,6 +138,3 @@ internal fun Strip(
     modifier,
     isLow,
 )
-
-/** Between the brick and its message. */
-private val HINT_GAP = 8.dp

@@ -17,7 +17,6 @@ import robotran.ui.program.texts.EditorTexts
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.LearningTexts
-import robotran.ui.school.texts.SchoolTexts
 import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NqcTexts
@@ -25,11 +24,8 @@ import robotran.ui.texts.OTHER_BRICKS
 import robotran.ui.theme.coloursOf
 import robotran.uikit.*
 import robotran.workshop.Workshop
-import robotran.workshop.event.AssignmentEvent
-import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ExportEvent
-import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RobotEditEvent
@@ -98,6 +94,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 Choice(LearningTexts::help) { onEvent(LearningEvent.PageRequested(LearningPage.HELP)) }
                 Choice(DocumentTexts::firstPage) { onEvent(LearningEvent.PageRequested(LearningPage.FIRST_RUN)) }
                 Separator()
+                Choice(LearningTexts::teachers) { onEvent(LearningEvent.PageRequested(LearningPage.TEACHERS)) }
                 Choice(DocumentTexts::about) { onEvent(DocumentEvent.AboutRequested(VERSION)) }
             }
         }
@@ -129,7 +126,6 @@ private fun MenuScope.FileItems(
     Choice(DocumentTexts::newWindow, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(CommonTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }
-    Choice(SchoolTexts::courseList) { onEvent(CourseEvent.ListRequested) }
     Choice(DocumentTexts::open, control(Key.O)) { onEvent(DocumentEvent.OpenRequested) }
     Menu(DocumentTexts.recent(spoken), enabled = document.recentFiles.isNotEmpty()) {
         for (file in document.recentFiles) Item(file.name) { onEvent(DocumentEvent.SavedProjectChosen(file.id)) }
@@ -142,15 +138,12 @@ private fun MenuScope.FileItems(
     Separator()
     Choice(RobotTexts::buildMenu) { onEvent(RobotEditEvent.BenchOpened()) }
     Choice(CommonTexts::showWork) { onEvent(ExportEvent.Requested) }
-    Choice(SchoolTexts::makeTitle) { onEvent(AssignmentEvent.MakingRequested) }
     Choice(DocumentTexts::share) { onEvent(DocumentEvent.LinkRequested) }
     Choice(CommonTexts::sendToRobot, enabled = document.canSend) { onEvent(SendEvent.Requested) }
     Choice(DocumentTexts::replay) { onEvent(DocumentEvent.ReplayRequested) }
     Choice(DocumentTexts::programFile) { onEvent(DocumentEvent.ProgramFileRequested) }
     val kit = if (document.hasFirmwareImage) NqcTexts::documentsFirmwareImage else CommonTexts::sendingKit
     Choice(kit) { onEvent(DocumentEvent.KitRequested) }
-    Separator()
-    Choice(SchoolTexts::handInsMenu, enabled = document.hasGoals) { onEvent(HandInsEvent.Requested) }
     Separator()
     Choice(DocumentTexts::closeWindow, control(Key.W), onClick = close)
     // macOS has it in the menu of the app.

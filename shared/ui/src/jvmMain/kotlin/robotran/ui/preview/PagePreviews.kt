@@ -20,7 +20,7 @@ import robotran.workshop.state.Notice
 @Preview
 @Composable
 internal fun TopStripPreview() = PreviewWorkshop {
-    TopStrip(it.document, it.soundOn, isEditingWorld = false, fullPane = null, {}, Modifier.width(860.dp))
+    TopStrip(it.document, isEditingWorld = false, fullPane = null, {}, Modifier.width(860.dp))
 }
 
 @Preview
@@ -62,7 +62,9 @@ internal fun SettingsPreview() = PreviewWorkshop {
 
 @Composable
 private fun LearningPagePreview(page: LearningPage) = PreviewWorkshop({ show(page) }) {
-    Box(Modifier.size(1_000.dp, 600.dp)) { LearningPages(it.learning, it.settings.programView, null, {}) }
+    Box(Modifier.size(1_000.dp, 600.dp)) {
+        LearningPages(it.learning, it.settings.programView, null, hasGoals = false, {})
+    }
 }
 
 private fun Workshop.show(page: LearningPage) = handle(LearningEvent.PageRequested(page))

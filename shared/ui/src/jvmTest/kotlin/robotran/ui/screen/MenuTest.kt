@@ -4,12 +4,18 @@ import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertTextContains
+import androidx.compose.ui.test.hasAnyAncestor
+import androidx.compose.ui.test.hasClickAction
+import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import robotran.language.Language
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.screen.tags.ScreenTags
+import robotran.workshop.documents.Machine
+import robotran.workshop.documents.projectFile
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -31,6 +37,9 @@ class MenuTest {
                 assertFalse(saysThereIsMore(ScreenTags.MENU_ITEMS), "$language")
                 open(DocumentTags.WORK_MENU)
                 for (item in WORK) assertWhole(DocumentTags.menuItem(item), "$language")
+                assertEquals(0f, hiddenBelow(), "$language")
+                open(DocumentTags.menuItem(DocumentTags.MORE))
+                for (item in MORE) assertWhole(DocumentTags.menuItem(item), "$language")
                 assertEquals(0f, hiddenBelow(), "$language")
             }
         }
@@ -58,12 +67,48 @@ class MenuTest {
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale)))
                 pass(300)
                 open(ScreenTags.MENU)
-                checkHint(ScreenTags.MENU_SETTINGS, isLow = height < width)
+                checkHint(ScreenTags.MENU_TEACHERS, isLow = height < width)
                 scroll(ScreenTags.MENU_ITEMS, toEnd = false)
                 open(DocumentTags.WORK_MENU)
-                checkHint(DocumentTags.menuItem(DocumentTags.KIT), isLow = height < width)
+                checkHint(DocumentTags.menuItem(DocumentTags.MORE), isLow = height < width)
             }
         }
+    }
+
+    @Test
+    fun `no list of the menus has more than nine entries, with a file and a brick to send to`() {
+        val file = OpenRequest.OfFiles(listOf(projectFile("beep")))
+        for ((width, height) in listOf(412 to 915, 1280 to 800)) {
+            onScreenOf(Machine().window(file), width, height) {
+                pass(600)
+                if (!isThere(DocumentTags.WORK_MENU)) {
+                    open(ScreenTags.MENU)
+                    assertFew()
+                }
+                open(DocumentTags.WORK_MENU)
+                assertTrue(isThere(DocumentTags.menuItem(DocumentTags.SAVE)))
+                assertFew()
+                open(DocumentTags.menuItem(DocumentTags.MORE))
+                assertFew()
+            }
+        }
+    }
+
+    @Test
+    fun `a world and a robot are built from a list of the menu`() = onScreen(412, 915) { workshop ->
+        open(ScreenTags.MENU)
+        open(ScreenTags.MENU_BUILD)
+        assertTrue(isThere(ScreenTags.MENU_BUILD_ROBOT))
+        open(ScreenTags.MENU_BACK)
+        open(ScreenTags.MENU_BUILD)
+        open(ScreenTags.MENU_EDIT_WORLD)
+        assertNotNull(workshop.state.worldEdit)
+    }
+
+    /** Every entry of an open menu is pressed by itself. The way back is none. */
+    private fun ComposeUiTest.assertFew() {
+        val entries = onAllNodes(isInMenu and hasClickAction() and !isWayBack).fetchSemanticsNodes().size
+        assertTrue(entries in 2..MOST, "$entries entries")
     }
 
     private fun ComposeUiTest.checkHint(last: String, isLow: Boolean) {
@@ -86,26 +131,32 @@ class MenuTest {
     }
 
     private companion object {
+        const val MOST = 9
+        val isWayBack = hasTestTag(ScreenTags.MENU_BACK) or hasTestTag(DocumentTags.menuItem(DocumentTags.LESS))
+        val isInMenu = hasAnyAncestor(hasTestTag(ScreenTags.MENU_ITEMS) or hasTestTag(DocumentTags.WORK_MENU_ITEMS))
         val MAIN = listOf(
             DocumentTags.WORK_MENU,
-            ScreenTags.MENU_LEARN,
+            ScreenTags.MENU_MAP,
             ScreenTags.MENU_WORLDS,
             ScreenTags.MENU_EXAMPLES,
             ScreenTags.MENU_WORDS,
-            ScreenTags.MENU_EDIT_WORLD,
+            ScreenTags.MENU_BUILD,
             ScreenTags.MENU_FIRST_PAGE,
-            ScreenTags.MENU_SOUND,
             ScreenTags.MENU_SETTINGS,
+            ScreenTags.MENU_TEACHERS,
         )
         val WORK = listOf(
             DocumentTags.NEW,
             DocumentTags.MY_WORK,
-            DocumentTags.OPEN,
-            DocumentTags.OPEN_LINK,
             DocumentTags.RENAME,
-            DocumentTags.SAVE_AS,
             DocumentTags.SHARE_LINK,
             DocumentTags.SHOW,
+            DocumentTags.MORE,
+        )
+        val MORE = listOf(
+            DocumentTags.OPEN,
+            DocumentTags.OPEN_LINK,
+            DocumentTags.SAVE_AS,
             DocumentTags.REPLAY,
             DocumentTags.PROGRAM_FILE,
             DocumentTags.KIT,

@@ -167,6 +167,8 @@ class NqcOnScreenTest {
         pass(300)
         onNodeWithTag(DocumentTags.WORK_MENU).performClick()
         pass(300)
+        onNodeWithTag(DocumentTags.menuItem(DocumentTags.MORE)).performClick()
+        pass(300)
         onNodeWithText("Save for LEGO's firmware…").assertExists()
         onNodeWithText("For a real robot…").assertDoesNotExist()
         assertTrue(workshop.state.document.hasFirmwareImage)

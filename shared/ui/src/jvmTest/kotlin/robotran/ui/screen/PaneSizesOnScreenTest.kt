@@ -220,7 +220,7 @@ class PaneSizesOnScreenTest {
                 onNodeWithTag(ScreenTags.FULL_WORLD).assertIsOn()
                 assertTrue(!isThere(ProgramTags.PROGRAM) && !isThere(ScreenTags.DIVIDER), described)
                 assertTrue(
-                    bounds(WorldTags.WORLD).width > width * 0.9f && bounds(WorldTags.WORLD).height > height * 0.6f,
+                    bounds(WorldTags.WORLD).run { this.width * this.height } > width * height * 0.5f,
                     described,
                 )
                 assertUnmoved(before, still, described)

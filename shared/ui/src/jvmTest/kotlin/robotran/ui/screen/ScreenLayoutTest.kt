@@ -34,7 +34,7 @@ import kotlin.test.assertTrue
 @OptIn(ExperimentalTestApi::class)
 class ScreenLayoutTest {
     @Test
-    fun `why a program failed is told in full, and neither covers the brick nor is covered`() {
+    fun `why a program failed is told beside the sheet, to its end by scrolling, and covers nothing`() {
         for ((width, height) in listOf(
             1366 to 768,
             1280 to 720,
@@ -50,12 +50,8 @@ class ScreenLayoutTest {
                 workshop.handle(RunEvent.RunPressed)
                 pass(2_000)
                 val hint = node(RunTags.BRICK_HINT)
-                assertEquals(
-                    hint.size.height.toFloat(),
-                    hint.boundsInRoot.height,
-                    1f,
-                    "$width x $height: the text is cut",
-                )
+                val isWhole = hint.size.height - hint.boundsInRoot.height < 1f
+                assertTrue(isWhole || saysThereIsMore(ScreenTags.NEWS), "$width x $height: the text is cut")
                 val others =
                     listOf(
                         RunTags.BRICK,

@@ -75,16 +75,11 @@ abstract class ScreensInLooks {
             workshop.handle(LearningEvent.HintRequested(true))
             workshop.handle(LearningEvent.SolutionRequested(true))
             pass(600)
-            val others = if (isThere(LearningTags.STEP_MORE)) {
-                listOf(LearningTags.STEP_MORE)
-            } else {
-                listOf(LearningTags.BEGIN_AGAIN, LearningTags.LEAVE_TUTORIAL)
-            }
             for (tag in listOf(
-                LearningTags.RUN_STEP,
                 LearningTags.PREVIOUS_STEP,
                 LearningTags.NEXT_STEP,
-            ) + others) {
+                LearningTags.STEP_MORE,
+            )) {
                 assertWhole(tag, described)
             }
             if (workshop.settings.textScale == 1f) {

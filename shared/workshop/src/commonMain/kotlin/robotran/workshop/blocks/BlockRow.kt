@@ -59,7 +59,7 @@ val Block.group: BlockGroup?
     get() = head.form?.group ?: BlockGroup.CONTROL.takeIf { this is Block.Construct }
 
 /** The rows of [program] in order, without what is inside of [BlockList.collapsed] blocks. */
-internal fun rowsOf(program: BlockProgram, isCollapsed: (Block) -> Boolean): List<BlockRow> = buildList {
+fun rowsOf(program: BlockProgram, isCollapsed: (Block) -> Boolean): List<BlockRow> = buildList {
     addRows(program.blocks, emptyList(), isCollapsed)
 }
 

@@ -14,10 +14,10 @@ sealed interface ExportEvent : SchoolEvent {
 
     data class SpeedChosen(val speed: ShowSpeed) : ExportEvent
 
-    /** Makes the moving picture that was chosen. */
+    /** Makes the moving picture or the poster that was chosen. */
     data object MakingRequested : ExportEvent
 
-    /** Saves the sheet as a picture of [kind], PNG or SVG. */
+    /** Makes a picture of the sheet of [kind], PNG or SVG. */
     data class StillChosen(val kind: FileKind) : ExportEvent
 
     data object PosterChosen : ExportEvent
@@ -25,9 +25,14 @@ sealed interface ExportEvent : SchoolEvent {
     /** Changes what is on the poster. */
     data class PosterChanged(val title: String, val maker: String, val isDated: Boolean) : ExportEvent
 
-    data object PosterPrinted : ExportEvent
+    /** Saves what was made. */
+    data object SaveRequested : ExportEvent
 
-    data object PosterSaved : ExportEvent
+    /** Hands what was made to another app. */
+    data object ShareRequested : ExportEvent
+
+    /** Prints the poster that was made. */
+    data object PrintRequested : ExportEvent
 
     /** Cancels what is under way, and returns to the choice. */
     data object BackRequested : ExportEvent

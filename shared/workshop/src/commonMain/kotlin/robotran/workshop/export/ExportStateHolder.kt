@@ -12,6 +12,8 @@ import robotran.workshop.platform.Printing
 import robotran.workshop.platform.Saving
 import robotran.workshop.service.Services
 import robotran.workshop.state.ExportState
+import robotran.workshop.state.MadePicture
+import robotran.workshop.state.MadeWork
 import robotran.workshop.state.MovingKind
 import robotran.workshop.state.Poster
 import robotran.workshop.state.ShowError
@@ -48,12 +50,13 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
             ExportEvent.Requested -> Unit
             is ExportEvent.MovingChosen -> chooseSpeed(event.kind)
             is ExportEvent.SpeedChosen -> if (step is ShowStep.ChoosingSpeed) show(step.copy(chosen = event.speed))
-            ExportEvent.MakingRequested -> if (step is ShowStep.ChoosingSpeed) work { make(step) }
-            is ExportEvent.StillChosen -> work { saveStill(event.kind) }
+            ExportEvent.MakingRequested -> make(step)
+            is ExportEvent.StillChosen -> work { makeStill(event.kind) }
             ExportEvent.PosterChosen -> show(ShowStep.ChoosingPoster(firstPoster(), isDated))
             is ExportEvent.PosterChanged -> if (step is ShowStep.ChoosingPoster) change(step, event)
-            ExportEvent.PosterPrinted -> if (step is ShowStep.ChoosingPoster) work { print(step.poster) }
-            ExportEvent.PosterSaved -> if (step is ShowStep.ChoosingPoster) work { savePoster(step.poster) }
+            ExportEvent.SaveRequested -> if (step is ShowStep.Made) work { save(step) }
+            ExportEvent.ShareRequested -> if (step is ShowStep.Made) work { share(step) }
+            ExportEvent.PrintRequested -> if (step is ShowStep.Made) work { print(step) }
             ExportEvent.BackRequested -> goBack()
             ExportEvent.Closed -> close()
         }
@@ -71,6 +74,7 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
             ShowStep.Choosing,
             canRecord = platform.videos.isAvailable,
             canPrint = platform.posters.canPrint,
+            canShare = platform.sharing.canShareFiles,
             hasRun = run.recordedRun().length > 0,
         )
     }
@@ -85,26 +89,48 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
         show(ShowStep.ChoosingSpeed(kind, speeds, proposedSpeed(speeds)))
     }
 
-    private suspend fun make(chosen: ShowStep.ChoosingSpeed) {
+    private fun make(chosen: ShowStep) {
+        when (chosen) {
+            is ShowStep.ChoosingSpeed -> work { makeMoving(chosen) }
+            is ShowStep.ChoosingPoster -> work { makePoster(chosen.poster) }
+            else -> Unit
+        }
+    }
+
+    private suspend fun makeMoving(chosen: ShowStep.ChoosingSpeed) {
         show(ShowStep.Making(chosen.kind, progress = 0f))
-        maker.make(run.recordedRun(), chosen.kind, chosen.chosen).collect { step ->
+        val recorded = run.recordedRun()
+        maker.make(recorded, chosen.kind, chosen.chosen).collect { step ->
             when (step) {
                 is MakingStep.Progress -> show(ShowStep.Making(chosen.kind, step.part))
-                is MakingStep.Done -> save(step.bytes, chosen.kind.fileKind, back = chosen)
+
+                is MakingStep.Done -> made(
+                    step.bytes,
+                    chosen.kind.fileKind,
+                    MadePicture.Moving(recorded.world, step.states, FRAME_MILLISECONDS),
+                )
+
                 MakingStep.TooLarge -> show(ShowStep.Failed(ShowError.TooLarge))
                 MakingStep.NoVideo -> show(ShowStep.Failed(ShowError.NoVideo))
             }
         }
     }
 
-    private suspend fun saveStill(kind: FileKind) {
+    private suspend fun makeStill(kind: FileKind) {
         val world = run.recordedRun().world
+        val session = current.session
         val bytes = when (kind) {
-            FileKind.SVG -> platform.pictures.svg(world, current.session).encodeToByteArray()
-            else -> platform.pictures.png(world, current.session)
+            FileKind.SVG -> platform.pictures.svg(world, session).encodeToByteArray()
+            else -> platform.pictures.png(world, session)
         }
-        save(bytes, kind, back = ShowStep.Choosing)
+        made(bytes, kind, MadePicture.Still(world, session))
     }
+
+    private fun makePoster(poster: Poster) =
+        made(platform.posters.svg(poster).encodeToByteArray(), FileKind.SVG, MadePicture.Page(poster), poster.title)
+
+    private fun made(bytes: ByteArray, kind: FileKind, shown: MadePicture, name: String = title()) =
+        show(ShowStep.Made(MadeWork(fileNameFor(name, kind), kind, bytes, shown)))
 
     private fun firstPoster() = Poster(
         title().take(Poster.MAX_TITLE),
@@ -114,6 +140,7 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
         current.session,
         current.shownProgram,
         preferences.language,
+        current.shownBlocks,
     )
 
     private fun change(step: ShowStep.ChoosingPoster, event: ExportEvent.PosterChanged) {
@@ -127,21 +154,22 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
     private fun dateOf(isDated: Boolean): String =
         if (isDated) platform.clock.date(platform.clock.now, preferences.language.tag) else ""
 
-    private suspend fun print(poster: Poster) {
-        val printing = platform.posters.print(poster)
-        if (printing is Printing.Failed) show(ShowStep.Failed(ShowError.NotPrinted(printing.reason)))
+    private suspend fun print(made: ShowStep.Made) {
+        val page = made.work.shown as? MadePicture.Page ?: return
+        val printing = platform.posters.print(page.poster)
+        show(made.copy(error = (printing as? Printing.Failed)?.let { ShowError.NotPrinted(it.reason) }))
     }
 
-    private suspend fun savePoster(poster: Poster) {
-        val svg = platform.posters.svg(poster).encodeToByteArray()
-        save(svg, FileKind.SVG, back = ShowStep.ChoosingPoster(poster, isDated), name = poster.title)
+    private suspend fun share(made: ShowStep.Made) {
+        val isTaken = platform.sharing.shareFile(made.work.name, made.work.kind, made.work.bytes)
+        show(made.copy(error = if (isTaken) null else ShowError.NotShared))
     }
 
-    private suspend fun save(bytes: ByteArray, kind: FileKind, back: ShowStep, name: String = title()) {
-        when (val saving = platform.files.save(fileNameFor(name, kind), kind, bytes)) {
-            is Saving.Saved -> show(ShowStep.Saved(saving.name))
-            is Saving.Failed -> show(ShowStep.Failed(ShowError.NotSaved(saving.reason, saving.isFull)))
-            Saving.Cancelled -> show(back)
+    private suspend fun save(made: ShowStep.Made) {
+        when (val saving = platform.files.save(made.work.name, made.work.kind, made.work.bytes)) {
+            is Saving.Saved -> show(made.copy(savedAs = saving.name, error = null))
+            is Saving.Failed -> show(made.copy(error = ShowError.NotSaved(saving.reason, saving.isFull)))
+            Saving.Cancelled -> show(made.copy(error = null))
         }
     }
 

@@ -18,7 +18,8 @@ internal sealed interface MakingStep {
     /** [part] of the work is done, 0..1. */
     data class Progress(val part: Float) : MakingStep
 
-    class Done(val bytes: ByteArray) : MakingStep
+    /** @property states what is seen in the picture, frame by frame. */
+    class Done(val bytes: ByteArray, val states: List<SessionState>) : MakingStep
 
     data object TooLarge : MakingStep
 
@@ -46,7 +47,7 @@ internal class MovingPictureMaker(private val platform: Platform) {
                     emit(MakingStep.Progress(REPEATING + step.done * (1 - REPEATING) / step.total))
                 }
 
-                is AnimationStep.Finished -> emit(MakingStep.Done(step.bytes))
+                is AnimationStep.Finished -> emit(MakingStep.Done(step.bytes, states))
                 AnimationStep.TooLarge -> emit(MakingStep.TooLarge)
             }
             if (++slice % FRAMES_PER_SLICE == 0) delay(1)
@@ -59,7 +60,7 @@ internal class MovingPictureMaker(private val platform: Platform) {
         val bytes = platform.videos.record(source) { shown ->
             trySend(MakingStep.Progress(REPEATING + shown * (1 - REPEATING) / states.size))
         }
-        send(if (bytes == null) MakingStep.NoVideo else MakingStep.Done(bytes))
+        send(if (bytes == null) MakingStep.NoVideo else MakingStep.Done(bytes, states))
     }
 
     private suspend fun repeated(

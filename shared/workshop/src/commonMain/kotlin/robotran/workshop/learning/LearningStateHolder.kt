@@ -11,6 +11,7 @@ import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
+import robotran.learning.drawing.RunDrawing
 import robotran.programs.Program
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
@@ -50,6 +51,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     private val notices = services.notices
     private val store = LearningProgressStore(services.platform.store, scope)
     private val progress: LearningProgress get() = store.progress
+    private val drawings = PupilDrawings(services.platform.store, scope)
     private var hasStarted = false
 
     /** Whether the tutorial was folded because another project was loaded. */
@@ -71,6 +73,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     /** Restores the learning progress; on the first run shows the welcome page if [welcoming]. */
     suspend fun start(welcoming: Boolean) {
         store.load()
+        drawings.load()
         state = state.copy(
             page = LearningPage.FIRST_RUN.takeIf { welcoming && !progress.welcomed },
             tutorial =
@@ -142,7 +145,8 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         if (!outcome.isSolved) {
             if (state.solved != null) state = state.copy(solved = null)
         } else if (state.solved == null && !isSolutionRun) {
-            state = state.copy(solved = solve(outcome.finished ?: 0, program))
+            state = state.copy(solved = solve(session, outcome.finished ?: 0, program))
+            refresh()
             services.publish(SchoolRoomEvent.TaskSolved)
         }
     }
@@ -151,16 +155,17 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     private val isSolutionShown: Boolean
         get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
 
-    private fun solve(milliseconds: Long, program: Program): SolvedTask {
+    private fun solve(session: SessionState, milliseconds: Long, program: Program): SolvedTask {
         val step = tutorial.loadedStep()
         val world = worldTask.loadedWorld()
         val name = step?.name ?: world?.let { "world/${it.name}" }
         val record = TaskRecord(milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
+        if (step != null) drawings.keep(step.name, RunDrawing.of(session))
         val index = step?.let(Lessons::indexOf)
         return SolvedTask(
-            learned = step?.text(preferences.language)?.title,
+            learned = step?.text(preferences.language)?.skill,
             milliseconds = milliseconds,
             lines = record.lines,
             bestMilliseconds = before?.milliseconds,
@@ -249,6 +254,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
             worldTask = worldTask.update(state.worldTask),
             stepsDone = progress.stepsDone,
             worldsDone = progress.worldsDone,
+            drawings = drawings.drawings,
         )
         if (now != state) state = now
     }
@@ -373,7 +379,10 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     }
 
     /** Waits until the learning progress is stored. */
-    suspend fun saveNow() = store.saveNow()
+    suspend fun saveNow() {
+        store.saveNow()
+        drawings.saveNow()
+    }
 
     private companion object {
         /** The virtual time in which a run counts as just begun. */

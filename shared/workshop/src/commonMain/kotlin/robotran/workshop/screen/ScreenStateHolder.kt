@@ -55,9 +55,9 @@ internal class ScreenStateHolder(
         when (event) {
             is ProjectRoomEvent.Opened -> worldChanged(hasNewTask = true)
             is ProjectRoomEvent.WorldChanged -> worldChanged(event.isAnother || event.hasNewTask)
-            // So that the whole sheet is visible.
-            is ProgramRoomEvent.SnippetRequested -> showTask(false)
-            is RunRoomEvent.Started -> if (event.byUser) showTask(false)
+            // Only its line stays, so that there is room for what comes of the run.
+            is ProgramRoomEvent.SnippetRequested -> taskFolded = true
+            is RunRoomEvent.Started -> if (event.byUser) taskFolded = true
             is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
             ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, is ProgramRoomEvent.Written,
             ProgramRoomEvent.Chosen, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,

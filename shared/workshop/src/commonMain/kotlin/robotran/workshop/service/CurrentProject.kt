@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.blockediting.BlockProgram
 import robotran.documents.SavedBreakpoint
 import robotran.programs.Program
 import robotran.projects.Project
@@ -22,6 +23,9 @@ interface CurrentProject {
     val savedBreakpoints: List<SavedBreakpoint> get() = emptyList()
 
     val shownProgram: Program
+
+    /** [shownProgram] in blocks; null if it is shown as text alone. */
+    val shownBlocks: BlockProgram? get() = null
 
     /** The robot whose programs are shown. */
     val shownRobot: RobotPlacement get() = project.world.robots.first()

@@ -7,10 +7,17 @@ import androidx.compose.runtime.Immutable
  *
  * @property canRecord whether this machine can record videos.
  * @property canPrint whether it can print.
+ * @property canShare whether it can hand a file to other apps.
  * @property hasRun whether there is a run to show; otherwise only the sheet as it is.
  */
 @Immutable
-data class ExportState(val step: ShowStep, val canRecord: Boolean, val canPrint: Boolean, val hasRun: Boolean)
+data class ExportState(
+    val step: ShowStep,
+    val canRecord: Boolean,
+    val canPrint: Boolean,
+    val canShare: Boolean,
+    val hasRun: Boolean,
+)
 
 /** A step of showing. */
 sealed interface ShowStep {
@@ -30,8 +37,13 @@ sealed interface ShowStep {
     /** Choosing what is on the [poster]; [isDated] is whether it has its date. */
     data class ChoosingPoster(val poster: Poster, val isDated: Boolean) : ShowStep
 
-    /** The file [name] was saved. */
-    data class Saved(val name: String) : ShowStep
+    /**
+     * Looking at what was made.
+     *
+     * @property savedAs the name of the file that it was saved as last; null if it was not.
+     * @property error why it could not be saved, shared or printed; null if nothing went wrong.
+     */
+    data class Made(val work: MadeWork, val savedAs: String? = null, val error: ShowError? = null) : ShowStep
 
     data class Failed(val error: ShowError) : ShowStep
 }
@@ -66,4 +78,6 @@ sealed interface ShowError {
 
     /** @property reason the platform's error message; may be empty. */
     data class NotPrinted(val reason: String) : ShowError
+
+    data object NotShared : ShowError
 }

@@ -11,6 +11,9 @@ enum class LearningPage(val coversAll: Boolean) {
 
     /** The strands with their lessons. */
     MAP(coversAll = true),
+
+    /** What teachers can make, give out and look at. */
+    TEACHERS(coversAll = true),
     WORLDS(coversAll = true),
     EXAMPLES(coversAll = true),
     HELP(coversAll = false),

@@ -10,6 +10,7 @@ import robotran.learning.Lesson
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WordHelp
+import robotran.learning.drawing.RunDrawing
 
 /**
  * The state of the learning material.
@@ -21,6 +22,7 @@ import robotran.learning.WordHelp
  * @property worldTask the task of the gallery's world that is loaded; null in any other world, and where there is none.
  * @property stepsDone the names of the completed tutorial steps.
  * @property worldsDone the names of the gallery's worlds and variations whose goals were met.
+ * @property drawings what the pupil's robot drew in the lessons when they were solved last, by their names.
  * @property query the search text of the gallery.
  * @property help the state of the help page.
  * @property solved the task that the current run has solved; null before it is over.
@@ -35,6 +37,7 @@ data class LearningState(
     val worldTask: WorldTaskState? = null,
     val stepsDone: Set<String> = emptySet(),
     val worldsDone: Set<String> = emptySet(),
+    val drawings: Map<String, RunDrawing> = emptyMap(),
     val query: String = "",
     val isInBlocks: Boolean = false,
     val solved: SolvedTask? = null,

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.blockediting.BlockProgram
 import robotran.language.Language
 import robotran.programs.Program
 import robotran.simulation.state.SessionState
@@ -12,6 +13,7 @@ import robotran.world.World
  * @property maker who made it, as the pupil wants; empty for nobody.
  * @property date the date in words; empty for none.
  * @property session the moment of the run that is drawn.
+ * @property blocks the same program in blocks, if the pupil sees it so; otherwise null.
  * @property language the language of the few words that the page adds.
  */
 @Immutable
@@ -23,6 +25,7 @@ data class Poster(
     val session: SessionState,
     val program: Program,
     val language: Language,
+    val blocks: BlockProgram? = null,
 ) {
     companion object {
         /** Characters of [title] and of [maker]. */

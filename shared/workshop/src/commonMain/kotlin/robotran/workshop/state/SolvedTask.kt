@@ -6,7 +6,7 @@ import robotran.learning.GalleryWorld
 /**
  * A task that the current run has solved.
  *
- * @property learned the title of the tutorial's step; null outside the tutorial.
+ * @property learned what the lesson has taught, as in [robotran.learning.LessonText.skill]; null outside the tutorial.
  * @property milliseconds virtual time of the run.
  * @property lines of the program, without empty ones and comments.
  * @property bestMilliseconds the pupil's own best time before; null if it is the first solution.

@@ -169,7 +169,7 @@ class AnotherWorldTest {
     }
 
     @Test
-    fun `the task of a world that is opened is shown until it is put away or the program runs`() {
+    fun `the task of a world that is opened is shown until it is put away, and folds when the program runs`() {
         val workshop = machine.window()
         assertFalse(workshop.state.taskShown)
         workshop.handle(ScreenEvent.PaneChosen(Pane.PROGRAM))
@@ -177,9 +177,9 @@ class AnotherWorldTest {
         assertTrue(workshop.state.taskShown)
         assertEquals(Pane.WORLD, workshop.state.pane)
         workshop.handle(RunEvent.RunPressed)
-        assertFalse(workshop.state.taskShown)
+        assertTrue(workshop.state.taskShown && workshop.state.taskFolded)
         workshop.handle(LearningEvent.WorldChosen("square"))
-        assertTrue(workshop.state.taskShown)
+        assertTrue(workshop.state.taskShown && !workshop.state.taskFolded)
         workshop.handle(ScreenEvent.TaskShown(false))
         workshop.handle(DocumentEvent.NewRequested)
         assertFalse(workshop.state.taskShown)

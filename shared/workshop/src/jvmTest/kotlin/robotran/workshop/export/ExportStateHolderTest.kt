@@ -20,7 +20,9 @@ import robotran.workshop.platform.FixedClock
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Printing
+import robotran.workshop.platform.Sharing
 import robotran.workshop.platform.VideoRecorder
+import robotran.workshop.state.MadePicture
 import robotran.workshop.state.MovingKind
 import robotran.workshop.state.Poster
 import robotran.workshop.state.ShowError
@@ -37,6 +39,7 @@ class ExportStateHolderTest {
     private val files = MemoryFilePicker().apply { location = "/home/square.gif" }
     private val camera = TestCamera()
     private val printer = TestPrinter()
+    private val apps = TestApps()
 
     @Test
     fun `without a run there is only the sheet to show`() = shown { workshop ->
@@ -54,7 +57,12 @@ class ExportStateHolderTest {
         runCurrent()
         assertIs<ShowStep.Making>(workshop.step)
         advanceUntilIdle()
-        assertEquals(ShowStep.Saved("square.gif"), workshop.step)
+        val shown = assertIs<MadePicture.Moving>(assertIs<ShowStep.Made>(workshop.step).work.shown)
+        assertEquals(51, shown.states.size)
+        assertEquals(emptySet(), files.disk.keys)
+        workshop.handle(ExportEvent.SaveRequested)
+        advanceUntilIdle()
+        assertEquals("square.gif", assertIs<ShowStep.Made>(workshop.step).savedAs)
         val file = files.disk.getValue("/home/square.gif")
         assertEquals("GIF89a", file.decodeToString(0, 6))
     }
@@ -104,12 +112,30 @@ class ExportStateHolderTest {
         workshop.handle(ExportEvent.Requested)
         files.location = "/home/square.svg"
         workshop.handle(ExportEvent.StillChosen(FileKind.SVG))
-        advanceUntilIdle()
-        assertEquals(ShowStep.Saved("square.svg"), workshop.step)
+        save(workshop)
+        assertEquals("square.svg", assertIs<ShowStep.Made>(workshop.step).savedAs)
         files.full = true
         workshop.handle(ExportEvent.StillChosen(FileKind.PNG))
+        save(workshop)
+        val made = assertIs<ShowStep.Made>(workshop.step)
+        assertEquals(ShowError.NotSaved("", isFull = true), made.error)
+        assertEquals(FileKind.PNG, made.work.kind)
+    }
+
+    @Test
+    fun `what was made is handed to another app, and stays in sight`() = shown { workshop ->
+        workshop.handle(ExportEvent.Requested)
+        assertEquals(true, workshop.state.show?.canShare)
+        workshop.handle(ExportEvent.StillChosen(FileKind.PNG))
         advanceUntilIdle()
-        assertEquals(ShowStep.Failed(ShowError.NotSaved("", isFull = true)), workshop.step)
+        workshop.handle(ExportEvent.ShareRequested)
+        advanceUntilIdle()
+        assertEquals(listOf("My first work.png"), apps.taken)
+        assertNull(assertIs<ShowStep.Made>(workshop.step).error)
+        apps.takes = false
+        workshop.handle(ExportEvent.ShareRequested)
+        advanceUntilIdle()
+        assertEquals(ShowError.NotShared, assertIs<ShowStep.Made>(workshop.step).error)
     }
 
     @Test
@@ -123,12 +149,13 @@ class ExportStateHolderTest {
         val poster = assertIs<ShowStep.ChoosingPoster>(workshop.step).poster
         assertEquals(listOf("A line", "Ada", "day 2"), listOf(poster.title, poster.maker, poster.date))
         assertEquals("forward 7", poster.program.files.single().text)
-        workshop.handle(ExportEvent.PosterPrinted)
+        workshop.handle(ExportEvent.MakingRequested)
+        advanceUntilIdle()
+        workshop.handle(ExportEvent.PrintRequested)
         advanceUntilIdle()
         assertEquals(listOf(poster), printer.printed)
         files.location = "/home/poster.svg"
-        workshop.handle(ExportEvent.PosterSaved)
-        advanceUntilIdle()
+        save(workshop)
         assertEquals("poster A line by Ada", files.disk.getValue("/home/poster.svg").decodeToString())
     }
 
@@ -137,9 +164,11 @@ class ExportStateHolderTest {
         printer.result = Printing.Failed("no paper")
         workshop.handle(ExportEvent.Requested)
         workshop.handle(ExportEvent.PosterChosen)
-        workshop.handle(ExportEvent.PosterPrinted)
+        workshop.handle(ExportEvent.MakingRequested)
         advanceUntilIdle()
-        assertEquals(ShowStep.Failed(ShowError.NotPrinted("no paper")), workshop.step)
+        workshop.handle(ExportEvent.PrintRequested)
+        advanceUntilIdle()
+        assertEquals(ShowError.NotPrinted("no paper"), assertIs<ShowStep.Made>(workshop.step).error)
     }
 
     @Test
@@ -147,7 +176,7 @@ class ExportStateHolderTest {
         workshop.handle(ExportEvent.MakingRequested)
         assertNull(workshop.state.show)
         workshop.handle(ExportEvent.Requested)
-        for (late in listOf(ExportEvent.MakingRequested, ExportEvent.PosterPrinted, ExportEvent.PosterSaved)) {
+        for (late in listOf(ExportEvent.MakingRequested, ExportEvent.PrintRequested, ExportEvent.SaveRequested)) {
             workshop.handle(late)
             advanceUntilIdle()
             assertEquals(ShowStep.Choosing, workshop.step)
@@ -156,6 +185,12 @@ class ExportStateHolderTest {
     }
 
     private val Workshop.step: ShowStep? get() = state.show?.step
+
+    private fun TestScope.save(workshop: Workshop) {
+        advanceUntilIdle()
+        workshop.handle(ExportEvent.SaveRequested)
+        advanceUntilIdle()
+    }
 
     private fun Workshop.runFor(milliseconds: Int) {
         handle(RunEvent.RunPressed)
@@ -168,6 +203,7 @@ class ExportStateHolderTest {
             clock = FixedClock(now = 2 * 24 * 3_600_000L),
             videos = camera,
             posters = printer,
+            sharing = apps,
         )
         val workshop = openWorkshop(platform = platform, scope = CoroutineScope(StandardTestDispatcher(testScheduler)))
         try {
@@ -189,6 +225,20 @@ class ExportStateHolderTest {
             frames = source.count
             onFrame(frames)
             return film.await()
+        }
+    }
+
+    private class TestApps : Sharing {
+        val taken = mutableListOf<String>()
+        var takes = true
+
+        override val canShareFiles: Boolean get() = true
+
+        override suspend fun share(text: String): Boolean = false
+
+        override suspend fun shareFile(name: String, kind: FileKind, bytes: ByteArray): Boolean {
+            taken += name
+            return takes
         }
     }
 

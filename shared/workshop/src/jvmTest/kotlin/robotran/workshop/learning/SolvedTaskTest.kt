@@ -1,6 +1,7 @@
 package robotran.workshop.learning
 
 import kotlinx.coroutines.runBlocking
+import robotran.learning.Lessons
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -13,6 +14,7 @@ import robotran.workshop.state.SolvedTask
 import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertNotEquals
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
@@ -37,7 +39,7 @@ class SolvedTaskTest {
         workshop.handle(LearningEvent.TutorialStarted)
         val solved = assertNotNull(workshop.solve(solution))
         val step = checkNotNull(workshop.state.learning.tutorial).current
-        assertEquals(step.text(workshop.language).title, solved.learned)
+        assertEquals(step.text(workshop.language).skill, solved.learned)
         assertEquals(workshop.state.run.outcome.finished, solved.milliseconds)
         assertEquals(1, solved.nextStep)
         assertNull(solved.bestMilliseconds)
@@ -53,6 +55,21 @@ class SolvedTaskTest {
         assertEquals(first.lines - 1, second.lines)
         val third = assertNotNull(workshop.solve("wait 1 second\n$solution"))
         assertEquals(second.milliseconds to second.lines, third.bestMilliseconds to third.bestLines)
+    }
+
+    @Test
+    fun `what the robot drew in a solved lesson is kept, the latest, but not what the solution draws`() {
+        workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "pen" }))
+        workshop.handle(LearningEvent.SolutionRequested(true))
+        workshop.advance(30_000)
+        assertNull(workshop.state.learning.drawings["pen"])
+        workshop.handle(LearningEvent.SolutionRequested(false))
+        workshop.solve(solution)
+        val first = assertNotNull(workshop.state.learning.drawings["pen"])
+        assertEquals(workshop.state.session.ink.strokes.size, first.lines.size)
+        workshop.solve("$solution\nforward 5")
+        assertNotNull(workshop.state.learning.solved)
+        assertNotEquals(first, workshop.state.learning.drawings["pen"])
     }
 
     @Test

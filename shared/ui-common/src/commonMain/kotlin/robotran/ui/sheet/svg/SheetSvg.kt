@@ -43,14 +43,17 @@ class SheetSvg(private val world: World, private val state: SessionState) {
         return svg.toString()
     }
 
-    /** Writes the paper alone as an element of a larger picture, [width] by [height] of its units from [left], [top]. */
-    fun writeInto(other: SvgWriter, left: Double, top: Double, width: Double, height: Double) = other.element(
+    /**
+     * Writes the [part] of the paper, in centimetres from its upper left corner, as an element of a larger picture that
+     * fills [room] there.
+     */
+    fun writeInto(other: SvgWriter, part: Rect, room: Rect) = other.element(
         "svg",
-        "x" to left,
-        "y" to top,
-        "width" to width,
-        "height" to height,
-        "viewBox" to "0 0 ${figure(world.paper.width)} ${figure(world.paper.height)}",
+        "x" to room.left,
+        "y" to room.top,
+        "width" to room.width,
+        "height" to room.height,
+        "viewBox" to listOf(part.left, part.top, part.width, part.height).joinToString(" ") { figure(it) },
         "font-family" to "sans-serif",
     ) {
         writeContent(margin = 0.0)

@@ -14,6 +14,7 @@ import androidx.compose.runtime.withFrameNanos
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.focus.FocusRequester
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.input.pointer.PointerIcon
 import androidx.compose.ui.input.pointer.pointerHoverIcon
 import androidx.compose.ui.input.pointer.pointerInput
@@ -60,13 +61,13 @@ internal fun CodeEditor(
         remember(draft, marks, hasFocus, composing) { EditorPaint(draft, marks.copy(composing = composing), hasFocus) }
     val onCommand = { command: EditorCommand -> if (command is EditorCommand.Plain) actions.perform(command) }
     val touch = rememberTouch(control, layouts, pieces, draft, focus, actions)
-    KeepInSight(view, draft, layouts, pieces, marks, hasFocus)
+    KeepInSight(view, draft, layouts, marks, hasFocus)
     Box(modifier.padding(top = 6.dp)) {
         EditorField(
             draft,
             control,
-            view,
             layouts,
+            { caretBounds(view, draft, layouts, pieces, draft.selection.caret) },
             { composing = it },
             Modifier.fillMaxSize().editorInput(control, focus, draft, onCommand, actions::toggleBreakpoint) {
                 control.hasFocus = it
@@ -101,26 +102,21 @@ private fun KeepInSight(
     view: EditorView,
     draft: TextDocument,
     layouts: LineLayouts,
-    pieces: CodeTokens,
     marks: EditorMarks,
     hasFocus: Boolean,
 ) {
     val runningLine = marks.runningLine
-    LaunchedEffect(draft, view.size, layouts) {
+    LaunchedEffect(draft, view.size, view.columns, layouts) {
         // The lines have their positions only after layout.
         withFrameNanos { }
         val line = draft.lines.lineOf(draft.selection.caret)
         if ((!hasFocus && draft.selection.caret == 0) || line >= view.geometry.lines) return@LaunchedEffect
-        val x = layouts.of(
-            draft.lines.line(line),
-            pieces.startsInComment(line),
-        ).x(draft.lines.columnOf(draft.selection.caret))
-        view.scrollTo(line, x)
+        view.scrollToCaret(line, draft.lines.columnOf(draft.selection.caret), draft)
     }
     LaunchedEffect(runningLine) {
         if (runningLine == 0) return@LaunchedEffect
         delay(SLOW)
-        if (runningLine <= view.geometry.lines) view.scrollTo(runningLine - 1, null)
+        if (runningLine <= view.geometry.lines) view.scrollTo(runningLine - 1)
     }
     LaunchedEffect(marks.failedLine, view.size.height == 0) {
         if (marks.failedLine == 0) return@LaunchedEffect
@@ -157,10 +153,7 @@ private fun Overlays(
     hasFocus: Boolean,
     onCommand: (EditorCommand) -> Unit,
 ) {
-    val place = { offset: Int ->
-        val line = draft.lines.lineOf(offset).coerceAtMost(view.geometry.lines - 1)
-        view.caretBounds(line, draft.lines.columnOf(offset), draft, layouts, pieces)
-    }
+    val place = { offset: Int -> caretBounds(view, draft, layouts, pieces, offset) }
     if (hasFocus && control.showsSelectionBar) {
         if (!draft.selection.isEmpty) {
             val drag = { keep: Int, at: Offset ->
@@ -186,6 +179,17 @@ private fun Overlays(
         }, control::acceptCompletion)
     }
     if (hasFocus && control.hasNoCompletions) NoCompletions { place(draft.selection.caret) }
+}
+
+private fun caretBounds(
+    view: EditorView,
+    draft: TextDocument,
+    layouts: LineLayouts,
+    pieces: CodeTokens,
+    offset: Int,
+): Rect {
+    val line = draft.lines.lineOf(offset).coerceAtMost(view.geometry.lines - 1)
+    return view.caretBounds(line, draft.lines.columnOf(offset), draft, layouts, pieces)
 }
 
 /** [notes] without those of the line being typed, which is incomplete. They appear once typing pauses. */

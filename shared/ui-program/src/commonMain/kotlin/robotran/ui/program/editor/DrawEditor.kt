@@ -42,7 +42,7 @@ internal class EditorDrawing(
 
     private fun DrawScope.drawBand(line: Int) {
         val top = view.geometry.top(line) - view.scrollY
-        val band = Size(size.width, view.geometry.lineHeight)
+        val band = Size(size.width, view.geometry.heightOf(line))
         if (line == caretLine && paint.hasFocus) drawRect(code.caretLine, Offset(0f, top), band)
         if (line + 1 in marks.partners) {
             drawRect(code.partner, Offset(0f, top), band)
@@ -55,62 +55,78 @@ internal class EditorDrawing(
     }
 
     private fun DrawScope.drawLine(line: Int) {
-        val laidOut = layouts.of(draft.lines.line(line), pieces.startsInComment(line))
+        val laidOut = view.laidOut(line, draft, layouts, pieces)
         val top = view.geometry.top(line) - view.scrollY
-        val left = view.gutter - view.scrollX
-        drawMatches(line, laidOut, left, top)
-        drawSelection(line, laidOut, left, top)
-        drawText(laidOut.layout, topLeft = Offset(left, top))
-        val bottom = top + view.geometry.lineHeight
+        drawMatches(line, laidOut, top)
+        drawSelection(line, laidOut, top)
+        for (row in 0..<laidOut.rows.count) {
+            val y = top + row * view.geometry.lineHeight
+            if (y > size.height) break
+            if (y + view.geometry.lineHeight < 0) continue
+            drawText(laidOut.layout(row), topLeft = Offset(view.gutter + laidOut.left(row), y))
+        }
         for (diagnostic in marks.diagnostics) {
             if (diagnostic.line == line + 1) {
-                drawWave(span(diagnostic, laidOut, left), bottom, colours.error)
+                for (piece in pieces(diagnostic, laidOut)) drawWave(span(piece), bottom(top, piece), colours.error)
             }
         }
         for (warning in marks.warnings) {
-            if (warning.line ==
-                line + 1
-            ) {
-                drawDots(span(warning, laidOut, left), bottom, code.warning)
+            if (warning.line == line + 1) {
+                for (piece in pieces(warning, laidOut)) drawDots(span(piece), bottom(top, piece), code.warning)
             }
         }
-        drawComposing(line, laidOut, left, bottom)
+        drawComposing(line, laidOut, top)
     }
 
-    private fun DrawScope.drawSelection(line: Int, laidOut: LaidOutLine, left: Float, top: Float) {
+    private fun DrawScope.drawSelection(line: Int, laidOut: LaidOutLine, top: Float) {
         val selection = draft.selection
         val start = draft.lines.start(line)
         val end = draft.lines.end(line)
         if (selection.isEmpty || selection.start > end || selection.end < start) return
-        val from = laidOut.x((selection.start - start).coerceAtLeast(0))
         val goesOn = selection.end > end
-        val to = laidOut.x(minOf(selection.end, end) - start) + if (goesOn) layouts.characterWidth / 2 else 0f
-        if (to > from) drawRect(code.selection, Offset(left + from, top), Size(to - from, view.geometry.lineHeight))
+        val pieces = laidOut.pieces((selection.start - start).coerceAtLeast(0), minOf(selection.end, end) - start)
+        pieces.forEachIndexed { index, piece ->
+            val behind = if (goesOn && index == pieces.lastIndex) layouts.characterWidth / 2 else 0f
+            val width = piece.right + behind - piece.left
+            val corner = Offset(view.gutter + piece.left, top + piece.row * view.geometry.lineHeight)
+            if (width > 0) drawRect(code.selection, corner, Size(width, view.geometry.lineHeight))
+        }
     }
 
-    private fun DrawScope.drawMatches(line: Int, laidOut: LaidOutLine, left: Float, top: Float) {
+    private fun DrawScope.drawMatches(line: Int, laidOut: LaidOutLine, top: Float) {
         if (marks.matches.isEmpty()) return
         val start = draft.lines.start(line)
         val end = draft.lines.end(line)
         var index = marks.matches.binarySearch { if (it.end <= start) -1 else 1 }.let { if (it < 0) -it - 1 else it }
         while (index < marks.matches.size && marks.matches[index].start < end) {
             val match = marks.matches[index++]
-            val from = left + laidOut.x((match.start - start).coerceAtLeast(0))
-            val to = left + laidOut.x(minOf(match.end, end) - start)
-            val place = Size(to - from, view.geometry.lineHeight - 2.dp.toPx())
-            val radius = CornerRadius(3.dp.toPx())
-            drawRoundRect(code.match, Offset(from, top + 1.dp.toPx()), place, radius)
-            drawRoundRect(code.plain, Offset(from, top + 1.dp.toPx()), place, radius, Stroke(1.dp.toPx()))
+            val pieces = laidOut.pieces((match.start - start).coerceAtLeast(0), minOf(match.end, end) - start)
+            for (piece in pieces) drawMatch(piece, top)
         }
     }
 
-    private fun DrawScope.drawComposing(line: Int, laidOut: LaidOutLine, left: Float, bottom: Float) {
+    private fun DrawScope.drawMatch(piece: RowPiece, top: Float) {
+        val y = top + piece.row * view.geometry.lineHeight + 1.dp.toPx()
+        val corner = Offset(view.gutter + piece.left, y)
+        val place = Size(piece.right - piece.left, view.geometry.lineHeight - 2.dp.toPx())
+        val radius = CornerRadius(3.dp.toPx())
+        drawRoundRect(code.match, corner, place, radius)
+        drawRoundRect(code.plain, corner, place, radius, Stroke(1.dp.toPx()))
+    }
+
+    private fun DrawScope.drawComposing(line: Int, laidOut: LaidOutLine, top: Float) {
         val composing = marks.composing ?: return
         if (draft.lines.lineOf(composing.start) != line) return
         val start = draft.lines.start(line)
-        val y = bottom - 2.dp.toPx()
-        val from = left + laidOut.x(composing.start - start)
-        drawLine(code.plain, Offset(from, y), Offset(left + laidOut.x(composing.end - start), y), 1.dp.toPx())
+        for (piece in laidOut.pieces(composing.start - start, composing.end - start)) {
+            val y = bottom(top, piece) - 2.dp.toPx()
+            drawLine(
+                code.plain,
+                Offset(view.gutter + piece.left, y),
+                Offset(view.gutter + piece.right, y),
+                1.dp.toPx(),
+            )
+        }
     }
 
     private fun DrawScope.drawCaret() {
@@ -125,9 +141,13 @@ internal class EditorDrawing(
         )
     }
 
-    private fun DrawScope.span(range: SourceRange, laidOut: LaidOutLine, left: Float): Pair<Float, Float> {
-        val from = left + laidOut.x(range.column - 1)
-        return from to (left + laidOut.x(range.endColumn - 1)).coerceAtLeast(from + MIN_WIDTH.toPx())
+    private fun pieces(range: SourceRange, laidOut: LaidOutLine) = laidOut.pieces(range.column - 1, range.endColumn - 1)
+
+    private fun bottom(top: Float, piece: RowPiece) = top + (piece.row + 1) * view.geometry.lineHeight
+
+    private fun DrawScope.span(piece: RowPiece): Pair<Float, Float> {
+        val from = view.gutter + piece.left
+        return from to (view.gutter + piece.right).coerceAtLeast(from + MIN_WIDTH.toPx())
     }
 
     private fun DrawScope.drawDots(span: Pair<Float, Float>, bottom: Float, colour: Color) {

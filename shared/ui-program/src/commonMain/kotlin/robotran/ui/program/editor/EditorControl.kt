@@ -218,10 +218,11 @@ internal class EditorControl(
 
     private fun move(command: EditorCommand.Move) {
         val isVertical = command.move in VERTICAL
-        val column = goal ?: draft.lines.columnOf(draft.selection.caret)
-        val after = draft.moved(command.move, command.selecting, if (isVertical) column else null, view.page)
+        val rows = view.rows(draft.lines)
+        val cell = if (isVertical) goal ?: rows.cellOf(draft.selection.caret) else null
+        val after = draft.moved(command.move, command.selecting, cell, view.page, rows)
         if (after != draft) write(after) else isEditing = true
-        goal = if (isVertical) column else null
+        goal = cell
     }
 
     private fun offer(after: TextDocument, isTyping: Boolean, isExplicit: Boolean = false) {

@@ -11,6 +11,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.alpha
 import androidx.compose.ui.draw.clipToBounds
+import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.SolidColor
 import androidx.compose.ui.layout.layout
@@ -26,14 +27,15 @@ import robotran.textediting.text.TextSelection
  * The hidden input field. It holds the part of [draft] around the caret and lies at the caret, so that input methods
  * show their suggestions there and screen readers read it.
  *
+ * @param caret where the caret is drawn.
  * @param onComposing receives the text that an input method is composing.
  */
 @Composable
 internal fun EditorField(
     draft: TextDocument,
     control: EditorControl,
-    view: EditorView,
     layouts: LineLayouts,
+    caret: () -> Rect,
     onComposing: (SourceSpan?) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -62,19 +64,27 @@ internal fun EditorField(
         keyboardOptions = KeyboardOptions(capitalization = KeyboardCapitalization.None, autoCorrectEnabled = false),
         decorationBox = { inner ->
             Box(Modifier.clipToBounds().alpha(0f)) {
-                Box(Modifier.atCaret(draft, control.link.start, view)) { inner() }
+                Box(Modifier.atCaret(draft, control.link.start, layouts, caret)) { inner() }
             }
         },
     )
 }
 
-/** Places a field whose text starts at [start] of [draft] so that its caret matches the drawn one. */
-private fun Modifier.atCaret(draft: TextDocument, start: Int, view: EditorView) = layout { measurable, constraints ->
-    val placed = measurable.measure(Constraints())
-    layout(constraints.maxWidth, constraints.maxHeight) {
-        val line = draft.lines.lineOf(draft.selection.caret)
-        val first = draft.lines.lineOf(minOf(start, draft.text.length))
-        val top = view.geometry.top(line) - view.scrollY
-        placed.place((view.gutter - view.scrollX).toInt(), (top - (line - first) * view.geometry.lineHeight).toInt())
+/**
+ * Places a field whose text starts at [start] of [draft] so that its caret matches the drawn one. The field does not
+ * break its lines.
+ */
+private fun Modifier.atCaret(draft: TextDocument, start: Int, layouts: LineLayouts, caret: () -> Rect) =
+    layout { measurable, constraints ->
+        val placed = measurable.measure(Constraints())
+        layout(constraints.maxWidth, constraints.maxHeight) {
+            val line = draft.lines.lineOf(draft.selection.caret)
+            val first = draft.lines.lineOf(minOf(start, draft.text.length))
+            val before = draft.lines.columnOf(draft.selection.caret) * layouts.characterWidth
+            val bounds = caret()
+            placed.place(
+                (bounds.left - before).toInt(),
+                (bounds.top - (line - first) * layouts.lineHeight).toInt(),
+            )
+        }
     }
-}

@@ -43,7 +43,6 @@ internal fun EditorSurface(
         with(density) {
             (layouts.characterWidth * digits * NUMBER_SIZE + (SIGN + GAP).toPx()).coerceAtLeast(GUTTER.toPx())
         }
-    val longest = remember(lines) { (0..<lines.count).maxOf { lines.end(it) - lines.start(it) } }
     val drawing =
         remember(paint, pieces, layouts, colours, code) { EditorDrawing(paint, pieces, view, layouts, colours, code) }
     val gutterDrawing =
@@ -61,10 +60,10 @@ internal fun EditorSurface(
         val places = placed.mapIndexed { index, note ->
             NoteBounds((noteLines[index] - 1).coerceIn(0, lines.count - 1), note.height.toFloat())
         }
-        val geometry = EditorGeometry(layouts.lineHeight, lines.count, places)
         view.size = size
         view.gutter = gutter
-        view.textWidth = (longest + ROOM_BEHIND) * layouts.characterWidth
+        view.columns = ((width - ROOM_BEHIND.toPx()) / layouts.characterWidth).toInt().coerceAtLeast(MIN_COLUMNS)
+        val geometry = EditorGeometry(layouts.lineHeight, view.rows(lines), places)
         view.geometry = geometry
         view.settle()
         layout(size.width, size.height) {
@@ -83,5 +82,8 @@ private const val NUMBER_SIZE = 0.86f
 private val GUTTER = 48.dp
 private val SIGN = 22.dp
 
-/** The space after the longest line, in characters. */
-private const val ROOM_BEHIND = 6
+/** The space behind the longest row, so that a caret there is seen. */
+private val ROOM_BEHIND = 4.dp
+
+/** No row is narrower, however large the letters are. */
+private const val MIN_COLUMNS = 4

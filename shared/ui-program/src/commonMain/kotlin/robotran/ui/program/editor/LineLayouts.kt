@@ -15,6 +15,8 @@ import androidx.compose.ui.unit.sp
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.programs.support
+import robotran.textediting.rows.LineRows
+import robotran.textediting.rows.rowsOf
 import robotran.ui.code.CodeColours
 import robotran.ui.code.codeColours
 import robotran.uikit.*
@@ -40,26 +42,30 @@ internal class LineLayouts(
             SAMPLE.length.toFloat()
     }
 
-    /** The layout of [text]. */
-    fun of(text: String, startsInComment: Boolean): LaidOutLine {
-        val key = LineKey(text, startsInComment)
+    /** The layout of [text], broken into rows of at most [columns] characters. */
+    fun of(text: String, startsInComment: Boolean, columns: Int): LaidOutLine {
+        val key = LineKey(text, startsInComment, columns)
         kept[key]?.let { return it }
         if (kept.size >= MAX_CACHED) kept.clear()
-        return layOut(text, startsInComment).also { kept[key] = it }
+        return layOut(text, startsInComment, columns).also { kept[key] = it }
     }
 
-    private fun layOut(text: String, startsInComment: Boolean): LaidOutLine {
-        val shown = ShownLine(text)
+    private fun layOut(text: String, startsInComment: Boolean, columns: Int): LaidOutLine {
+        val rows = rowsOf(text, columns)
         val spans = language.support.code.tokens(text, startsInComment, brick).tokens.map {
-            AnnotatedString.Range(SpanStyle(colours.of(it.kind)), shown.column(it.start), shown.column(it.end))
+            AnnotatedString.Range(
+                SpanStyle(colours.of(it.kind)),
+                rows.shown.column(it.start),
+                rows.shown.column(it.end),
+            )
         }
-        return LaidOutLine(
-            shown,
-            measurer.measure(AnnotatedString(shown.text, spans), style, softWrap = false, maxLines = 1),
-        )
+        val coloured = AnnotatedString(rows.shown.text, spans)
+        return LaidOutLine(rows, characterWidth) { from, to ->
+            measurer.measure(coloured.subSequence(from, to), style, softWrap = false, maxLines = 1)
+        }
     }
 
-    private data class LineKey(val text: String, val startsInComment: Boolean)
+    private data class LineKey(val text: String, val startsInComment: Boolean, val columns: Int)
 
     private companion object {
         const val SAMPLE = "nnnnnnnnnnnnnnnnnnnn"
@@ -69,55 +75,50 @@ internal class LineLayouts(
     }
 }
 
-/** A line with its layout. */
-internal class LaidOutLine(private val shown: ShownLine, val layout: TextLayoutResult) {
-    /** The x position of [column] in pixels. */
-    fun x(column: Int): Float =
-        layout.getHorizontalPosition(shown.column(column.coerceIn(0, shown.length)), usePrimaryDirection = true)
+/**
+ * A line with the layouts of its rows, each made when it is first drawn.
+ *
+ * @param measure lays out a part of the shown text.
+ */
+internal class LaidOutLine(
+    val rows: LineRows,
+    private val characterWidth: Float,
+    private val measure: (from: Int, to: Int) -> TextLayoutResult,
+) {
+    private val layouts = arrayOfNulls<TextLayoutResult>(rows.count)
 
-    /** The column whose left edge is nearest to [x]. */
-    fun column(x: Float): Int {
-        val offset = layout.getOffsetForPosition(Offset(x, 1f))
-        return shown.sourceColumn(offset)
+    fun layout(row: Int): TextLayoutResult =
+        layouts[row] ?: measure(rows.start(row), rows.end(row)).also { layouts[row] = it }
+
+    /** Where the text of [row] begins, in pixels. */
+    fun left(row: Int): Float = rows.indentOf(row) * characterWidth
+
+    /** The x position of [column] in its row, in pixels. */
+    fun x(column: Int): Float = rows.rowOf(column).let { row -> x(row, rows.shown.column(within(column))) }
+
+    /** The column of [row] whose left edge is nearest to [x]. */
+    fun column(row: Int, x: Float): Int {
+        val offset = layout(row).getOffsetForPosition(Offset(x - left(row), 1f))
+        return rows.columnOf(row, rows.start(row) + offset)
     }
+
+    /** The pieces of the part from column [from] to before [to], one for each row that it is in. */
+    fun pieces(from: Int, to: Int): List<RowPiece> {
+        val start = rows.shown.column(within(from))
+        val end = rows.shown.column(within(to))
+        return (rows.rowOf(from)..rows.rowOf(to))
+            .filter { row -> maxOf(start, rows.start(row)) < end || rows.start(row) <= start }
+            .map { row -> RowPiece(row, x(row, maxOf(start, rows.start(row))), x(row, minOf(end, rows.end(row)))) }
+    }
+
+    private fun x(row: Int, place: Int): Float =
+        left(row) + layout(row).getHorizontalPosition(place - rows.start(row), usePrimaryDirection = true)
+
+    private fun within(column: Int) = column.coerceIn(0, rows.shown.length)
 }
 
-/** A line with its tabs expanded to spaces. */
-internal class ShownLine(line: String) {
-    val length: Int = line.length
-    private val columns: IntArray? = if ('\t' in line) columnsOf(line) else null
-
-    val text: String = if (columns == null) {
-        line
-    } else {
-        buildString {
-            line.forEachIndexed { index, character ->
-                if (character == '\t') append(" ".repeat(columns[index + 1] - columns[index])) else append(character)
-            }
-        }
-    }
-
-    /** The index of [column] in [text]. */
-    fun column(column: Int): Int = columns?.get(column) ?: column
-
-    /** The column for the index [shown] in [text]. */
-    fun sourceColumn(shown: Int): Int {
-        val places = columns ?: return shown
-        return places.indexOfLast { it <= shown }.coerceAtLeast(0)
-    }
-
-    private fun columnsOf(line: String): IntArray {
-        val places = IntArray(line.length + 1)
-        line.forEachIndexed { index, character ->
-            places[index + 1] = if (character == '\t') (places[index] / TAB + 1) * TAB else places[index] + 1
-        }
-        return places
-    }
-
-    private companion object {
-        const val TAB = 4
-    }
-}
+/** A part of a [row], from [left] to [right] in pixels. */
+internal class RowPiece(val row: Int, val left: Float, val right: Float)
 
 /** The line layouts of a program for a [brick], for a font size of [size] sp and the theme's colours. */
 @Composable

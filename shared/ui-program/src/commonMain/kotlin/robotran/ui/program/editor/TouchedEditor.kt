@@ -19,8 +19,7 @@ import robotran.textediting.text.TextSelection
 @Composable
 internal fun Modifier.scrolls(view: EditorView): Modifier {
     val down = rememberScrollableState { -view.scrollDown(-it) }
-    val right = rememberScrollableState { -view.scrollRight(-it) }
-    return scrollable(down, Orientation.Vertical).scrollable(right, Orientation.Horizontal)
+    return scrollable(down, Orientation.Vertical)
 }
 
 @Composable

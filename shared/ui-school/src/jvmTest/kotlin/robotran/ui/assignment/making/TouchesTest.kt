@@ -10,7 +10,6 @@ import robotran.language.Language
 import robotran.projects.ProjectFileResult
 import robotran.projects.readProject
 import robotran.ui.school.tags.AssignmentTags
-import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onScreenOf
 import robotran.ui.screen.pass
@@ -68,9 +67,9 @@ class TouchesTest {
     }
 
     private fun ComposeUiTest.makeAssignment(height: Int) {
-        if (has(ScreenTags.MENU) && !has(DocumentTags.WORK_MENU)) tap(ScreenTags.MENU, height)
-        tap(DocumentTags.WORK_MENU, height)
-        tap(DocumentTags.menuItem(DocumentTags.MAKE_ASSIGNMENT), height)
+        tap(ScreenTags.MENU, height)
+        tap(ScreenTags.MENU_TEACHERS, height)
+        tap(LearningTags.TEACHERS_MAKE, height)
     }
 
     private fun count(width: Int, height: Int): Pair<Int, Int> {

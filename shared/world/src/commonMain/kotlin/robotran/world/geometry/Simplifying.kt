@@ -1,13 +1,10 @@
-package robotran.worldediting
-
-import robotran.world.geometry.Point
-import robotran.world.geometry.distance
+package robotran.world.geometry
 
 /**
  * Simplifies the line through [points] to fewer points with a max distance of [tolerance] (Ramer-Douglas-Peucker).
  * Keeps the ends; consecutive points differ.
  */
-internal fun simplified(points: List<Point>, tolerance: Double): List<Point> {
+fun simplified(points: List<Point>, tolerance: Double): List<Point> {
     val distinct = points.filterIndexed { number, point -> number == 0 || point != points[number - 1] }
     if (distinct.size < MIN) return distinct
     val kept = BooleanArray(distinct.size)
