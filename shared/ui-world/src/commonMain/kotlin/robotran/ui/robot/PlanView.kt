@@ -8,7 +8,6 @@ import androidx.compose.ui.geometry.Rect
 import robotran.robotediting.elements
 import robotran.robotediting.placeOf
 import robotran.ui.editing.EditorView
-import robotran.ui.editing.moves
 import robotran.ui.editing.push
 import robotran.ui.sheet.SheetTransform
 import robotran.world.RobotDescription

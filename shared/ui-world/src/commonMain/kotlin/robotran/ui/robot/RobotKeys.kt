@@ -15,7 +15,6 @@ import robotran.robotediting.RobotSnapping
 import robotran.robotediting.elements
 import robotran.ui.editing.FINE_STEP
 import robotran.ui.editing.editForCommand
-import robotran.ui.editing.moves
 
 /** The edit for a key on the plan, on which the front is up; null for none. */
 internal fun robotEditForKey(event: KeyEvent, editing: RobotEditing): RobotEdit? {

@@ -9,7 +9,6 @@ import robotran.robotediting.elementsAt
 import robotran.ui.editing.FINGER_REACH
 import robotran.ui.editing.HANDLE_REACH
 import robotran.ui.editing.drag
-import robotran.ui.editing.moves
 import robotran.ui.editing.nearest
 import robotran.ui.editing.push
 

@@ -10,7 +10,6 @@ import androidx.compose.ui.input.key.key
 import androidx.compose.ui.input.key.type
 import robotran.ui.editing.FINE_STEP
 import robotran.ui.editing.editForCommand
-import robotran.ui.editing.moves
 import robotran.uikit.*
 import robotran.worldediting.Tool
 import robotran.worldediting.WorldEdit

@@ -21,7 +21,6 @@ import robotran.robotediting.RobotEdit
 import robotran.robotediting.RobotEditing
 import robotran.robotediting.RobotElement
 import robotran.robotediting.RobotItem
-import robotran.ui.editing.moves
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onScreen
 import robotran.ui.screen.pass

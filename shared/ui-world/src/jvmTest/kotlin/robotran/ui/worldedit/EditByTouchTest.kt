@@ -5,7 +5,6 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performTouchInput
 import robotran.ui.editing.drag
-import robotran.ui.editing.moves
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf

@@ -1,7 +1,6 @@
 package robotran.workshop.programs
 
 import robotran.languagesupport.SourceFile
-import robotran.programs.Program
 
 /** A removed program or file that the pupil can restore. */
 internal sealed interface ClosedFile {
