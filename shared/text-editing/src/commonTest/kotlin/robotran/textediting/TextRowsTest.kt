@@ -28,6 +28,12 @@ class TextRowsTest {
     }
 
     @Test
+    fun `a remark behind code begins a row if it does not fit`() {
+        assertEquals(listOf("forward 20  ", "// go on and ", "on"), rows("forward 20  // go on and on", 16))
+        assertEquals(listOf("// forward ", "20"), rows("// forward 20", 11))
+    }
+
+    @Test
     fun `rows below the first are indented more than the line`() {
         assertEquals(8, rowsOf("    side <= 2; side++", 20).indent)
         assertEquals(4, rowsOf("      side <= 2", 9).indent)

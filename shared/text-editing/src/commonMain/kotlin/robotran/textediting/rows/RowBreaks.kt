@@ -1,8 +1,8 @@
 package robotran.textediting.rows
 
 /**
- * [line] in rows of at most [columns] cells. It is broken behind a blank, or else beside an operator, and within a word
- * only where a row has neither. Rows below the first are indented a little more than the line begins.
+ * [line] in rows of at most [columns] cells. It is broken before a remark behind code, behind a blank, or else beside an
+ * operator, and within a word only where a row has none of these. Rows below the first are indented a little more than the line begins.
  */
 fun rowsOf(line: String, columns: Int): LineRows {
     val shown = ShownLine(line)
@@ -42,6 +42,8 @@ private fun rowEnd(text: String, start: Int, room: Int): Int {
     if (text[full] == ' ') return blanksEnd(text, full)
     val word = blanksEnd(text, start)
     val places = full downTo word + 1
+    val remark = places.lastOrNull { text[it - 1] == ' ' && text.startsWith("//", it) }
+    if (remark != null) return remark
     val blank = places.firstOrNull { text[it - 1] == ' ' }
     if (blank != null && (blank - start) * SHORT_ROW >= room) return blank
     return places.firstOrNull { isBesideOperator(text, it) } ?: blank ?: full
