@@ -70,7 +70,7 @@ private fun TaskAndText(
     modifier: Modifier,
 ) = Row(modifier.fillMaxSize()) {
     Scrolled(LearningTags.TASK_AND_HELP, Modifier.weight(1f)) {
-        StepTitle(state, tutorial)
+        if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
         TutorialTask(state, tutorial, onEvent)
     }
     Scrolled(LearningTags.TUTORIAL_TEXT, Modifier.weight(1f)) { Paragraphs(state, tutorial) }
@@ -86,7 +86,7 @@ private fun TaskOverText(
     modifier: Modifier,
 ) = Scrolled(LearningTags.TUTORIAL_TEXT, modifier) {
     var isOpen by rememberSaveable(tutorial.isLoaded, isTall) { mutableStateOf(isTall || !tutorial.isLoaded) }
-    StepTitle(state, tutorial)
+    if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
     TutorialTask(state, tutorial, onEvent)
     Disclosure(LearningTexts.explanation(spoken), LearningTags.EXPLANATION, isOpen) { isOpen = it }
     if (isOpen) Paragraphs(state, tutorial)

@@ -49,7 +49,7 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
     val colours = LocalRobotranColours.current
     if (tutorial.isFolded && !tutorial.isLoaded) return ReturnStrip(state, tutorial, onEvent, modifier)
     var choosing by remember { mutableStateOf(false) }
-    val isLarge = LocalDensity.current.fontScale > LARGE
+    val isLarge = LocalDensity.current.fontScale > LARGE_LESSON
     WordsBeside(
         { StripButtons(tutorial, onEvent) },
         modifier.fillMaxWidth().background(colours.pane).padding(start = 8.dp),
@@ -73,9 +73,9 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
                 )
                 val title = tutorial.current.text(state.language).title
                 val words = when {
-                    !tutorial.isFolded -> name
                     isLarge -> title
-                    else -> "$name · $title"
+                    tutorial.isFolded -> "$name · $title"
+                    else -> name
                 }
                 Text(words, style = TextStyles.body.medium)
                 if (tutorial.isFolded) FoldedTask(state, tutorial) else StepDots(state, Modifier.padding(top = 4.dp))
@@ -92,7 +92,7 @@ private fun FoldedTask(state: LearningState, tutorial: TutorialState) = Text(
     Modifier.testTag(LearningTags.TUTORIAL_TASK),
     TextStyles.caption,
     color = LocalRobotranColours.current.quiet,
-    maxLines = if (LocalDensity.current.fontScale > LARGE) 1 else 2,
+    maxLines = if (LocalDensity.current.fontScale > LARGE_LESSON) 1 else 2,
     overflow = TextOverflow.Ellipsis,
 )
 
@@ -223,7 +223,7 @@ private fun DrawScope.drawDot(index: Int, isDone: Boolean, isShown: Boolean, col
     if (isShown) drawCircle(colour, radius + 3.dp.toPx(), middle, style = line)
 }
 
-/** From this font scale on, a phone has room for two lines only. */
-private const val LARGE = 1.3f
+/** From this font scale on, a phone has room for two lines only, and the title stands in them. */
+internal const val LARGE_LESSON = 1.3f
 private val DOT_STEP = 18.dp
 private val DOT_RADIUS = 4.dp

@@ -84,7 +84,7 @@ private fun ProgramAndWorld(
                 val width = if (state.fullPane == null) Modifier.width(left) else Modifier.weight(1f)
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
-                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT))
+                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT * scale))
                         HorizontalDivider()
                     }
                     ProgramPane(
@@ -134,7 +134,7 @@ private val MAX_TUTORIAL_WIDTH = 328.dp
 private val MIN_TUTORIAL_WIDTH = 280.dp
 private const val TUTORIAL_SHARE = 0.26f
 
-/** The height of the tutorial above a program that is 1 high: a task with its latest hint fits. */
+/** The height of the tutorial above a program that is 1 high: a task with its latest hint fits. Larger text needs more. */
 private const val TUTORIAL_WEIGHT = 1.2f
 private const val PROGRAM_SHARE = 0.32f
 private const val BLOCKS_SHARE = 0.35f
