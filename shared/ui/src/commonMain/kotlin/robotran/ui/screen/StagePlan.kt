@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.ui.parts.ScreenLayout
 import robotran.ui.sheet.marginOf
 import robotran.ui.world.SheetRoom
 import robotran.world.World
@@ -32,7 +33,8 @@ internal data class StagePlan(val side: MessageSide, val extent: Dp) {
         /** The plan for an area of [width] by [height] with the font scale [textScale]. */
         fun of(world: World, width: Dp, height: Dp, textScale: Float, volume: MessageVolume): StagePlan {
             val scale = textScale.coerceAtLeast(1f)
-            val least = minOf(leastHeight(volume) * scale, height * MOST)
+            // With larger text more of a message scrolls, so that the sheet keeps its room.
+            val least = minOf(leastHeight(volume) * ScreenLayout.widthScale(scale), height * MOST)
             val narrow = LEAST_WIDTH * scale
             val below = SheetRoom.of(world, width, height - least)
             val beside = SheetRoom.of(world, width - narrow, height)
@@ -74,8 +76,8 @@ internal data class StagePlan(val side: MessageSide, val extent: Dp) {
         /** Below the sheet there is more room for sentences, so that it may be a little smaller for it. */
         private const val NEARLY = 0.95f
 
-        /** At the default font size: a notice of one line with its distance; a task or an outcome of three lines. */
-        private val NOTICES = 64.dp
+        /** At the default font size: a notice of two lines with its buttons; a task or an outcome with its button. */
+        private val NOTICES = 128.dp
         private val TASK = 164.dp
         private val ASSIGNMENT = 200.dp
 

@@ -54,6 +54,6 @@ class StagePlanTest {
         val AREAS = listOf(412 to 660, 891 to 260, 724 to 590, 820 to 460, 888 to 590)
 
         /** The size of the paper, as a part of what it would have alone. */
-        val LEAST = mapOf(MessageVolume.NOTICES to 0.75f, MessageVolume.TASK to 0.7f, MessageVolume.ASSIGNMENT to 0.6f)
+        val LEAST = mapOf(MessageVolume.NOTICES to 0.7f, MessageVolume.TASK to 0.7f, MessageVolume.ASSIGNMENT to 0.6f)
     }
 }
