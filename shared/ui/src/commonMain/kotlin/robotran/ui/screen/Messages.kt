@@ -22,7 +22,6 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
-import robotran.ui.common.AutosaveBanner
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.ui.task.OpenTask
@@ -88,7 +87,6 @@ private fun News(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, options
         Arrangement.spacedBy(Space.SMALL),
     ) {
         if (!options.isEmbedded) {
-            AutosaveBanner(state.document, onEvent, Modifier.heightIn(max = MAX_BANNER))
             // The card of a solved task says more.
             state.notice?.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
                 ?.let { NoticeBar(it, onEvent) }
@@ -154,7 +152,6 @@ private fun ClosableHint(run: RunPaneState, onWholeBrick: (() -> Unit)?) {
 /** From this width on, at the default font size, the task has a column of its own. */
 private val BESIDE = 560.dp
 private val MAX_WIDTH = 640.dp
-private val MAX_BANNER = 200.dp
 
 /** From this height on there is room for buttons that do not scroll. */
 private val LOW = 280.dp

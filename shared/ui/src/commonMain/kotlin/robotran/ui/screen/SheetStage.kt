@@ -1,17 +1,23 @@
 package robotran.ui.screen
 
 import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.BoxWithConstraintsScope
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.height
+import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
+import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
+import robotran.ui.common.AutosaveBanner
 import robotran.ui.world.WorldMarks
 import robotran.ui.world.WorldPane
+import robotran.uikit.*
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.WorkshopState
@@ -30,19 +36,40 @@ internal fun SheetStage(
     modifier: Modifier = Modifier,
     isEmbedded: Boolean = false,
 ) {
-    if (options == null) return Sheet(state, onEvent, isEmbedded, modifier)
     BoxWithConstraints(modifier) {
-        val plan = StagePlan.of(state.world, maxWidth, maxHeight, LocalDensity.current.fontScale, volume(state))
-        when (plan.side) {
-            MessageSide.BELOW -> Column {
-                Sheet(state, onEvent, isEmbedded, Modifier.weight(1f))
-                Messages(state, onEvent, options, Modifier.fillMaxWidth().height(plan.extent))
-            }
+        if (options == null) {
+            Sheet(state, onEvent, isEmbedded, Modifier.fillMaxSize())
+        } else {
+            SheetAndMessages(state, onEvent, options, isEmbedded)
+        }
+        // That work is not kept matters more than what lies below, until it is closed.
+        if (!isEmbedded) {
+            AutosaveBanner(
+                state.document,
+                onEvent,
+                Modifier.align(Alignment.BottomEnd).padding(Space.SMALL),
+            )
+        }
+    }
+}
 
-            MessageSide.BESIDE -> Row {
-                Sheet(state, onEvent, isEmbedded, Modifier.weight(1f))
-                Messages(state, onEvent, options, Modifier.fillMaxHeight().width(plan.extent))
-            }
+@Composable
+private fun BoxWithConstraintsScope.SheetAndMessages(
+    state: WorkshopState,
+    onEvent: (WorkshopEvent) -> Unit,
+    options: MessageOptions,
+    isEmbedded: Boolean,
+) {
+    val plan = StagePlan.of(state.world, maxWidth, maxHeight, LocalDensity.current.fontScale, volume(state))
+    when (plan.side) {
+        MessageSide.BELOW -> Column {
+            Sheet(state, onEvent, isEmbedded, Modifier.weight(1f))
+            Messages(state, onEvent, options, Modifier.fillMaxWidth().height(plan.extent))
+        }
+
+        MessageSide.BESIDE -> Row {
+            Sheet(state, onEvent, isEmbedded, Modifier.weight(1f))
+            Messages(state, onEvent, options, Modifier.fillMaxHeight().width(plan.extent))
         }
     }
 }
