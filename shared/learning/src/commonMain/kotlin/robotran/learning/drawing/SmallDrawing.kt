@@ -37,19 +37,9 @@ private fun InkStroke.within(tolerance: Double): DrawnLine {
 
 private fun rounded(pose: Pose): Pose {
     val heading = pose.heading.roundToInt()
-    return Pose(
-        centimetres(pose.x),
-        centimetres(pose.y),
-        (
-            if (heading ==
-                -HALF_TURN
-            ) {
-                HALF_TURN
-            } else {
-                heading
-            }
-        ).toDouble(),
-    )
+    // Half a turn has one number.
+    val turned = if (heading == -HALF_TURN) HALF_TURN else heading
+    return Pose(centimetres(pose.x), centimetres(pose.y), turned.toDouble())
 }
 
 /** To whole millimetres. What has left the sheet for good is no further away than things in a world may be. */

@@ -154,10 +154,9 @@ private fun rememberBlockScope(
 /** What is carried in the list of blocks, which has the focus of [file] unless the text beside it has that. */
 @Composable
 private fun rememberDragging(programs: ProgramsState, file: OpenFile): BlockDragging {
-    val key = listOf(programs.shownRobot, programs.shownProgram, programs.programs.size)
     val hasFocus = remember { mutableStateOf(false) }
     val own = remember { FocusRequester() }
-    return remember(key) { BlockDragging(LazyListState(), hasFocus) }.also {
+    return remember(programs.programKey) { BlockDragging(LazyListState(), hasFocus) }.also {
         it.focus = if (programs.view.hasText) own else file.focus
     }
 }

@@ -35,6 +35,9 @@ internal class OpenFile(
     }
 }
 
+/** Tells programs apart, also those of projects that are opened one after the other. */
+internal val ProgramsState.programKey: List<Any> get() = listOf(shownRobot, shownProgram, programs.size, program.name)
+
 @Composable
 internal fun rememberOpenFile(
     state: ProgramsState,
@@ -47,8 +50,8 @@ internal fun rememberOpenFile(
     val rename by rememberUpdatedState(onRename)
     val focus = remember { FocusRequester() }
     val find = remember { FindState() }
-    // Each file has its own scroll position and input state; a new file of the same name starts afresh.
-    val key = listOf(state.shownRobot, state.shownProgram, state.shownFile, state.programs.size, state.program.language)
+    // Each file has its own scroll position and input state; a new file, and one of another project, starts afresh.
+    val key = listOf(state.programKey, state.shownFile, state.program.language)
     val file = remember(key) {
         val hasRoom = { draft: TextDocument -> now.first.let { it.program.hasRoomFor(it.shownFile, draft) } }
         val control = EditorControl(state.program.language, EditorView(), state.brick, hasRoom) { draft, kind ->

@@ -98,8 +98,7 @@ fun TaskCard(
     ) {
         Row(verticalAlignment = Alignment.Top) {
             // It does not scroll, and must leave room for the rest.
-            val hasLines = areButtonsFixed && (assignment == null || LocalDensity.current.fontScale <= LARGE)
-            val lines = if (hasLines && !isFolded) 2 else 1
+            val lines = if (LocalDensity.current.fontScale <= LARGE) 2 else 1
             val fold = {
                 val change = !isFolded
                 onEvent(
@@ -111,7 +110,13 @@ fun TaskCard(
                 )
             }
             val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
-            Title(task.world, touch.weight(1f).padding(start = START, top = 12.dp, bottom = 12.dp), lines)
+            Title(
+                task.world,
+                touch.weight(
+                    1f,
+                ).padding(start = START, top = Space.MEDIUM, bottom = if (isFolded) Space.TINY else Space.MEDIUM),
+                lines,
+            )
             IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) LearningTexts.taskUnfold(spoken) else LearningTexts.taskFold(spoken),

@@ -131,7 +131,7 @@ private fun TouchableSheet(
         aside,
         if (measuring == null) hand else ruler,
         overlay = { sheet ->
-            if (marks.isSolved) drawDrawingFrame(session.ink, world.paper, sheet)
+            if (marks.isSolved) drawDrawingFrame(session, world.paper, sheet)
             if (SheetLayer.GOALS in view.shown) drawShortfalls(marks.shortfalls, sheet, labels)
             drawStrayed(strayed, world, sheet)
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }

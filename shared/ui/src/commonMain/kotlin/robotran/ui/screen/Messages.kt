@@ -55,8 +55,7 @@ internal fun Messages(
         val isBroad = maxWidth >= BESIDE * LocalDensity.current.fontScale
         val isFolded = isTaskFolded(state, isSmall = !isBroad)
         val areButtonsFixed = maxHeight >= LOW
-        val taskRoom = Modifier.heightIn(max = maxHeight / 2)
-        val newsRoom = Modifier.heightIn(max = if (isFolded) maxHeight else maxHeight * NEWS)
+        val taskRoom = Modifier.heightIn(max = maxHeight * if (isFolded) FOLDED_TASK else OPEN_TASK)
         val task = @Composable { place: Modifier -> Task(state, onEvent, options, isFolded, areButtonsFixed, place) }
         val hasTask = state.taskShown && state.hasTask
         when {
@@ -68,9 +67,8 @@ internal fun Messages(
             }
 
             else -> Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(Space.SMALL)) {
-                if (isFolded) task(taskRoom)
-                News(state, onEvent, options, newsRoom)
-                if (!isFolded) task(Modifier)
+                task(taskRoom)
+                News(state, onEvent, options, Modifier)
             }
         }
     }
@@ -159,5 +157,6 @@ private val LOW = 280.dp
 /** The width of news beside a task that is 1 wide: why a program failed needs sentences. */
 private const val NEWS_WEIGHT = 1.4f
 
-/** The part that news may have below a task that is not folded. */
-private const val NEWS = 0.6f
+/** The part that the task may have above news: who unfolds it wants to read it. */
+private const val FOLDED_TASK = 0.5f
+private const val OPEN_TASK = 0.7f

@@ -60,15 +60,16 @@ internal fun OutcomeCard(
 ) {
     val finished = state.run.outcome.finished ?: return
     var isClosed by remember(state.world, finished, state.run.outcome.goals) { mutableStateOf(false) }
-    if (isClosed || state.run.isSeeking || state.run.time < finished) return
+    // A goal may be met where the robot begins: before a run nobody has done anything.
+    if (isClosed || state.untouched || state.run.isSeeking || state.run.time < finished) return
     val solved = state.learning.solved
-    val missing = state.run.shortfalls
+    val missing = missed(state.run.shortfalls)
     val isTimeUp = state.run.isTimeUp
     val onClose = { isClosed = true }
     when {
         solved != null -> Card(SolvedLook, onClose, modifier) {
-            solved.learned?.let { Text(RunTexts.outcomeLearned(spoken, it), style = TextStyles.sentence) }
             Onward(state, solved, canHandIn, tellsTries, onEvent)
+            solved.learned?.let { Text(RunTexts.outcomeLearned(spoken, it), style = TextStyles.sentence) }
             Text(recordText(solved), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
         }
 
@@ -95,11 +96,9 @@ private fun Hint(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit) {
 /** The first that went wrong; the rest is behind it, in the goals. */
 @Composable
 private fun Missing(missing: List<ShortfallMark>, onEvent: (WorkshopEvent) -> Unit) {
-    val first = firstMissed(missing) ?: return
-    ShortfallRow(first, onEvent)
-    val others = missing.size - 1
-    if (others > 0) {
-        Button(RunTexts.outcomeOthers(spoken, others), ScreenTags.MISSING_OTHERS, ButtonKind.SMALL_LINK) {
+    ShortfallRow(missing.firstOrNull() ?: return, onEvent)
+    if (missing.size > 1) {
+        Button(RunTexts.outcomeOthers(spoken), ScreenTags.MISSING_OTHERS, ButtonKind.SMALL_LINK) {
             onEvent(RunEvent.DrawerChosen(DrawerTab.GOALS))
         }
     }

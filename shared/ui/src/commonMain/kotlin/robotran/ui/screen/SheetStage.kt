@@ -85,7 +85,7 @@ private fun Sheet(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, isEmbe
         WorldMarks(
             state.sheetPreview,
             // The rest once the goals are looked at.
-            state.run.run { if (drawer.tab == DrawerTab.GOALS) shortfalls else listOfNotNull(firstMissed(shortfalls)) },
+            state.run.run { if (drawer.tab == DrawerTab.GOALS) shortfalls else missed(shortfalls).take(1) },
             isSolved = state.learning.solved != null && state.run.isSolved,
         ),
         canShow = !isEmbedded,

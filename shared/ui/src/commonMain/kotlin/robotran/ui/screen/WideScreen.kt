@@ -18,7 +18,10 @@ import robotran.ui.learning.TutorialStrip
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.ProgramPane
 import robotran.uikit.*
+import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
 import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
@@ -84,7 +87,11 @@ private fun ProgramAndWorld(
                 val width = if (state.fullPane == null) Modifier.width(left) else Modifier.weight(1f)
                 Column(width.fillMaxHeight()) {
                     if (isTutorialOpen) {
-                        TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT * scale))
+                        if (state.part { programs.blocks?.sheet != null && programs.view.hasBlocks }) {
+                            YieldingTutorial(state.learning, onEvent)
+                        } else {
+                            TutorialPane(state.learning, onEvent, Modifier.weight(TUTORIAL_WEIGHT * scale))
+                        }
                         HorizontalDivider()
                     }
                     ProgramPane(
@@ -119,6 +126,15 @@ private fun ProgramAndWorld(
             )
         }
     }
+}
+
+/** One line of the tutorial, so that a sheet of the blocks and what it is about have room. Opening it closes that sheet. */
+@Composable
+private fun YieldingTutorial(learning: LearningState, onEvent: (WorkshopEvent) -> Unit) {
+    val folded = learning.copy(tutorial = learning.tutorial?.copy(isFolded = true))
+    TutorialStrip(folded, {
+        onEvent(if (it == LearningEvent.TutorialFolded(false)) BlockEvent.DialogShown(null) else it)
+    })
 }
 
 /** The part of the width that the program has until the divider is moved. */

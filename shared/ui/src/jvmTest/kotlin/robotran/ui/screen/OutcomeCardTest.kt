@@ -125,6 +125,17 @@ class OutcomeCardTest {
     }
 
     @Test
+    fun `before a run nothing is praised, even if the robot begins where the goal is`() = onTablet { workshop ->
+        val start = BuiltInWorlds.plain.robots.first().start
+        val here = Goal(Reach(Shape.Circle(Point(start.x, start.y), 5.0)))
+        workshop.services.editor.openProject(Project(BuiltInWorlds.plain.copy(goals = listOf(here)), emptyList()))
+        pass(500)
+        assertTrue(workshop.state.run.outcome.allMet)
+        onNodeWithTag(ScreenTags.SOLVED_CARD).assertDoesNotExist()
+        onNodeWithTag(ScreenTags.MISSING_CARD).assertDoesNotExist()
+    }
+
+    @Test
     fun `what had not begun is not among what was missing`() = onTablet { workshop ->
         workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "knock" }))
         workshop.handle(ProgramEvent.ProgramEdited("start forward\nwait until left bumper or right bumper\nbeep\n"))
