@@ -69,8 +69,11 @@ sealed interface WorldEdit {
 
     // Changes of one element.
 
-    /** @property at the desired position; the nearest free space is used. */
-    data class Put(val piece: Element, val at: Point) : WorldEdit
+    /**
+     * @property at the desired position. What stands is put into the nearest free space.
+     * @property apart whether everything is, because nobody has chosen the place.
+     */
+    data class Put(val piece: Element, val at: Point, val apart: Boolean = false) : WorldEdit
 
     /** Replaces [thing] by [piece], of the same kind; rounds its numbers as in a file. */
     data class Change(val thing: ElementRef, val piece: Element) : WorldEdit

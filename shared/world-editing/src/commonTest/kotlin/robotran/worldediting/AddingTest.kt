@@ -94,4 +94,35 @@ class AddingTest {
         assertTrue(two.after(WorldEdit.Select(null), WorldEdit.Copy).clipboard.isEmpty())
         pasted.assertSound()
     }
+
+    @Test
+    fun `what is put by a touch lies apart from the robot and from all that is there`() {
+        val middle = Point(30.0, 45.0)
+        val items = PaletteItem.entries - PaletteItem.PERMITTED_AREA
+        val full = items.fold(emptySheet()) { now, item ->
+            now.after(WorldEdit.Put(item.piece(now.world), middle, apart = true))
+        }
+        val areas = full.world.things().map { it to checkNotNull(full.world.piece(it)?.form).bounds }
+        for ((one, its) in areas) {
+            assertTrue(
+                its.left >= 0 && its.right <= 120 && its.bottom >= 0 && its.top <= 90,
+                "$one is beside the paper",
+            )
+            for ((other, others) in areas) assertTrue(one == other || !meet(its, others), "$one lies over $other")
+        }
+        assertEquals(emptyList(), goalsMetAtStart(full.world))
+        full.assertSound()
+    }
+
+    @Test
+    fun `what is put by a touch lies in the middle if that is free, and a permitted area around the robot`() {
+        val wall = emptySheet().after(
+            WorldEdit.Put(PaletteItem.WALL.piece(newWorld("Test")), Point(80.0, 45.0), apart = true),
+        )
+        assertTrue(wall.chosenForm.bounds.contains(80.0, 45.0))
+        val area = PaletteItem.PERMITTED_AREA.piece(wall.world)
+        assertTrue(
+            wall.after(WorldEdit.Put(area, Point(30.0, 45.0), apart = true)).chosenForm.bounds.contains(30.0, 45.0),
+        )
+    }
 }
