@@ -32,6 +32,7 @@ import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.ScreenLayout
 import robotran.ui.program.LocalAllowedLanguages
+import robotran.ui.program.LocalBeginning
 import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.robot.RobotEditPane
@@ -45,6 +46,7 @@ import robotran.ui.worldedit.WorldEditPane
 import robotran.uikit.*
 import robotran.workshop.blocks.allowedBlocks
 import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -165,7 +167,12 @@ private fun ProvideAssignmentRestrictions(
             }
         }
     }
+    val hasBeginning = state.learning.worldTask?.canStart == true
+    val beginning = remember(hasBeginning) {
+        { onEvent(LearningEvent.WorldProgramRequested) }.takeIf { hasBeginning }
+    }
     CompositionLocalProvider(
+        LocalBeginning provides beginning,
         LocalAllowedBlocks provides allowed,
         LocalAllowedLanguages provides assignment?.languages?.ifEmpty { null },
         LocalProgramWarning provides warning,
