@@ -10,12 +10,14 @@ import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertContentDescriptionEquals
 import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performScrollToKey
 import androidx.compose.ui.test.pressKey
 import kotlinx.coroutines.runBlocking
@@ -146,7 +148,7 @@ class LessonMapPageTest {
         workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
         pass(300)
         val first = Lessons.strands.first().lessons.map { "lesson-${it.name}" }
-        val reached = (1..first.size + 3).mapNotNull {
+        val reached = (1..first.size + 3 + Lessons.strands.size).mapNotNull {
             onRoot().performKeyInput { pressKey(Key.Tab) }
             pass(50)
             onNode(isFocused()).fetchSemanticsNode().config.getOrNull(SemanticsProperties.TestTag)
@@ -167,6 +169,20 @@ class LessonMapPageTest {
         assertFalse(pictures[0].contentEquals(begun), "nothing is drawn")
         assertFalse(pictures[0].contentEquals(pictures[1]), "the pupil's drawing is not shown")
     }
+
+    @Test
+    fun `a touch on the sign of a strand goes to its lessons, and the keyboard goes on from there`() =
+        onEither { workshop ->
+            workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+            pass(300)
+            for (strand in listOf("java", "sense", "drive")) {
+                onNodeWithTag(LearningTags.goTo(strand)).performScrollTo().performClick()
+                pass(1_000)
+                val first = Lessons.strands.first { it.name == strand }.lessons.first()
+                onNodeWithTag(LearningTags.strand(strand)).assertIsDisplayed()
+                onNodeWithTag(LearningTags.lesson(first.name)).assertIsDisplayed().assertIsFocused()
+            }
+        }
 
     @Test
     fun `from a lesson the map is one touch away`() = onTablet { workshop ->

@@ -37,6 +37,7 @@ import robotran.ui.program.LocalProgramWarning
 import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.robot.RobotEditPane
 import robotran.ui.runbar.LocalBrickKind
+import robotran.ui.runbar.LocalRunIsNext
 import robotran.ui.runbar.RunBar
 import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
@@ -173,6 +174,7 @@ private fun ProvideAssignmentRestrictions(
     }
     CompositionLocalProvider(
         LocalBeginning provides beginning,
+        LocalRunIsNext provides (state.learning.tutorial?.run { isFolded || isLoaded } ?: true),
         LocalAllowedBlocks provides allowed,
         LocalAllowedLanguages provides assignment?.languages?.ifEmpty { null },
         LocalProgramWarning provides warning,
