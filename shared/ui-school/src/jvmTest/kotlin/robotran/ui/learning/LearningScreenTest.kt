@@ -18,7 +18,6 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
-import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performTextInput
 import androidx.compose.ui.test.pressKey
 import robotran.brick.controls.BrickButton
@@ -35,6 +34,7 @@ import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.pixelsOf
+import robotran.ui.screen.scrollTo
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.world.tags.WorldTags
 import robotran.uikit.RobotranColours
@@ -116,10 +116,10 @@ class LearningScreenTest {
             pass(600)
             onNodeWithTag(LearningTags.HINT).assertIsDisplayed()
         }
-        onNodeWithTag(LearningTags.EXPLANATION).performScrollTo()
+        scrollTo(LearningTags.EXPLANATION)
         pass(300)
         onNodeWithTag(LearningTags.TASK_LINE).assertIsDisplayed()
-        onNodeWithTag(LearningTags.TASK_STATUS).performScrollTo()
+        scrollTo(LearningTags.TASK_STATUS)
         pass(300)
         onNodeWithTag(LearningTags.TASK_LINE).assertDoesNotExist()
     }

@@ -17,7 +17,6 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.onRoot
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
-import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performScrollToKey
 import androidx.compose.ui.test.pressKey
 import kotlinx.coroutines.runBlocking
@@ -29,6 +28,7 @@ import robotran.ui.screen.assertWhole
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.scrollAndTouch
 import robotran.ui.screen.undrawnTest
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -176,7 +176,7 @@ class LessonMapPageTest {
             workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
             pass(300)
             for (strand in listOf("java", "sense", "drive")) {
-                onNodeWithTag(LearningTags.goTo(strand)).performScrollTo().performClick()
+                scrollAndTouch(LearningTags.goTo(strand))
                 pass(1_000)
                 val first = Lessons.strands.first { it.name == strand }.lessons.first()
                 onNodeWithTag(LearningTags.strand(strand)).assertIsDisplayed()
