@@ -9,16 +9,16 @@ import robotran.world.geometry.Point
 import robotran.world.geometry.simplified
 
 /**
- * Adds [element] near [at] and selects it: what stands where no other thing stands, and with [apart] anything where
+ * Adds [element] near [at] and selects it: what stands where no other thing stands, and with [inSight] anything where
  * there is nothing else.
  */
-internal fun WorldEditing.put(element: Element, at: Point, apart: Boolean): Outcome? {
+internal fun WorldEditing.put(element: Element, at: Point, inSight: Bounds?): Outcome? {
     val form = element.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
     val middle = form.bounds.middle
     val there = snapping.onGrid(Point(at.x + corner.x - middle.x, at.y + corner.y - middle.y))
     val placed = form.movedBy(there.x - corner.x, there.y - corner.y)
-    val free = (if (apart) world.inFreeRoom(element, placed) else null) ?: world.freeFormFor(placed, element.kind)
+    val free = inSight?.let { world.inFreeRoom(element, placed, it) } ?: world.freeFormFor(placed, element.kind)
     return added(listOf(element.withForm(free)), Point(0.0, 0.0))
 }
 

@@ -6,17 +6,18 @@ import robotran.world.World
 import robotran.world.geometry.Bounds
 
 /**
- * [form] at the place nearest to its own where it is whole on the paper and lies over nothing else; null if there is
- * no such place, or if [element] is meant to lie around others.
+ * [form] at the place nearest to its own where it is whole on the paper and lies over nothing else, if possible whole
+ * [inSight]; null if there is no such place, or if [element] is meant to lie around others.
  */
-internal fun World.inFreeRoom(element: Element, form: Form): Form? {
+internal fun World.inFreeRoom(element: Element, form: Form, inSight: Bounds): Form? {
     if (element.liesAround) return null
     val others = things().mapNotNull(::piece).filter { !it.liesAround && !it.isGround }
         .mapNotNull { it.form?.bounds?.grownBy(AIR) }
-    return STEPS_NEARBY.asSequence().map { (x, y) -> form.movedBy(x * STEP, y * STEP) }.firstOrNull { moved ->
+    val free = STEPS_NEARBY.asSequence().map { (x, y) -> form.movedBy(x * STEP, y * STEP) }.filter { moved ->
         val bounds = moved.bounds
         isOnPaper(bounds) && others.none { meet(bounds, it) }
     }
+    return free.firstOrNull { it.bounds in inSight } ?: free.firstOrNull()
 }
 
 private fun World.isOnPaper(bounds: Bounds) =

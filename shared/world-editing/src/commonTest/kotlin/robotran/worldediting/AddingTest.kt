@@ -1,9 +1,11 @@
 package robotran.worldediting
 
 import robotran.world.WorldLimits
+import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
@@ -100,7 +102,7 @@ class AddingTest {
         val middle = Point(30.0, 45.0)
         val items = PaletteItem.entries - PaletteItem.PERMITTED_AREA
         val full = items.fold(emptySheet()) { now, item ->
-            now.after(WorldEdit.Put(item.piece(now.world), middle, apart = true))
+            now.after(WorldEdit.Put(item.piece(now.world), middle, SHEET))
         }
         val areas = full.world.things().map { it to checkNotNull(full.world.piece(it)?.form).bounds }
         for ((one, its) in areas) {
@@ -115,14 +117,29 @@ class AddingTest {
     }
 
     @Test
+    fun `what is put by a touch stays in sight if there is room, even if there is more elsewhere`() {
+        val seen = Bounds(10.0, 40.0, 60.0, 90.0)
+        val goal = PaletteItem.GOAL_AREA.piece(newWorld("Test"))
+        val put = emptySheet().after(WorldEdit.Put(goal, Point(30.0, 45.0), SHEET)).chosenForm.bounds
+        val close = emptySheet().after(WorldEdit.Put(goal, Point(30.0, 45.0), seen)).chosenForm.bounds
+        assertTrue(close in seen, "$close")
+        assertFalse(put in seen, "$put is in sight, too")
+    }
+
+    @Test
     fun `what is put by a touch lies in the middle if that is free, and a permitted area around the robot`() {
         val wall = emptySheet().after(
-            WorldEdit.Put(PaletteItem.WALL.piece(newWorld("Test")), Point(80.0, 45.0), apart = true),
+            WorldEdit.Put(PaletteItem.WALL.piece(newWorld("Test")), Point(80.0, 45.0), SHEET),
         )
         assertTrue(wall.chosenForm.bounds.contains(80.0, 45.0))
         val area = PaletteItem.PERMITTED_AREA.piece(wall.world)
         assertTrue(
-            wall.after(WorldEdit.Put(area, Point(30.0, 45.0), apart = true)).chosenForm.bounds.contains(30.0, 45.0),
+            wall.after(WorldEdit.Put(area, Point(30.0, 45.0), SHEET)).chosenForm.bounds.contains(30.0, 45.0),
         )
+    }
+
+    private companion object {
+        /** All of it. */
+        val SHEET = Bounds(0.0, 0.0, 120.0, 90.0)
     }
 }

@@ -54,7 +54,7 @@ private fun ItemButton(editor: EditorScope, view: EditView, item: PaletteItem, u
         val new = item.piece(editor.world)
         val piece = if (item == PaletteItem.ROBOT) new.named(editor.world.uniqueName(robotName)) else new
         val at = place?.let(view.transform::toCentimetres) ?: view.middle
-        editor.make(WorldEdit.Put(piece, at, apart = place == null))
+        editor.make(WorldEdit.Put(piece, at, view.inSight.takeIf { place == null }))
         onPut()
     }
 }
