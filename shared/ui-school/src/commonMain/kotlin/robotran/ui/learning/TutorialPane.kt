@@ -57,7 +57,7 @@ fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifie
                 }
             }
             HorizontalDivider()
-            TutorialFoot(tutorial, state.isStepDone, onEvent)
+            TutorialFoot(tutorial, state.isStepDone && state.elsewhere == null, onEvent)
         }
     }
 }

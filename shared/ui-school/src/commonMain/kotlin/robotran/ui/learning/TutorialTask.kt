@@ -22,6 +22,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.learning.LessonPlace
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
@@ -59,10 +60,13 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             Text(title(spoken), style = TextStyles.lead.strong)
         }
         MarkedText(text.task)
+        text.again?.takeIf { tutorial.place == LessonPlace.AGAIN }?.let {
+            MarkedText(it, Modifier.testTag(LearningTags.AGAIN))
+        }
         TaskHelps(
             tutorial.help,
             state.isInBlocks,
-            state.solved != null,
+            state.isReached,
             { onEvent(LearningEvent.HintRequested(it)) },
             { onEvent(LearningEvent.SolutionRequested(it)) },
         )
