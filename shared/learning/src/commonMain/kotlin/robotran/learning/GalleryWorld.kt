@@ -33,9 +33,12 @@ class GalleryWorld internal constructor(
 
     private val titles by lazy { Language.entries.associateWith(titles) }
 
-    /** The world with title and task in [language]. */
-    fun world(language: Language): World =
-        titles.getValue(language).let { plainWorld.copy(title = it.title, task = it.task) }
+    /** The world with title, task and goals in [language]. */
+    fun world(language: Language): World {
+        val said = titles.getValue(language)
+        return plainWorld.withGoalsSaid(titles.getValue(Language.ENGLISH).goals, said.goals)
+            .copy(title = said.title, task = said.task)
+    }
 }
 
-internal class WorldTitle(val title: String, val task: String)
+internal class WorldTitle(val title: String, val task: String, val goals: List<String>)

@@ -55,10 +55,12 @@ class Lesson internal constructor(
     /** The places in which a program must reach the goals. */
     val places: List<LessonPlace> get() = LessonPlace.entries.filter { worldAt(it) != null }
 
-    /** The world of the lesson, with title and task in [language]. Fails if the lesson lacks the [place]. */
+    /** The world of the lesson, with title, task and goals in [language]. Fails if the lesson lacks the [place]. */
     fun world(language: Language, place: LessonPlace = LessonPlace.FIRST): World {
         val world = checkNotNull(worldAt(place)) { "$name has one place." }
-        return text(language).let { world.copy(title = it.title, task = withoutBackticks(it.task)) }
+        val text = text(language)
+        return world.withGoalsSaid(text(Language.ENGLISH).goals, text.goals)
+            .copy(title = text.title, task = withoutBackticks(text.task))
     }
 
     private fun worldAt(place: LessonPlace): World? = when (place) {

@@ -13,6 +13,8 @@ import robotran.learning.hint.HintCondition
  * @property part the second hint: a part of the solution.
  * @property solution the third hint: the whole solution in words.
  * @property whens hints for what may go wrong, in the order in which they are tried.
+ * @property goals what the goals of its worlds say where an author has written that, the same in every language at the
+ * same place; none if all sentences are made from figures.
  * @property again what is different in [LessonPlace.AGAIN]; null for a lesson with one place.
  */
 data class LessonText(
@@ -25,6 +27,7 @@ data class LessonText(
     val solution: String,
     val whens: List<ConditionalHint>,
     val again: String? = null,
+    val goals: List<String> = emptyList(),
 ) {
     internal companion object {
         /**
@@ -63,6 +66,7 @@ data class LessonText(
                 under("Solution"),
                 conditionalHints(parts, shownParagraphs),
                 if ("Again" in parts) under("Again") else null,
+                goalSentences(parts[GOALS].orEmpty()),
             )
         }
     }
@@ -99,6 +103,9 @@ private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<Strin
 
 /** [text] without the backticks around program text. */
 internal fun withoutBackticks(text: String): String = text.replace("`", "")
+
+/** The heading above what the goals say. */
+internal const val GOALS = "Goals"
 
 private const val WHEN = "When "
 private const val HARDER = "Harder: "

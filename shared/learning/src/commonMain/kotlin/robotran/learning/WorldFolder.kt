@@ -55,7 +55,7 @@ internal class WorldFolder(
             emptyList(),
             files.getValue(worldFile),
             given("$stem."),
-            { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task)) } },
+            { language -> text(language, false).let { WorldTitle(it.title, withoutBackticks(it.task), it.goals) } },
             { lesson("world/$name/$stem", given, "$stem.", it, text) },
         )
     }
@@ -97,9 +97,10 @@ internal class WorldFolder(
     }
 }
 
-/** Title and task in the text [file]. */
+/** Title, task and goals in the text [file]. */
 private fun titleIn(file: String): WorldTitle {
     val whole = sections(file).single()
-    val task = sections(whole.body, "## ").first { it.heading == "Task" }
-    return WorldTitle(whole.heading, withoutBackticks(paragraphs(task.body).joinToString(" ")))
+    val parts = sections(whole.body, "## ").associate { it.heading to it.body }
+    val task = paragraphs(parts.getValue("Task")).joinToString(" ")
+    return WorldTitle(whole.heading, withoutBackticks(task), goalSentences(parts[GOALS].orEmpty()))
 }

@@ -29,6 +29,10 @@ data class Goal(
     fun withParts(parts: List<Goal>): Goal =
         if (condition is HasParts) copy(condition = condition.withGoals(parts)) else this
 
+    /** The same goal, in which [change] has replaced what it says to the pupil, and what its parts and theirs say. */
+    fun withSays(change: (String) -> String?): Goal =
+        withParts(parts.map { it.withSays(change) }).copy(says = says?.let(change))
+
     /** The same goal for [who], if it refers to a robot or block. */
     fun withWho(who: String?): Goal = if (condition is HasActor) copy(condition = condition.withWho(who)) else this
 }

@@ -63,6 +63,8 @@ internal class RemarkFinder(private val assignment: Project, private val given: 
     }
 
     /** As saved, without what does not change a run or is a choice of the pupil. */
-    private fun compact(world: World): String =
-        writeCompactJson(elementOf(world.copy(title = "", task = "", seed = 0, realism = 0.0)))
+    private fun compact(world: World): String {
+        val goals = world.goals.map { goal -> goal.withSays { null } }
+        return writeCompactJson(elementOf(world.copy(title = "", task = "", goals = goals, seed = 0, realism = 0.0)))
+    }
 }

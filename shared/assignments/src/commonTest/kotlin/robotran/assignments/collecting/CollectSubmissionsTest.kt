@@ -190,6 +190,14 @@ class CollectSubmissionsTest {
     }
 
     @Test
+    fun `a world whose goals say the same in another language has not been changed`() = runTest {
+        val goals = ASSIGNMENT.world.goals.map { it.copy(says = "Zeichne mindestens 10 cm.") }
+        val german = ASSIGNMENT.copy(world = ASSIGNMENT.world.copy(title = "Zeichne", goals = goals))
+        val found = collect(file("a.robotran", handIn("Anna", assignment = german)))
+        assertEquals(emptyList(), remarks(found.single()))
+    }
+
+    @Test
     fun `remarks tell what was changed or is not allowed`() = runTest {
         val rules = checkNotNull(ASSIGNMENT.assignment)
             .copy(languages = listOf(ProgramLanguage.ROBOLANG), words = listOf("Forward", "pen"))
