@@ -124,8 +124,11 @@ async function buildMaze(page, hand) {
   await says(page, 'goal-chip', /All goals met/);
 }
 
-/** A journey has hundreds of steps, and each waits for frames. */
-const QUICK = { ...TABLET, welcome: true, pause: 20 };
+/**
+ * A journey has hundreds of steps, and each waits for frames. Below a lesson there is room for all blocks of its program: what is out of sight is
+ * not told.
+ */
+const QUICK = { ...TABLET, height: 1240, welcome: true, pause: 20 };
 
 test('a finger builds the solutions of the first five steps of the tutorial', () =>
   onPage({ ...QUICK, hasTouch: true }, async ({ page, troubles }) => {
