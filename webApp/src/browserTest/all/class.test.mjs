@@ -168,7 +168,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await isSaid(page, /40 cm ahead/);
     await photograph(page, 'class-task');
     await finger.press('run');
-    await appears(page, 'outcome-tries');
+    await appears(page, 'missing-card');
     await photograph(page, 'class-failed');
     await finger.press('tab-program');
     await finger.press('view-switch');
