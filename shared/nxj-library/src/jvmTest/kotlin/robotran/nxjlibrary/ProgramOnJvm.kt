@@ -5,13 +5,10 @@ import java.io.File
 import java.io.PrintStream
 import java.lang.reflect.InvocationTargetException
 import java.net.URLClassLoader
-import javax.tools.ToolProvider
 import kotlin.io.path.createTempDirectory
 
-/**
- * A run of the test program at [path] by the JDK's own compiler and JVM, with its own `java` and the library's `lejos`.
- */
-internal class ProgramOnJvm(private val path: String, private val source: String) {
+/** A run of the test program at [path] by the JVM, with its own `java` and the library's `lejos`. */
+internal class ProgramOnJvm(private val path: String, private val source: String, private val compiler: JdkCompiler) {
     private val name = path.substringAfterLast('/').removeSuffix(".java")
     private val output = ByteArrayOutputStream()
     private val thrown = mutableMapOf<Int, String>()
@@ -24,25 +21,12 @@ internal class ProgramOnJvm(private val path: String, private val source: String
     fun run() {
         val folder = createTempDirectory("program").toFile()
         try {
-            val library = folder.resolve("library")
-            for ((name, bytes) in robotran.nxjlibrary.library.classFiles.filterKeys { it.startsWith("lejos/") }) {
-                library.resolve("$name.class").apply { parentFile.mkdirs() }.writeBytes(bytes)
-            }
-            compile(folder, library)
-            val places = listOf(folder, library).map { it.toURI().toURL() }
+            compiler.compile(path, folder.resolve("$name.java").apply { writeText(source) }, folder)
+            val places = listOf(folder, compiler.library).map { it.toURI().toURL() }
             URLClassLoader(places.toTypedArray(), null).use { run(it, namesIn(folder)) }
         } finally {
             folder.deleteRecursively()
         }
-    }
-
-    private fun compile(folder: File, library: File) {
-        val file = folder.resolve("$name.java").apply { writeText(source) }
-        val options =
-            listOf("-nowarn", "-Xlint:none", "--release", "8", "-cp", library.path, "-d", folder.path, file.path)
-        val problems = ByteArrayOutputStream()
-        val result = ToolProvider.getSystemJavaCompiler().run(null, problems, problems, *options.toTypedArray())
-        check(result == 0) { "$path: $problems" }
     }
 
     private fun namesIn(folder: File): Set<String> =

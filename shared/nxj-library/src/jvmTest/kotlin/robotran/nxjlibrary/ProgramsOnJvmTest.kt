@@ -10,11 +10,13 @@ class ProgramsOnJvmTest {
     fun `programs that need no brick do on the JVM what their comments say`() {
         val programs = testPrograms.filterValues { ProgramExpectations(it).needsNoBrick }
         assertTrue(programs.size >= FEWEST, "${programs.size} programs")
-        for ((path, source) in programs.toSortedMap()) {
-            val expected = ProgramExpectations(source)
-            val program = ProgramOnJvm(path, source).apply { run() }
-            assertEquals(expected.printed.joinToString("\n"), program.printed.joinToString("\n"), path)
-            assertEquals(expected.failures, program.failures, path)
+        JdkCompiler().use { compiler ->
+            for ((path, source) in programs.toSortedMap()) {
+                val expected = ProgramExpectations(source)
+                val program = ProgramOnJvm(path, source, compiler).apply { run() }
+                assertEquals(expected.printed.joinToString("\n"), program.printed.joinToString("\n"), path)
+                assertEquals(expected.failures, program.failures, path)
+            }
         }
     }
 

@@ -5,7 +5,10 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
 
-/** Runs the test programs of the class library on the virtual brick, except those of [LimitProgramsTest]. */
+/**
+ * Runs the test programs of the class library on the virtual brick, except those that take long as wasm:
+ * [LimitProgramsTest], [InfraredProgramsTest].
+ */
 class ProgramsTest {
     @Test
     fun `all programs are run`() {
@@ -41,9 +44,6 @@ class ProgramsTest {
 
     @Test
     fun `programs about motors sensors buttons display and sounds do what they say`() = doWhatTheySay("rcx")
-
-    @Test
-    fun `programs about infrared do what they say`() = doWhatTheySay("rcxcomm")
 
     @Test
     fun `programs about behaviours activities and navigators do what they say`() = doWhatTheySay("robotics")
