@@ -205,7 +205,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await appears(page, 'program-1');
     await type(page, finger, 'program', javaFor(500));
     await finger.press('run');
-    await says(page, 'outcome-tries', /1 try/);
+    await says(page, 'assignment-tries', /1 try/);
     await isKept(page, 'sleep(500)');
     await type(page, finger, 'program', javaFor(4500));
     await isKept(page, 'sleep(4500)');
