@@ -121,7 +121,7 @@ test('a poster with drawing and program is one page on paper', () =>
     assert.deepEqual(sides, [1680, 2376], 'a picture of the whole page');
     await tap(page, 'show-more');
     await tap(page, 'show-poster');
-    await tap(page, 'poster-kind-2');
+    await tap(page, 'poster-kind-1');
     await tap(page, 'show-make');
     await appears(page, 'show-made');
     const { name, bytes } = await downloaded(page, () => tap(page, 'show-save'));

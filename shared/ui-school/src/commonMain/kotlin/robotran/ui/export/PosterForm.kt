@@ -76,7 +76,7 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) -
         FileKind.PNG to ExportTexts.posterPicture(spoken),
         FileKind.SVG to ExportTexts.posterDrawing(spoken),
     )
-    ChoiceOfOne(ExportTexts.posterKind(spoken), kinds, step.kind, ExportTags.POSTER_KIND) {
+    ChipRow(title = "", kinds, step.kind, ExportTags.POSTER_KIND) {
         onEvent(ExportEvent.PosterKindChosen(it))
     }
     val quiet = LocalRobotranColours.current.quiet
