@@ -6,6 +6,7 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -91,9 +92,8 @@ class DocumentTest {
             .filter { it.startsWith("| ") }
             .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
 
-    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap {
-        listOfNotNull(it.text, it.singular)
-    }.toSet()
+    private fun spellings(keywords: List<Keyword>): Set<String> =
+        keywords.flatMap { Vocabulary.ENGLISH.texts(it) }.toSet()
 
     private fun codesOf(source: String, robot: RobotTarget): List<String> = when (val result = read(source, robot)) {
         is RobolangResult.Failure -> result.diagnostics

@@ -4,7 +4,7 @@ import robotran.robolang.syntax.BlockEdge
 import robotran.robolang.syntax.MissingEnd
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.ScannedLine
-import robotran.robolang.syntax.isBlank
+import robotran.robolang.words.isBlank
 import robotran.robolang.words.Keyword
 
 /** The role of a line and the number of blocks around it. */

@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.languagesupport.ParsedSource
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.Vocabulary
 
 /**
  * A Robolang text as the scanner and the parser have read it, once for all who need it: the outline, which blocks are made
@@ -15,6 +16,9 @@ class ParsedText internal constructor(
     private val namedBrick: BrickKind?,
     private val found: DiagnosticSink,
 ) : ParsedSource {
+    /** The words that it is written in. */
+    val vocabulary: Vocabulary get() = found.vocabulary
+
     /** The mistakes of the scanner and the parser, to which the checker may add its own, as those of the file [name]. */
     internal fun diagnostics(name: String = ""): DiagnosticSink = found.copied(name)
 

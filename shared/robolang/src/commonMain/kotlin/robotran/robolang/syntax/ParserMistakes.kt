@@ -1,5 +1,6 @@
 package robotran.robolang.syntax
 
+import robotran.robolang.words.isBlank
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
@@ -28,7 +29,7 @@ internal fun DiagnosticSink.reportMissingWord(
 ) {
     if (reportsDeclaredName(reader)) return
     val typed = reader.next?.takeIf { it.kind == TokenKind.WORD }
-    val meant = typed?.let { suggestion(it.text, words) }
+    val meant = typed?.let { suggestionIn(vocabulary, it.text, words) }
     val fix = when {
         typed != null && meant != null -> SourceFix(typed.range, meant)
         typed == null && words.size == 1 -> SourceFix(reader.gap, " " + words.single())
@@ -63,7 +64,7 @@ internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: Diagnostic
  */
 internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
-    val meant = meantUnit(word, units)
+    val meant = meantUnit(word, units, vocabulary)
     if (meant == null && !isUnit(word)) return
     reportUnit(reader, word, units, meant)
 }
@@ -109,7 +110,7 @@ internal fun DiagnosticSink.reportUnit(
     reader: LineReader,
     word: Token,
     units: List<Keyword>,
-    meant: Keyword? = meantUnit(word, units),
+    meant: Keyword? = meantUnit(word, units, vocabulary),
 ) {
     if (reportsDeclaredName(reader)) return
     val command = lowercaseKeyword(reader.first.text)

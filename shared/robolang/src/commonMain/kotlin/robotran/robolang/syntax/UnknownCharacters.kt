@@ -1,5 +1,9 @@
 package robotran.robolang.syntax
 
+import robotran.robolang.words.unicodeNumber
+import robotran.robolang.words.isInvisible
+import robotran.robolang.words.isLetter
+import robotran.robolang.words.isBlank
 import robotran.language.pasted.PastedCharacter
 import robotran.language.pasted.pastedCharacter
 import robotran.language.pasted.plainTextOf

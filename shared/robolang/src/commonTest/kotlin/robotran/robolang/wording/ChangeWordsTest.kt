@@ -1,0 +1,84 @@
+package robotran.robolang.wording
+
+import robotran.language.Language
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.documentedPrograms
+import robotran.robolang.examplePrograms
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.parse
+import robotran.robolang.testPrograms
+import robotran.robolang.testTarget
+import robotran.robolang.words.Vocabulary
+import robotran.brick.kind.BrickKind
+import kotlin.test.Test
+import kotlin.test.assertEquals
+import kotlin.test.assertIs
+import kotlin.test.assertTrue
+
+class ChangeWordsTest {
+    private val programs = testPrograms + documentedPrograms + examplePrograms
+
+    @Test
+    fun `keywords change, and nothing else`() {
+        val english = "  repeat 4 times // forward\r\n\tforward  20cm\n  Turn left 90\nend\nshow \"end\"\nprocedure go(side)\nend\n"
+        val german = "  wiederhole 4 mal // forward\r\n\tvorwärts  20cm\n  Drehe links 90\nende\nzeige \"end\"\nprozedur go(side)\nende\n"
+        assertEquals(german, changed(english, Language.GERMAN))
+        assertEquals(english, changed(german, Language.ENGLISH))
+    }
+
+    @Test
+    fun `every program goes into each language and back to the same bytes`() {
+        for ((path, text) in programs) for (language in Language.entries) {
+            val there = changeWords(text, Vocabulary.of(language))
+            if (there is ChangedWords.NamesInTheWay) continue
+            val other = assertIs<ChangedWords.Success>(there, path).text
+            assertEquals(text, changed(other, Language.ENGLISH), "$path in $language\n$other")
+        }
+    }
+
+    @Test
+    fun `every program has the same tokens in each language`() {
+        for ((path, text) in programs) for (language in Language.entries) {
+            val other = (changeWords(text, Vocabulary.of(language)) as? ChangedWords.Success)?.text ?: continue
+            assertEquals(keywordsOf(text), keywordsOf(other), "$path in $language\n$other")
+        }
+    }
+
+    @Test
+    fun `few programs have names that are in the way`() {
+        val inTheWay = programs.filter { (_, text) ->
+            Language.entries.any { changeWords(text, Vocabulary.of(it)) is ChangedWords.NamesInTheWay }
+        }
+        assertTrue(inTheWay.size < programs.size / 20, inTheWay.keys.toString())
+    }
+
+    @Test
+    fun `names that are words of the other language are told`() {
+        val result = changeWords("var ende = 5\nshow ende", Vocabulary.of(Language.GERMAN))
+        assertEquals(ChangedWords.NamesInTheWay(listOf("ende")), result)
+    }
+
+    @Test
+    fun `mistakes and their fixes are told in the words of the program`() {
+        assertEquals("vorwärts", fixOf("vorwärst 20\nwarte 1 sekunde"))
+        assertEquals("vorwärts", fixOf("drehe links 90\nforward 20\nwarte 1 sekunde"))
+        assertEquals("\nende", fixOf("wiederhole 4 mal\n  vorwärts 20"))
+        assertEquals("sekunden", fixOf("warte 5 seconds\nstopp"))
+    }
+
+    private fun fixOf(source: String): String? =
+        assertIs<RobolangResult.Failure>(compile(source)).diagnostics.first().fix?.replacement
+
+    private fun compile(source: String) =
+        compileRobolang("test", source, testTarget, RobolangMessages.of(Language.ENGLISH))
+
+    private fun keywordsOf(source: String) =
+        parse(source, BrickKind.default, RobolangMessages.of(Language.ENGLISH)).program.lines.map { line ->
+            line.tokens.map { it.keyword ?: it.text }
+        }
+
+    private fun changed(text: String, language: Language): String =
+        assertIs<ChangedWords.Success>(changeWords(text, Vocabulary.of(language))).text
+}
