@@ -8,6 +8,7 @@ import robotran.language.source.SourceRange
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.quoted
+import robotran.robolang.words.wordsOf
 import robotran.robolang.words.written
 
 /**
@@ -64,7 +65,8 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
         message: String,
         fix: SourceFix?,
     ) {
-        val told = if (vocabulary === Vocabulary.ENGLISH) message else vocabulary.quoted(message, declaredNames)
+        val own = declaredNames + wordsOf(text)
+        val told = if (vocabulary === Vocabulary.ENGLISH) message else vocabulary.quoted(message, own)
         val written = fix?.let { SourceFix(it.range, vocabulary.written(it.replacement, declaredNames)) }
         diagnostics += Diagnostic(severity, file, range, told, written, text, code)
     }

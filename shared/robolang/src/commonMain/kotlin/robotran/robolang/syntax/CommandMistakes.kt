@@ -12,6 +12,7 @@ import robotran.robolang.words.SETTINGS
 import robotran.robolang.words.SIDES
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.lowercaseKeyword
+import robotran.robolang.words.written
 
 /** Everything a line can begin with; two-word commands also without their space, a common typo. */
 private val BEGINNINGS: List<String> =
@@ -122,7 +123,7 @@ private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token)
         reader,
         DiagnosticCode.UNKNOWN_COMMAND,
         word.range,
-        messages.unknownCommand(shortened(word.text), meant),
+        messages.unknownCommand(shortened(word.text), meant?.let { vocabulary.written(it) }),
         fix,
     )
     return when {

@@ -8,6 +8,7 @@ import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.TIME_UNITS
 import robotran.robolang.words.lowercaseKeyword
+import robotran.robolang.words.written
 
 /** Reports an error in the line of [reader]. */
 internal fun DiagnosticSink.report(
@@ -35,7 +36,7 @@ internal fun DiagnosticSink.reportMissingWord(
         typed == null && words.size == 1 -> SourceFix(reader.gap, " " + words.single())
         else -> null
     }
-    report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
+    report(reader, code, typed?.range ?: reader.gap, message(meant?.let { vocabulary.written(it) }), fix)
 }
 
 /** Reports a name that contains a sign or begins with a digit; [start] is its start. */
@@ -114,7 +115,7 @@ internal fun DiagnosticSink.reportUnit(
 ) {
     if (reportsDeclaredName(reader)) return
     val command = lowercaseKeyword(reader.first.text)
-    val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
+    val message = messages.wrongUnit(command, shortened(word.text), units.map { vocabulary.text(it) }, meant?.let { vocabulary.text(it) })
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 

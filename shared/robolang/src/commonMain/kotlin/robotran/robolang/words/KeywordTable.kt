@@ -34,7 +34,7 @@ break                     | sal                           | verlasse
 continue                  | continúa                      | weiter
 if                        | si                            | wenn
 else                      | sino                          | sonst
-var                       | variable                      | variable
+var                       | sea                           | variable
 const                     | constante                     | konstante
 procedure                 | procedimiento                 | prozedur
 function                  | función                       | funktion

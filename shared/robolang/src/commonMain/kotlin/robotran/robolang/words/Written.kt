@@ -23,6 +23,9 @@ internal fun Vocabulary.written(english: String, names: Set<String> = emptySet()
     }
 }
 
+/** The words of [text] in lower case. */
+internal fun wordsOf(text: String): List<String> = WORD.findAll(text).map { lowercaseKeyword(it.value) }.toList()
+
 /** [sentence] with the code that it quotes in these words. Names that are in [names] stay. */
 internal fun Vocabulary.quoted(sentence: String, names: Set<String>): String {
     val pieces = sentence.split('"')
