@@ -10,7 +10,7 @@ import robotran.textediting.TextEdit
 internal class ItemEdits(private val program: BlockProgram) {
     fun add(edit: BlockEdit.AddItem): BlockEditResult {
         val items = listAt(edit.list) ?: return refused(BlockEditError.NotFound)
-        val item = edit.item.trim()
+        val item = program.inWords(edit.item.trim())
         if (edit.index !in 0..items.items.size) return refused(BlockEditError.NotFound)
         val change = items.added(edit.index, item)
         val start = change.start + change.inserted.indexOf(item)
