@@ -30,7 +30,7 @@ internal class ItemEdits(private val program: BlockProgram) {
     fun addParameter(edit: BlockEdit.AddParameter): BlockEditResult {
         val uses = bracketsOf(edit.routine) ?: return refused(BlockEditError.NotFound)
         val name = edit.name.trim()
-        if (!isName(name)) return refused(BlockEditError.NoName(name))
+        if (!isName(name, program.vocabulary)) return refused(BlockEditError.NoName(name))
         if (program.freeName(name) != name) return refused(BlockEditError.NameTaken(name))
         val changes = uses.map { (use, items) ->
             items.added(items.items.size, if (use == edit.routine) name else ValueUse.ANY.example)

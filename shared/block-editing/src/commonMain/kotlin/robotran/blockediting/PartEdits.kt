@@ -76,7 +76,7 @@ internal class PartEdits(private val program: BlockProgram) {
         return sameForm(part.span, program.inWords(option)) { it is PhrasePart.Choice } ?: refused(BlockEditError.NoChoice(part.options))
     }
 
-    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text)) {
+    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text, program.vocabulary)) {
         sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockEditError.NoName(text))
     } else {
         refused(BlockEditError.NoName(text))

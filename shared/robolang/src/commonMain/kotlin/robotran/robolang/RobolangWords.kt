@@ -19,11 +19,12 @@ object RobolangWords {
     /** The operators that are words. */
     internal val operators: List<String> = BinaryOperator.entries.map { it.text }.filter { it.first().isLetter() }
 
-    /** All words of the language. */
+    /** All words of the language, in English. */
     val keywords: List<String> = Keyword.entries.map { it.text }
 
-    /** Whether [text] is a word that is a name instead in a program that declares it. */
-    fun isNewerWord(text: String): Boolean = Vocabulary.ENGLISH.keyword(text)?.yields == true
+    /** Whether [text] is a word in [vocabulary] that is a name instead in a program that declares it. */
+    fun isNewerWord(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): Boolean =
+        vocabulary.keyword(text)?.yields == true
 
     /** The usual English spelling of a word in [vocabulary], such as `colour` for `Color`; null for any other [text]. */
     fun spellingOf(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): String? =

@@ -8,10 +8,12 @@ import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.ProgramFiles
 import robotran.languagesupport.ProgramMeasure
 import robotran.languagesupport.SourceFile
+import robotran.robolang.RobolangWords
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.edit.RobolangSyntax
 import robotran.robolang.robolangTokens
 import robotran.robolang.robolangTokensOfLines
+import robotran.robolang.words.vocabularyOf
 
 object RobolangSupport : LanguageSupport {
     override val language = ProgramLanguage.ROBOLANG
@@ -35,14 +37,18 @@ private object RobolangMeasure : ProgramMeasure {
         robolangTokens(line).any { it.kind != CodeTokenKind.COMMENT }
     }
 
-    override fun normalTokens(text: String): Sequence<String> = text.lineSequence().zip(
-        robolangTokensOfLines(text).asSequence(),
-    ).flatMap { (line, tokens) ->
-        tokens.mapNotNull { token ->
-            when (token.kind) {
-                CodeTokenKind.COMMENT -> null
-                CodeTokenKind.NAME -> ProgramMeasure.NAME
-                else -> line.substring(token.start, token.end).lowercase()
+    /** Keywords in English, so that programs in different words are compared. */
+    override fun normalTokens(text: String): Sequence<String> {
+        val vocabulary = vocabularyOf(text)
+        return text.lineSequence().zip(robolangTokensOfLines(text).asSequence()).flatMap { (line, tokens) ->
+            tokens.mapNotNull { token ->
+                val word = line.substring(token.start, token.end)
+                when (token.kind) {
+                    CodeTokenKind.COMMENT -> null
+                    CodeTokenKind.NAME -> ProgramMeasure.NAME
+                    CodeTokenKind.KEYWORD -> RobolangWords.spellingOf(word, vocabulary) ?: word.lowercase()
+                    else -> word.lowercase()
+                }
             }
         }
     }
