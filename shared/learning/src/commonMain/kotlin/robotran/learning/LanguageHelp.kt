@@ -4,6 +4,8 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.assembly.CommandHelp
+import robotran.robolang.words.inEnglish
+import robotran.robolang.words.vocabularyOf
 
 /** The help on the words of one programming language. */
 internal interface LanguageHelp {
@@ -33,6 +35,11 @@ private object RobolangHelp : LanguageHelp {
 
     override fun on(word: String, language: Language, brick: BrickKind) =
         robolangWords.help(lowercaseWord(word), language)
+
+    override fun at(text: String, range: IntRange, language: Language, brick: BrickKind): WordHelp? {
+        val word = text.substring(range.first, range.last + 1)
+        return on(vocabularyOf(text).inEnglish(word), language, brick)
+    }
 }
 
 private object JavaHelp : LanguageHelp {

@@ -1,6 +1,9 @@
 package robotran.learning.hint
 
 import robotran.brick.state.RunState
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -15,7 +18,7 @@ import robotran.world.World
  * @property run the state at the end of the run, with its goals.
  */
 class Attempt(val program: String, val given: String, val solution: String, val world: World, val run: SessionState) {
-    internal val lines: List<CodeLine> by lazy { codeLines(program) }
+    internal val lines: List<CodeLine> by lazy { codeLines(inEnglish(program)) }
     internal val givenLines: List<CodeLine> by lazy { codeLines(given) }
     internal val solutionLines: List<CodeLine> by lazy { codeLines(solution) }
 
@@ -45,3 +48,7 @@ class Attempt(val program: String, val given: String, val solution: String, val 
         const val MILLISECONDS_PER_SECOND = 1000.0
     }
 }
+
+/** A Robolang program in the words of English, as solutions are; any other program as it is. */
+private fun inEnglish(program: String): String =
+    (changeWords(program, Vocabulary.ENGLISH) as? ChangedWords.Success)?.text ?: program

@@ -6,26 +6,29 @@ package robotran.robolang.words
  *
  * @param names in lower case.
  */
-fun Vocabulary.written(english: String, names: Set<String> = emptySet()): String {
-    if (this === Vocabulary.ENGLISH) return english
-    val pieces = PIECE.findAll(english).toList()
-    val first = english.trimStart().takeWhile { it.isLetter() }
-    val line = Keyword.FOR.takeIf { first.equals(it.text, ignoreCase = true) }
-    val keywords = pieces.map { piece ->
-        if (lowercaseKeyword(piece.value) in names) null else Vocabulary.ENGLISH.keyword(piece.value, line)
-    }
+fun Vocabulary.written(english: String, names: Set<String> = emptySet()): String =
+    piece(english, Vocabulary.ENGLISH, this, names)
+
+/** [text], a piece of a program in these words, in those of English. */
+fun Vocabulary.inEnglish(text: String): String = piece(text, this, Vocabulary.ENGLISH, names = emptySet())
+
+private fun piece(text: String, from: Vocabulary, to: Vocabulary, names: Set<String>): String {
+    if (from === to) return text
+    val pieces = PIECE.findAll(text).toList()
+    val first = from.keyword(pieces.firstOrNull()?.value.orEmpty())
+    val keywords = pieces.map { if (lowercaseKeyword(it.value) in names) null else from.keyword(it.value, first) }
     return buildString {
         var position = 0
         pieces.forEachIndexed { index, piece ->
             val keyword = keywords[index] ?: return@forEachIndexed
             val start = piece.range.first
-            val before = english.substring(0, start).trimEnd(' ')
-            val isFirst = before.isEmpty() && pieces.size > 1 && start == 0 || before.endsWith('\n')
-            append(english, position, start)
-            append(text(keyword, WordPlace(isFirst, endsInOne(before), keywords.getOrNull(index + 1))))
+            val before = text.substring(0, start).trimEnd(' ')
+            val isFirst = (start == 0 && pieces.size > 1) || before.endsWith('\n')
+            append(text, position, start)
+            append(to.text(keyword, WordPlace(isFirst, endsInOne(before), keywords.getOrNull(index + 1))))
             position = piece.range.last + 1
         }
-        append(english, position, english.length)
+        append(text, position, text.length)
     }
 }
 
