@@ -61,7 +61,8 @@ internal class ConstructEdits(private val program: BlockProgram) {
         if (condition != null) conditionError(condition)?.let { return refused(it) }
         val words = if (condition == null) "else" else "else if " + condition.trim()
         val indentation = indentationOf(rows[construct.head.index].content)
-        val branch = Row(indentation + program.inWords(words), null, LineRole.BRANCHES, construct.head.depth, origin = null)
+        val branch =
+            Row(indentation + program.inWords(words), null, LineRole.BRANCHES, construct.head.depth, origin = null)
         val line = otherwise?.head?.index ?: (construct.slots.last().lastLine + 1)
         return resultOf(program, rows.subList(0, line) + branch + rows.subList(line, rows.size), listOf(branch))
     }

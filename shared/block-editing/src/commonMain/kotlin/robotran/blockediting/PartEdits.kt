@@ -73,7 +73,8 @@ internal class PartEdits(private val program: BlockProgram) {
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
         val option = part.options.firstOrNull { it.equals(text, ignoreCase = true) }
             ?: return refused(BlockEditError.NoChoice(part.options))
-        return sameForm(part.span, program.inWords(option)) { it is PhrasePart.Choice } ?: refused(BlockEditError.NoChoice(part.options))
+        return sameForm(part.span, program.inWords(option)) { it is PhrasePart.Choice }
+            ?: refused(BlockEditError.NoChoice(part.options))
     }
 
     private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text, program.vocabulary)) {

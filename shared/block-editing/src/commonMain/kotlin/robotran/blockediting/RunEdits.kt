@@ -12,7 +12,9 @@ internal class RunEdits(private val program: BlockProgram) {
         program.errorAt(edit.place, fragment.blocks)?.let { return refused(it) }
         val indentation = program.indentationAt(edit.place)
         val base = baseIndentation(lines)
-        val new = lines.closed(unclosed(lines), program).map { it.moved(base, indentation, program.depthAt(edit.place)) }
+        val new = lines.closed(unclosed(lines), program).map {
+            it.moved(base, indentation, program.depthAt(edit.place))
+        }
         return resultOf(program, rows.subList(0, line) + new + rows.subList(line, rows.size), new)
     }
 

@@ -64,14 +64,16 @@ class OtherWordsTest {
     @Test
     fun `values and choices are written in the words of the program`() {
         val program = read(english)
-        for (line in program.outline.lines) line.parts.forEachIndexed { index, part ->
-            val texts = when (part) {
-                is PhrasePart.Choice -> part.options
-                is PhrasePart.Value -> listOf("1", "timer", "light < 40", "button run", "random(1, 6)")
-                else -> emptyList()
-            }
-            for (text in texts) {
-                assertSame({ BlockEdit.Replace(it.outline.lines[line.index].parts[index].span, text) })
+        for (line in program.outline.lines) {
+            line.parts.forEachIndexed { index, part ->
+                val texts = when (part) {
+                    is PhrasePart.Choice -> part.options
+                    is PhrasePart.Value -> listOf("1", "timer", "light < 40", "button run", "random(1, 6)")
+                    else -> emptyList()
+                }
+                for (text in texts) {
+                    assertSame({ BlockEdit.Replace(it.outline.lines[line.index].parts[index].span, text) })
+                }
             }
         }
     }

@@ -86,6 +86,15 @@ class DocumentTest {
         assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
     }
 
+    @Test
+    fun `the table of words has all spellings that differ between languages`() {
+        val different = Keyword.entries.map { keyword -> Vocabulary.all.map { it.texts(keyword) } }
+            .filter { it.toSet().size > 1 }
+        val documented = rowsUnder("### Words of other languages").drop(1)
+            .map { row -> row.map { cell -> cell.split(", ").map { it.trim('`') }.toSet() } }
+        assertEquals(different.map { row -> row.map { it.toSet() } }, documented)
+    }
+
     /** The cells of all tables between [heading] and the next heading of its level. */
     private fun rowsUnder(heading: String): List<List<String>> =
         document.substringAfter("\n$heading\n").substringBefore("\n${heading.substringBefore(' ')} ").lines()

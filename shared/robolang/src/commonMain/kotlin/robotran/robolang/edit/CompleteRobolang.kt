@@ -64,13 +64,22 @@ internal fun completeRobolang(request: CompletionRequest): CompletionList? {
 }
 
 /** [word] as the tables of the language have it. */
-private fun canonical(word: String, vocabulary: Vocabulary): String =
-    vocabulary.keyword(word)?.text ?: word.lowercase()
+private fun canonical(word: String, vocabulary: Vocabulary): String = vocabulary.keyword(word)?.text ?: word.lowercase()
 
 private fun Completion.inWords(vocabulary: Vocabulary): Completion {
     val written = vocabulary.written(inserted)
     val before = vocabulary.written(inserted.take(caret))
-    return copy(label = vocabulary.written(label), inserted = written, caret = if (written == inserted) caret else before.length)
+    return copy(
+        label = vocabulary.written(label),
+        inserted = written,
+        caret = if (written ==
+            inserted
+        ) {
+            caret
+        } else {
+            before.length
+        },
+    )
 }
 
 private fun words(words: List<String>, help: CompletionHelp, suffix: (String) -> CompletionSuffix? = { null }) =
@@ -85,12 +94,7 @@ private fun functions(help: CompletionHelp) = RobolangWords.functions.map { (nam
 }
 
 /** The names that the program declares, except for the one being written at offset [writing]. */
-private fun namesIn(
-    lines: TextLines,
-    code: CodeTokens,
-    writing: Int,
-    vocabulary: Vocabulary,
-): List<Completion> {
+private fun namesIn(lines: TextLines, code: CodeTokens, writing: Int, vocabulary: Vocabulary): List<Completion> {
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(lines.count, MAX_LINES)) {
         if (!declares(lines, line, vocabulary)) continue

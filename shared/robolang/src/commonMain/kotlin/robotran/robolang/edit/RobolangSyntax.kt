@@ -19,7 +19,9 @@ import robotran.robolang.words.vocabularyOf
 /** What editors ask about Robolang. */
 internal object RobolangSyntax : CodeSyntax {
     override val indent = "  "
-    override val blockEnds = Vocabulary.all.flatMapTo(mutableSetOf()) { listOf(it.text(Keyword.END), it.text(Keyword.ELSE)) }
+    override val blockEnds = Vocabulary.all.flatMapTo(mutableSetOf()) {
+        listOf(it.text(Keyword.END), it.text(Keyword.ELSE))
+    }
     override val keys = listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ",")
 
     override fun blockEffect(line: String): BlockEffect {

@@ -1,6 +1,5 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.words.isDigit
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
@@ -11,6 +10,7 @@ import robotran.robolang.words.OPENERS
 import robotran.robolang.words.SETTINGS
 import robotran.robolang.words.SIDES
 import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.isDigit
 import robotran.robolang.words.lowercaseKeyword
 import robotran.robolang.words.written
 

@@ -1,12 +1,12 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.words.isBlank
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.TIME_UNITS
+import robotran.robolang.words.isBlank
 import robotran.robolang.words.lowercaseKeyword
 import robotran.robolang.words.written
 
@@ -115,7 +115,14 @@ internal fun DiagnosticSink.reportUnit(
 ) {
     if (reportsDeclaredName(reader)) return
     val command = lowercaseKeyword(reader.first.text)
-    val message = messages.wrongUnit(command, shortened(word.text), units.map { vocabulary.text(it) }, meant?.let { vocabulary.text(it) })
+    val message = messages.wrongUnit(
+        command,
+        shortened(word.text),
+        units.map {
+            vocabulary.text(it)
+        },
+        meant?.let { vocabulary.text(it) },
+    )
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 

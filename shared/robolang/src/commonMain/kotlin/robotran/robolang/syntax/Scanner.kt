@@ -1,13 +1,13 @@
 package robotran.robolang.syntax
 
-import robotran.robolang.words.isLetter
-import robotran.robolang.words.isDigit
-import robotran.robolang.words.isBlank
 import robotran.language.pasted.pastedCharacter
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.isBlank
+import robotran.robolang.words.isDigit
+import robotran.robolang.words.isLetter
 import robotran.robolang.words.vocabularyOf
 
 internal const val BYTE_ORDER_MARK = "\uFEFF"

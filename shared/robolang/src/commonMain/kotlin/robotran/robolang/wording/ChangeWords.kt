@@ -40,9 +40,16 @@ fun changeWords(source: String, to: Vocabulary): ChangedWords {
         line.tokens.filter { token ->
             val other = if (token.kind == TokenKind.WORD) to.keyword(token.text, first) else null
             val stays = token.keyword == null || token.range in names
-            other != null && stays && !(token.range in names && (other.isFree || other.yields || token.text.length == 1))
+            other != null && stays &&
+                !(token.range in names && (other.isFree || other.yields || token.text.length == 1))
         }
     }
-    if (inTheWay.isNotEmpty()) return ChangedWords.NamesInTheWay(inTheWay.map { it.text }.distinctBy(::lowercaseSpelling))
+    if (inTheWay.isNotEmpty()) {
+        return ChangedWords.NamesInTheWay(
+            inTheWay.map {
+                it.text
+            }.distinctBy(::lowercaseSpelling),
+        )
+    }
     return ChangedWords.Success(rewritten(source, program.lines, from, to) { it.range in names })
 }

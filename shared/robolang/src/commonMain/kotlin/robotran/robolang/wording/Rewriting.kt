@@ -21,11 +21,18 @@ internal fun rewritten(
     var position = 0
     for (line in lines) {
         line.tokens.forEachIndexed { index, token ->
-            val keyword = token.keyword?.takeUnless { token.kind != TokenKind.WORD || token.text == "}" || isName(token) }
+            val keyword = token.keyword?.takeUnless {
+                token.kind != TokenKind.WORD || token.text == "}" || isName(token)
+            }
             if (keyword != null) {
                 val span = offsets.span(token.range)
                 append(source, position, span.start)
-                append(inCaseOf(token.text, to.text(keyword, placeIn(line.tokens, index), from.rankOf(keyword, token.text))))
+                append(
+                    inCaseOf(
+                        token.text,
+                        to.text(keyword, placeIn(line.tokens, index), from.rankOf(keyword, token.text)),
+                    ),
+                )
                 position = span.end
             }
         }

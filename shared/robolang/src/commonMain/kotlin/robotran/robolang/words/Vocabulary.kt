@@ -22,8 +22,9 @@ class Vocabulary private constructor(val language: Language, column: List<List<S
         return candidates.firstOrNull { (it in WITHIN_FOR) == (first == Keyword.FOR) } ?: candidates.first()
     }
 
-    /** All that can be written for [keyword]. */
-    internal fun texts(keyword: Keyword): List<String> = spellings.getValue(keyword).map { it.text }
+    /** All that this language writes for [keyword]. */
+    internal fun texts(keyword: Keyword): List<String> =
+        spellings.getValue(keyword).filterNot { it.isBorrowed }.map { it.text }
 
     /** How [keyword] is usually written. */
     internal fun text(keyword: Keyword): String = spellings.getValue(keyword).first().text
@@ -78,9 +79,15 @@ internal data class WordPlace(val isFirst: Boolean, val isBehindOne: Boolean, va
  * One spelling of a keyword.
  *
  * @property rank 0 or 1 where a language has two, otherwise null.
+ * @property isBorrowed whether it is English, for a difference that the language does not make.
  * @property isFor where it is written instead of the usual one.
  */
-private class Spelling(val text: String, val rank: Int?, val isFor: (WordPlace) -> Boolean = { false })
+private class Spelling(
+    val text: String,
+    val rank: Int?,
+    val isBorrowed: Boolean = false,
+    val isFor: (WordPlace) -> Boolean = { false },
+)
 
 /** Reads a cell of [KEYWORD_TABLE]. English spellings without a counterpart in [cell] can be read, too. */
 private fun spellingsOf(cell: String, english: String): List<Spelling> {
@@ -90,7 +97,7 @@ private fun spellingsOf(cell: String, english: String): List<Spelling> {
     val own = usual.mapIndexed { index, text -> Spelling(text, index.takeIf { usual.size > 1 }) }
     val placed = parts.drop(1).map { placedSpelling(it, rank = if (usual.size > 1) 0 else null) }
     if (ranks.size == usual.size) return own + placed
-    val foreign = ranks.mapIndexed { rank, text -> Spelling(text, rank) }
+    val foreign = ranks.mapIndexed { rank, text -> Spelling(text, rank, isBorrowed = true) }
     return own + placed + foreign.filter { spelling -> own.none { it.text == spelling.text } }
 }
 
@@ -100,5 +107,5 @@ private fun placedSpelling(part: String, rank: Int?): Spelling {
         "first" -> { place -> place.isFirst }
         else -> Keyword.entries.first { it.text == words[2] }.let { next -> { place -> place.next == next } }
     }
-    return Spelling(words[0], rank, isFor)
+    return Spelling(words[0], rank, isFor = isFor)
 }

@@ -1,6 +1,5 @@
 package robotran.robolang.words
 
-
 /**
  * The words that the program [source] is written in: those of the language in which most of its lines begin with a
  * command; of several, those that know most of its words; English if none is better. Never throws, and takes time linear
@@ -25,7 +24,10 @@ private class Line(private val word: String, private val rest: String) {
     fun isCommandIn(vocabulary: Vocabulary): Boolean = !assignsOrCalls && vocabulary.keyword(word) in Keyword.COMMANDS
 
     /** How many of its words are keywords of [vocabulary]. Single letters are names rather than keywords. */
-    fun wordsIn(vocabulary: Vocabulary): Int = wordsOfCode("$word $rest").count { it.length > 1 && vocabulary.keyword(it) != null }
+    fun wordsIn(vocabulary: Vocabulary): Int = wordsOfCode("$word $rest").count {
+        it.length > 1 &&
+            vocabulary.keyword(it) != null
+    }
 }
 
 private fun lineOf(text: String): Line? {

@@ -42,8 +42,7 @@ internal fun Vocabulary.quoted(sentence: String, names: Set<String>): String {
 }
 
 /** The words of [text] in lower case. */
-internal fun wordsOf(text: String): List<String> =
-    WORD.findAll(text).map { lowercaseKeyword(it.value) }.toList()
+internal fun wordsOf(text: String): List<String> = WORD.findAll(text).map { lowercaseKeyword(it.value) }.toList()
 
 /** [unit] in these words, as it agrees with [number]; [unit] as it is if it is none in these words. */
 fun Vocabulary.agreeing(unit: String, number: String): String {

@@ -22,8 +22,10 @@ class ChangeWordsTest {
 
     @Test
     fun `keywords change, and nothing else`() {
-        val english = "  repeat 4 times // forward\r\n\tforward  20cm\n  Turn left 90\nend\nshow \"end\"\nprocedure go(side)\nend\n"
-        val german = "  wiederhole 4 mal // forward\r\n\tvorwärts  20cm\n  Drehe links 90\nende\nzeige \"end\"\nprozedur go(side)\nende\n"
+        val english = "  repeat 4 times // forward\r\n\tforward  20cm\n  Turn left 90\nend\nshow \"end\"\n" +
+            "procedure go(side)\nend\n"
+        val german = "  wiederhole 4 mal // forward\r\n\tvorwärts  20cm\n  Drehe links 90\nende\nzeige \"end\"\n" +
+            "prozedur go(side)\nende\n"
         assertEquals(german, changed(english, Language.GERMAN))
         assertEquals(english, changed(german, Language.ENGLISH))
     }
@@ -31,12 +33,14 @@ class ChangeWordsTest {
     @Test
     fun `every program goes into each language and back to the same bytes`() {
         val different = mutableListOf<String>()
-        for ((path, text) in programs) for (language in Language.entries) {
-            val there = changeWords(text, Vocabulary.of(language))
-            if (there is ChangedWords.NamesInTheWay) continue
-            val other = assertIs<ChangedWords.Success>(there, path).text
-            val back = changeWords(other, vocabularyOf(text))
-            if (back != ChangedWords.Success(text)) different += "$path in $language"
+        for ((path, text) in programs) {
+            for (language in Language.entries) {
+                val there = changeWords(text, Vocabulary.of(language))
+                if (there is ChangedWords.NamesInTheWay) continue
+                val other = assertIs<ChangedWords.Success>(there, path).text
+                val back = changeWords(other, vocabularyOf(text))
+                if (back != ChangedWords.Success(text)) different += "$path in $language"
+            }
         }
         assertEquals(emptyList(), different)
     }

@@ -15,8 +15,14 @@ class VocabularyTest {
     @Test
     fun `every language of the app has words of its own`() {
         assertEquals(Language.entries.toSet(), Vocabulary.all.map { it.language }.toSet())
-        for (vocabulary in Vocabulary.all) for (keyword in Keyword.entries) {
-            assertEquals(keyword, vocabulary.keyword(vocabulary.text(keyword), first = lineOf(keyword)), "$vocabulary $keyword")
+        for (vocabulary in Vocabulary.all) {
+            for (keyword in Keyword.entries) {
+                assertEquals(
+                    keyword,
+                    vocabulary.keyword(vocabulary.text(keyword), first = lineOf(keyword)),
+                    "$vocabulary $keyword",
+                )
+            }
         }
     }
 
@@ -31,7 +37,10 @@ class VocabularyTest {
     @Test
     fun `a program in English stays one, also with names from another language`() {
         assertEquals(Language.ENGLISH, vocabularyOf("").language)
-        assertEquals(Language.ENGLISH, vocabularyOf("vorwärts()\nvorwärts()\nende = 5\nprocedure vorwärts()\nend").language)
+        assertEquals(
+            Language.ENGLISH,
+            vocabularyOf("vorwärts()\nvorwärts()\nende = 5\nprocedure vorwärts()\nend").language,
+        )
         assertEquals(Language.ENGLISH, vocabularyOf("forward 20\nvorwärts 20\nbeep").language)
     }
 

@@ -16,7 +16,8 @@ internal class RowReader(private val program: BlockProgram, private val looks: B
         val block = row.block
         val pieces = when (row) {
             is BlockRow.Empty -> emptyList()
-            is BlockRow.End -> listOf(PosterPiece(program.vocabulary.written("end"), isSocket = false)) + noteOf(row.line)
+            is BlockRow.End -> listOf(PosterPiece(program.vocabulary.written("end"), isSocket = false)) +
+                noteOf(row.line)
             is BlockRow.Branch -> piecesOf(row.line) + noteOf(row.line)
 
             is BlockRow.First -> when (block) {

@@ -60,7 +60,10 @@ fun previewOf(
 ): SheetPreview? {
     val text = part.span.textIn(source)
     val number = text.takeIf { NUMBER.matches(it) }?.toDoubleOrNull() ?: return null
-    val isReverse = line.parts.any { it is PhrasePart.Choice && vocabulary.inEnglish(it.span.textIn(source)).lowercase() in REVERSE }
+    val isReverse = line.parts.any {
+        it is PhrasePart.Choice &&
+            vocabulary.inEnglish(it.span.textIn(source)).lowercase() in REVERSE
+    }
     val signed = if (isReverse) -number else number
     return when {
         part.use == ValueUse.DISTANCE && line.form == LineForm.MOVE -> SheetPreview.Way(pose, text, signed, isReverse)

@@ -19,7 +19,11 @@ internal fun ChoiceDialog(part: PhrasePart.Choice, scope: BlockScope, onClose: (
     BlockDialogFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
-                DialogButton(scope.written(option), ProgramTags.choice(index), isChosen = option.equals(now, ignoreCase = true)) {
+                DialogButton(
+                    scope.written(option),
+                    ProgramTags.choice(index),
+                    isChosen = option.equals(now, ignoreCase = true),
+                ) {
                     scope.put(option)
                     onClose()
                 }
