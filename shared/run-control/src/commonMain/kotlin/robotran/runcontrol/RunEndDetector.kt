@@ -12,6 +12,7 @@ internal class RunEndDetector(private val world: World) {
     private var quiet = 0L
     private var goals: List<GoalProgress>? = null
     private var isCompleted = false
+    private var isMetAtStart = false
 
     /**
      * Whether the task is completed, or the first robot's program has ended and nothing has moved or sounded for
@@ -31,14 +32,18 @@ internal class RunEndDetector(private val world: World) {
     /** Whether the time limit is reached. */
     fun isTimeUp(state: SessionState): Boolean = state.milliseconds >= world.timeLimit * MILLISECONDS_PER_SECOND
 
-    /** Whether the task is completed, although the program may still run. */
+    /**
+     * Whether the task is completed, although the program may still run. A task whose goals are met from the start on
+     * has nothing to complete, so such a run goes on until its program has ended.
+     */
     fun isCompleted(state: SessionState): Boolean {
         // The goals rarely change.
         if (state.goals !== goals) {
             goals = state.goals
             isCompleted = isTaskCompleted(world, state.goals)
+            if (isCompleted && state.milliseconds <= FIRST_LOOK_MILLISECONDS) isMetAtStart = true
         }
-        return isCompleted
+        return isCompleted && !isMetAtStart
     }
 
     fun cutAt() {
@@ -54,6 +59,9 @@ internal class RunEndDetector(private val world: World) {
     private companion object {
         /** Same as in grading. */
         const val QUIET_MILLISECONDS = 300L
+
+        /** When goals are evaluated for the first time; no robot has left its place by then. */
+        const val FIRST_LOOK_MILLISECONDS = 10L
         const val MILLISECONDS_PER_SECOND = 1_000L
     }
 }

@@ -2,11 +2,17 @@ package robotran.runcontrol
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.program.StepKind
+import robotran.brick.state.RunState
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
 import robotran.simulation.StopReason
+import robotran.simulation.state.GoalStatus
+import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
 import robotran.world.geometry.Pose
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -243,5 +249,16 @@ class RunPlayerTest {
         player.pass(10)
         assertEquals(PlaybackState.Paused, player.playback)
         assertEquals(StopReason.Ended, player.stop)
+    }
+
+    @Test
+    fun `a goal in which the robot already stands does not end the run before the program has`() = runTest {
+        val start = BuiltInWorlds.plain.robots.first().start
+        val goal = Goal(GoalCondition.Reach(Shape.Circle(Point(start.x, start.y), 10.0)))
+        val world = BuiltInWorlds.plain.copy(goals = listOf(goal))
+        val player = started("forward 20", world)
+        player.untilStill()
+        assertTrue(player.state.brick.run is RunState.Ended, "The run stops after ${player.time} ms.")
+        assertEquals(GoalStatus.MET, player.outcome.goals.single().status)
     }
 }

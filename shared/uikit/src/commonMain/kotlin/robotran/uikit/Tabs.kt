@@ -18,20 +18,22 @@ import androidx.compose.material3.Tab as MaterialTab
 /** One of several [Tabs], with a sign if it [isMarked] for something wrong in it. */
 class Tab(val name: String, val tag: String, val isMarked: Boolean = false)
 
-/** The names of panes, of which one is [chosen]. With large text they scroll. */
+/** The names of panes, of which one is [chosen]; null if none is. With large text they scroll. */
 @OptIn(ExperimentalMaterial3Api::class)
 @Composable
-fun Tabs(tabs: List<Tab>, chosen: Int, modifier: Modifier = Modifier, onChoose: (Int) -> Unit) {
+fun Tabs(tabs: List<Tab>, chosen: Int?, modifier: Modifier = Modifier, onChoose: (Int) -> Unit) {
     val colours = LocalRobotranColours.current
     val indicator: @Composable TabIndicatorScope.() -> Unit = {
-        TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen), color = colours.onPane, width = 56.dp)
+        if (chosen != null) {
+            TabRowDefaults.PrimaryIndicator(Modifier.tabIndicatorOffset(chosen), color = colours.onPane, width = 56.dp)
+        }
     }
     val all: @Composable () -> Unit = {
         tabs.forEachIndexed { place, tab -> OneTab(tab, place == chosen) { onChoose(place) } }
     }
     if (LocalDensity.current.fontScale > LARGE) {
         PrimaryScrollableTabRow(
-            selectedTabIndex = chosen,
+            selectedTabIndex = chosen ?: 0,
             modifier = modifier,
             containerColor = colours.pane,
             contentColor = colours.onPane,
@@ -41,7 +43,7 @@ fun Tabs(tabs: List<Tab>, chosen: Int, modifier: Modifier = Modifier, onChoose: 
             tabs = all,
         )
     } else {
-        PrimaryTabRow(chosen, modifier, colours.pane, colours.onPane, indicator, { }, all)
+        PrimaryTabRow(chosen ?: 0, modifier, colours.pane, colours.onPane, indicator, { }, all)
     }
 }
 

@@ -4,13 +4,19 @@ import kotlinx.coroutines.CoroutineScope
 import robotran.projects.Project
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.documents.DocumentStateHolder
+import robotran.workshop.event.AssignmentEvent
+import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.HandInsEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
+import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SchoolEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.event.WorldEvent
 import robotran.workshop.platform.Platform
 import robotran.workshop.programs.ProgramRoom
@@ -22,6 +28,7 @@ import robotran.workshop.service.RoomEvent
 import robotran.workshop.service.RoomEvents
 import robotran.workshop.service.Services
 import robotran.workshop.settings.SettingsStateHolder
+import robotran.workshop.state.LearningPage
 import robotran.workshop.state.Settings
 import robotran.workshop.world.WorldRoom
 
@@ -86,6 +93,7 @@ internal class Rooms(
     }
 
     fun handle(event: WorkshopEvent) {
+        if (opensRoom(event)) programs.closeBlockSheet()
         when (event) {
             is ProgramEvent -> programs.handle(event)
             is RunEvent -> run.handle(event)
@@ -99,4 +107,13 @@ internal class Rooms(
         }
         events.publish(ProjectRoomEvent.Touched)
     }
+}
+
+/** Whether [event] leads to another room, so that a number that is open in the blocks would be in the way there. */
+private fun opensRoom(event: WorkshopEvent): Boolean = when (event) {
+    is LearningEvent.PageRequested -> event.page != LearningPage.HELP
+    is SettingsEvent.SettingsShown -> event.shown
+    LearningEvent.TutorialStarted, WorldEditEvent.EditorOpened, is RobotEditEvent.BenchOpened -> true
+    HandInsEvent.Requested, AssignmentEvent.MakingRequested, CourseEvent.ListRequested -> true
+    else -> false
 }

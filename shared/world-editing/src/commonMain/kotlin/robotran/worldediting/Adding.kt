@@ -8,14 +8,18 @@ import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
 import robotran.world.geometry.simplified
 
-/** Adds [element] near [at], where there is free space, and selects it. */
-internal fun WorldEditing.put(element: Element, at: Point): Outcome? {
+/**
+ * Adds [element] near [at] and selects it: what stands where no other thing stands, and with [inSight] anything where
+ * there is nothing else.
+ */
+internal fun WorldEditing.put(element: Element, at: Point, inSight: Bounds?): Outcome? {
     val form = element.form ?: return null
     val corner = Point(form.bounds.left, form.bounds.bottom)
     val middle = form.bounds.middle
     val there = snapping.onGrid(Point(at.x + corner.x - middle.x, at.y + corner.y - middle.y))
     val placed = form.movedBy(there.x - corner.x, there.y - corner.y)
-    return added(listOf(element.withForm(world.freeFormFor(placed, element.kind))), Point(0.0, 0.0))
+    val free = inSight?.let { world.inFreeRoom(element, placed, it) } ?: world.freeFormFor(placed, element.kind)
+    return added(listOf(element.withForm(free)), Point(0.0, 0.0))
 }
 
 internal fun WorldEditing.pasted(at: Point?): Outcome? {
@@ -85,9 +89,6 @@ private fun World.isFree(form: Form, kinds: Set<ElementKind>, margin: Double): B
 private fun isSame(one: Bounds, other: Bounds) =
     listOf(one.left - other.left, one.right - other.right, one.bottom - other.bottom, one.top - other.top)
         .all { it in SAME_PLACE..-SAME_PLACE }
-
-private fun meet(one: Bounds, other: Bounds) =
-    one.left < other.right && other.left < one.right && one.bottom < other.top && other.bottom < one.top
 
 private val World.paperBounds: Bounds get() = Bounds(0.0, 0.0, paper.width, paper.height)
 

@@ -19,7 +19,7 @@ internal fun WorldEditing.outcomeOf(edit: WorldEdit): Outcome? = when (edit) {
     WorldEdit.Ungroup -> Outcome.Made(snapshot.copy(groups = groups.filter { group -> group.none { it in selection } }))
     is WorldEdit.Align -> aligned(edit.side)
     is WorldEdit.Restack -> restacked(edit.order)
-    is WorldEdit.Put -> put(edit.piece, edit.at)
+    is WorldEdit.Put -> put(edit.piece, edit.at, edit.inSight)
     is WorldEdit.Change -> changed(edit.thing, edit.piece)
     is WorldEdit.MoveCorner -> corners(edit.thing) { it.with(edit.number, edit.to) }
     is WorldEdit.AddCorner -> cornerAdded(edit)

@@ -69,8 +69,12 @@ sealed interface WorldEdit {
 
     // Changes of one element.
 
-    /** @property at the desired position; the nearest free space is used. */
-    data class Put(val piece: Element, val at: Point) : WorldEdit
+    /**
+     * @property at the desired position. What stands is put into the nearest free space.
+     * @property inSight the part of the sheet that is seen if nobody has chosen the place: then everything is put where
+     * there is nothing else, and there if possible.
+     */
+    data class Put(val piece: Element, val at: Point, val inSight: Bounds? = null) : WorldEdit
 
     /** Replaces [thing] by [piece], of the same kind; rounds its numbers as in a file. */
     data class Change(val thing: ElementRef, val piece: Element) : WorldEdit

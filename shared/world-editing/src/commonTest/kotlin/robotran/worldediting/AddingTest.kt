@@ -1,9 +1,11 @@
 package robotran.worldediting
 
 import robotran.world.WorldLimits
+import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 import kotlin.test.Test
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertNotEquals
 import kotlin.test.assertTrue
 
@@ -93,5 +95,51 @@ class AddingTest {
         assertEquals("box 3", pasted.world.blocks.last().name)
         assertTrue(two.after(WorldEdit.Select(null), WorldEdit.Copy).clipboard.isEmpty())
         pasted.assertSound()
+    }
+
+    @Test
+    fun `what is put by a touch lies apart from the robot and from all that is there`() {
+        val middle = Point(30.0, 45.0)
+        val items = PaletteItem.entries - PaletteItem.PERMITTED_AREA
+        val full = items.fold(emptySheet()) { now, item ->
+            now.after(WorldEdit.Put(item.piece(now.world), middle, SHEET))
+        }
+        val areas = full.world.things().map { it to checkNotNull(full.world.piece(it)?.form).bounds }
+        for ((one, its) in areas) {
+            assertTrue(
+                its.left >= 0 && its.right <= 120 && its.bottom >= 0 && its.top <= 90,
+                "$one is beside the paper",
+            )
+            for ((other, others) in areas) assertTrue(one == other || !meet(its, others), "$one lies over $other")
+        }
+        assertEquals(emptyList(), goalsMetAtStart(full.world))
+        full.assertSound()
+    }
+
+    @Test
+    fun `what is put by a touch stays in sight if there is room, even if there is more elsewhere`() {
+        val seen = Bounds(10.0, 40.0, 60.0, 90.0)
+        val goal = PaletteItem.GOAL_AREA.piece(newWorld("Test"))
+        val put = emptySheet().after(WorldEdit.Put(goal, Point(30.0, 45.0), SHEET)).chosenForm.bounds
+        val close = emptySheet().after(WorldEdit.Put(goal, Point(30.0, 45.0), seen)).chosenForm.bounds
+        assertTrue(close in seen, "$close")
+        assertFalse(put in seen, "$put is in sight, too")
+    }
+
+    @Test
+    fun `what is put by a touch lies in the middle if that is free, and a permitted area around the robot`() {
+        val wall = emptySheet().after(
+            WorldEdit.Put(PaletteItem.WALL.piece(newWorld("Test")), Point(80.0, 45.0), SHEET),
+        )
+        assertTrue(wall.chosenForm.bounds.contains(80.0, 45.0))
+        val area = PaletteItem.PERMITTED_AREA.piece(wall.world)
+        assertTrue(
+            wall.after(WorldEdit.Put(area, Point(30.0, 45.0), SHEET)).chosenForm.bounds.contains(30.0, 45.0),
+        )
+    }
+
+    private companion object {
+        /** All of it. */
+        val SHEET = Bounds(0.0, 0.0, 120.0, 90.0)
     }
 }

@@ -1,6 +1,7 @@
 package robotran.worldediting
 
 import robotran.world.Goal
+import robotran.world.GoalCondition
 import robotran.world.GoalCondition.All
 import robotran.world.GoalCondition.AnyOf
 import robotran.world.GoalCondition.DrawTemplate
@@ -10,7 +11,10 @@ import robotran.world.GoalCondition.InOrder
 import robotran.world.GoalCondition.InkLength
 import robotran.world.GoalCondition.NeverTouch
 import robotran.world.GoalCondition.PlaySound
+import robotran.world.GoalCondition.Reach
 import robotran.world.GoalCondition.ShowOnDisplay
+import robotran.world.geometry.Point
+import robotran.world.geometry.Shape
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -138,5 +142,17 @@ class GoalsTest {
         )
         val soon = Goal(EndWithin(7))
         assertTrue(two.after(WorldEdit.Change(thing, Element.OfGoal(soon))).world.goals[1] == soon)
+    }
+
+    @Test
+    fun `a goal where the robot starts is met at the start unless it is to be there at the end or after others`() {
+        val over = Reach(Shape.Rectangle(Point(30.0, 45.0), 20.0, 20.0))
+        val goal = { condition: GoalCondition -> emptySheet().after(WorldEdit.AddGoal(Goal(condition))).world }
+        assertEquals(listOf(ElementRef(ElementKind.GOAL, 0)), goalsMetAtStart(goal(over)))
+        val small = Reach(Shape.Circle(Point(30.0, 45.0), 3.0), whole = true)
+        assertEquals(emptyList(), goalsMetAtStart(goal(small)), "A part of the robot is outside.")
+        assertEquals(emptyList(), goalsMetAtStart(goal(over.copy(stays = true))))
+        assertEquals(emptyList(), goalsMetAtStart(goal(InOrder(listOf(Goal(over))))))
+        assertEquals(emptyList(), goalsMetAtStart(goal(Reach(Shape.Rectangle(Point(80.0, 45.0), 20.0, 20.0)))))
     }
 }

@@ -60,7 +60,7 @@ class GoalSentenceTest {
                 "Never touch a wall, a barrier or another robot.",
             Goal(NeverTouch(setOf(TouchKind.BLOCKS), who = "red")) to "Let the robot \"red\" never touch a block.",
             Goal(DrawTemplate(tolerance = 1.5)) to
-                "Draw over the template: 90 % of it, and not more than 1.5 cm beside it.",
+                "Trace the drawing: 90 % of it, and not more than 1.5 cm beside it.",
             Goal(InkLength(20.0, null)) to "Draw 20 cm or more.",
             Goal(InkLength(null, 30.5)) to "Do not draw more than 30.5 cm.",
             Goal(InkLength(20.0, 30.0)) to "Draw 20 to 30 cm.",

@@ -39,9 +39,9 @@ class ShortfallSentenceTest {
             InkShortfall.TooLong(30.0, moment) to
                 "The drawing was long enough at 12.4 s. After that, 30 cm too much was drawn.",
             InkShortfall.TemplateMissing(0.189, 0.9, emptyList()) to
-                "18 % of the template is drawn, and 90 % is needed.",
+                "18 % of the drawing is traced, and 90 % is needed.",
             InkShortfall.InkBesideTemplate(17.0, emptyList(), moment) to
-                "17 cm is drawn beside the template. That is too much.",
+                "17 cm of ink is beside the drawing. That is too much.",
             LineShortfall.NotReached(5.0, here, moment) to
                 "The light sensor never found the line. It came as close as 5 cm.",
             LineShortfall.Left(0.62, 30.0, false, moment) to "The line was left at 12.4 s, after 62 % of the way.",

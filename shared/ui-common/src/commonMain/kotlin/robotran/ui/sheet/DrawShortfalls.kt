@@ -41,11 +41,11 @@ fun DrawScope.drawShortfallLines(marks: List<ShortfallMark>, toPixels: (Point) -
     }
 }
 
-/** A numbered pin at each place. */
+/** A pin with its letter at each place. */
 fun DrawScope.drawShortfallPins(marks: List<ShortfallMark>, labels: TextMeasurer, toPixels: (Point) -> Offset?) {
     for (mark in marks) {
         val place = mark.shortfall.place ?: continue
-        toPixels(place)?.let { drawPin(mark.number.toString(), it, labels) }
+        toPixels(place)?.let { drawPin(mark.sign.orEmpty(), it, labels) }
     }
 }
 
@@ -99,9 +99,9 @@ private fun pathOf(stretch: TemplateStretch, toPixels: (Point) -> Offset?) = Pat
 }
 
 /** A drop with its tip at [tip]. */
-private fun DrawScope.drawPin(number: String, tip: Offset, labels: TextMeasurer) {
+private fun DrawScope.drawPin(letter: String, tip: Offset, labels: TextMeasurer) {
     val radius = PIN_RADIUS.toPx()
-    // At the upper edge the pin hangs upside down, so that its number stays visible.
+    // At the upper edge the pin hangs upside down, so that its letter stays visible.
     val up = if (tip.y < PIN_HEIGHT * radius) -1f else 1f
     val middle = tip - Offset(0f, up * (PIN_HEIGHT - 1) * radius)
     val drop = Path().apply {
@@ -115,7 +115,7 @@ private fun DrawScope.drawPin(number: String, tip: Offset, labels: TextMeasurer)
     drawCircle(RobotranColours.CASING, radius + 1.dp.toPx(), middle)
     drawPath(drop, SheetColours.SHORTFALL)
     drawCircle(SheetColours.SHORTFALL, radius, middle)
-    drawLabel(labels, number, middle, radius * 1.2f, RobotranColours.CASING)
+    drawLabel(labels, letter, middle, radius * 1.2f, RobotranColours.CASING)
 }
 
 private val WIDTH = 4.dp

@@ -1,14 +1,13 @@
 package robotran.ui.texts
 
 import robotran.brick.kind.BrickKind
-import robotran.language.Language
 import robotran.uikit.*
 
 /**
  * What the screens call a kind of brick and what it has.
  *
  * @property newProject begins a project with such a robot.
- * @property programIsFor says that a program is for this brick and not for that of the robot with the given name.
+ * @property programIsFor says that a program is for this brick and not for that of the robot.
  * @property use gives the robot this brick.
  * @property send what brings a program onto a real one.
  * @property off what its picture says while it is off.
@@ -18,7 +17,7 @@ import robotran.uikit.*
  */
 class BrickLabels private constructor(
     val newProject: Label,
-    val programIsFor: (language: Language, robot: String) -> String,
+    val programIsFor: Label,
     val use: Label,
     val send: Label,
     val off: Label,

@@ -32,9 +32,11 @@ internal fun TextAndDiagnostics(
             text()
             Column(Modifier.align(Alignment.BottomCenter)) { overFoot() }
         }
-        state.otherBrick?.let { brick -> OtherBrickBar(brick, state.shownRobot) { onPenbot(brick) } }
-        // The bar about the other brick says the same as a mistake without a place.
-        val isShown = state.otherBrick != null && state.diagnostics.all { it.range == null }
+        state.otherBrick?.let { brick -> OtherBrickBar(brick) { onPenbot(brick) } }
+        // The bar about the other brick says the same as a mistake without a place. With a program to begin with, it
+        // says all that a pupil needs who has only come here with the program of another world.
+        val isShown = state.otherBrick != null &&
+            (LocalBeginning.current != null || state.diagnostics.all { it.range == null })
         if (hasErrors && state.diagnostics.isNotEmpty() && !isShown) {
             val pointedOut = state.errorPointedOut
             DiagnosticStrip(

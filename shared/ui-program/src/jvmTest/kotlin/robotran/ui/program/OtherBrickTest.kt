@@ -17,6 +17,7 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.examples.examplesFor
 import robotran.workshop.platform.OpenedFile
@@ -33,7 +34,7 @@ class OtherBrickTest {
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("Hello.java", text)))
         runBlocking { workshop.compilePrograms() }
         pass(300)
-        onNodeWithText("This program is for an NXT; the robot yellow has an RCX.").assertIsDisplayed()
+        onNodeWithText("This robot has an RCX. Your program is for an NXT.").assertIsDisplayed()
         onNodeWithTag(ProgramTags.USE_OTHER_BRICK).performClick()
         runBlocking { workshop.compilePrograms() }
         pass(300)
@@ -62,7 +63,7 @@ class OtherBrickTest {
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.nqc", "task main()\n{\n    Wait(10);\n}\n")))
         runBlocking { workshop.compilePrograms() }
         pass(300)
-        onNodeWithText("This program is for an RCX; the robot yellow has an NXT.").assertIsDisplayed()
+        onNodeWithText("This robot has an NXT. Your program is for an RCX.").assertIsDisplayed()
         onNodeWithTag(ProgramTags.MISTAKES).assertDoesNotExist()
         onNodeWithTag(RunTags.STATUS).assertTextEquals("The program cannot run like this.")
         workshop.handle(ProgramEvent.ProgramEdited("task main()\n{\n    Wait(10)\n}\n"))
@@ -70,6 +71,27 @@ class OtherBrickTest {
         pass(300)
         onNodeWithTag(ProgramTags.OTHER_BRICK).assertExists()
     }
+
+    @Test
+    fun `in a world for the other brick a program that came along is told once, with a program to begin with`() =
+        onTablet { workshop ->
+            workshop.handle(LearningEvent.WorldChosen("nxt-wall"))
+            workshop.handle(
+                ProgramEvent.ProgramEdited("robot\n  sonar on 1\nend\nstart forward\nshow distance\nstop\n"),
+            )
+            runBlocking { workshop.compilePrograms() }
+            assertEquals(emptyList(), workshop.state.diagnostics)
+            workshop.handle(LearningEvent.WorldChosen("slalom"))
+            runBlocking { workshop.compilePrograms() }
+            pass(300)
+            onNodeWithText("This robot has an RCX. Your program is for an NXT.").assertIsDisplayed()
+            onNodeWithTag(ProgramTags.MISTAKES).assertDoesNotExist()
+            onNodeWithTag(ProgramTags.OTHER_BRICK_BEGINNING).assertIsDisplayed().performClick()
+            runBlocking { workshop.compilePrograms() }
+            pass(300)
+            onNodeWithTag(ProgramTags.OTHER_BRICK).assertDoesNotExist()
+            assertEquals(emptyList(), workshop.state.diagnostics)
+        }
 
     @Test
     fun `a robot that is dropped on the window takes the place of the robot, and Undo brings that back`() {

@@ -34,7 +34,7 @@ import robotran.workshop.event.RunEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.ShortfallMark
 
-/** What was missing for a goal, with the number of its pin. A touch shows the moment and the place. */
+/** What was missing for a goal, with the letter of its pin. A touch shows the moment and the place. */
 @Composable
 fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
@@ -59,7 +59,7 @@ fun ShortfallRow(mark: ShortfallMark, onEvent: (WorkshopEvent) -> Unit, modifier
         Arrangement.spacedBy(8.dp),
         Alignment.CenterVertically,
     ) {
-        mark.number?.let { PinNumber(it) }
+        mark.sign?.let { PinLetter(it) }
         Column(Modifier.padding(vertical = 4.dp)) {
             Text(
                 sentence,
@@ -88,9 +88,9 @@ private fun lineText(mark: ShortfallMark): String? {
     }
 }
 
-/** The number as on the pin on the sheet. */
+/** The letter as on the pin on the sheet. */
 @Composable
-private fun PinNumber(number: Int) {
+private fun PinLetter(letter: String) {
     Box(
         Modifier
             .clearAndSetSemantics { }
@@ -99,7 +99,7 @@ private fun PinNumber(number: Int) {
         Alignment.Center,
     ) {
         Text(
-            "$number",
+            letter,
             style = TextStyles.small.copy(fontWeight = FontWeight.Bold),
             color = RobotranColours.ON_COLOUR,
             textAlign = TextAlign.Center,

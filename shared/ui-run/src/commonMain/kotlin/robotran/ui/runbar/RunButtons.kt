@@ -40,7 +40,7 @@ fun RunButton(pulsing: Boolean, onClick: () -> Unit, modifier: Modifier = Modifi
         BarWords(RunTexts.run(spoken), RunTexts.runHelp(spoken)),
         RunTags.RUN,
         modifier.drawBehind { drawPulse(ring.value) }.defaultMinSize(minWidth = if (room) MIN_RUN_WIDTH else 0.dp),
-        ButtonKind.RUN,
+        if (LocalRunIsNext.current) ButtonKind.RUN else ButtonKind.RUN_OTHER,
         room = room,
         onClick = onClick,
     )

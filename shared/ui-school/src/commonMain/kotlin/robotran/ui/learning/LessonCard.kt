@@ -27,7 +27,14 @@ import robotran.workshop.state.LearningState
 
 /** The [lesson], the one with this [number] in its strand: what it draws, what it is called, and what it teaches. */
 @Composable
-internal fun LessonCard(lesson: Lesson, number: Int, state: LearningState, isNext: Boolean, onClick: () -> Unit) {
+internal fun LessonCard(
+    lesson: Lesson,
+    number: Int,
+    state: LearningState,
+    isNext: Boolean,
+    modifier: Modifier = Modifier,
+    onClick: () -> Unit,
+) {
     val isDone = lesson.name in state.stepsDone
     val brick = state.tutorial?.brick
     val shown = remember(lesson, brick, state.drawings[lesson.name]) {
@@ -41,7 +48,7 @@ internal fun LessonCard(lesson: Lesson, number: Int, state: LearningState, isNex
         isNext -> LearningTexts.mapNext(spoken)
         else -> LearningTexts.mapOpen(spoken)
     }
-    val spokenAs = Modifier.semantics {
+    val spokenAs = modifier.semantics {
         contentDescription = name
         stateDescription = condition
     }

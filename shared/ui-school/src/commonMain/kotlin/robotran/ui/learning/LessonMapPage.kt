@@ -12,6 +12,7 @@ import androidx.compose.runtime.LaunchedEffect
 import androidx.compose.runtime.snapshotFlow
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
@@ -38,13 +39,16 @@ internal fun LessonMapPage(state: LearningState, onEvent: (WorkshopEvent) -> Uni
     Page(LearningTexts.map(spoken), LearningTags.MAP_PAGE, {
         onEvent(LearningEvent.PageClosed)
     }, cards, maxWidth = 1280.dp) {
+        val jump = rememberStrandJump(cards)
+        StrandRow(state, jump::to)
         CardGrid(pictureCardColumns(CARD_WIDTH, NARROW_CARD), cards, LearningTags.MAP) {
             wholeRow("where") { WhereOne(state) }
             for (strand in Lessons.strands) {
                 wholeRow(strand.name) { StrandHead(strand, state) }
                 itemsIndexed(strand.lessons, { _, lesson -> lesson.name }) { place, lesson ->
                     val index = Lessons.indexOf(lesson)
-                    LessonCard(lesson, place + 1, state, isNext = state.nextLesson == index) {
+                    val first = if (place == 0) Modifier.focusRequester(jump.firstOf(strand)) else Modifier
+                    LessonCard(lesson, place + 1, state, isNext = state.nextLesson == index, first) {
                         onEvent(LearningEvent.LessonChosen(index))
                     }
                 }
@@ -57,9 +61,11 @@ internal fun LessonMapPage(state: LearningState, onEvent: (WorkshopEvent) -> Uni
 /** The element of the grid that is the head of the strand with the next lesson; the first one begins with the page. */
 private fun headOf(state: LearningState): Int {
     val next = Lessons.all.getOrNull(state.nextLesson ?: 0) ?: return 0
-    val strands = Lessons.strands.takeWhile { it.name != next.strand }
-    return if (strands.isEmpty()) 0 else 1 + strands.sumOf { 1 + it.lessons.size }
+    return if (next.strand == Lessons.strands.first().name) 0 else headOf(next.strand)
 }
+
+/** The element of the grid that is the head of the strand called [name]. */
+internal fun headOf(name: String): Int = 1 + Lessons.strands.takeWhile { it.name != name }.sumOf { 1 + it.lessons.size }
 
 /** Where the head of its strand leaves no room for the next lesson, [cards] begin with the row above that, or with it. */
 @Composable

@@ -7,6 +7,7 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.SpanStyle
 import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.text.font.FontWeight
+import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.text.withStyle
 import robotran.uikit.*
 
@@ -17,6 +18,7 @@ internal fun MarkedText(
     modifier: Modifier = Modifier,
     colour: Color = LocalRobotranColours.current.onPane,
     weight: FontWeight = FontWeight.Normal,
+    maxLines: Int = Int.MAX_VALUE,
 ) {
     val code = codeStyle().run {
         SpanStyle(color = colour, fontFamily = fontFamily, fontFeatureSettings = fontFeatureSettings)
@@ -27,6 +29,8 @@ internal fun MarkedText(
         modifier,
         TextStyles.sentence.copy(fontWeight = weight),
         color = colour,
+        maxLines = maxLines,
+        overflow = TextOverflow.Ellipsis,
     )
 }
 

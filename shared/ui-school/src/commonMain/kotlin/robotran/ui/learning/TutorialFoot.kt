@@ -13,6 +13,7 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.platform.LocalDensity
 import robotran.learning.Lessons
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
@@ -23,12 +24,17 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**
- * The way through the lessons in one row: back, what is seldom needed in a menu, begin, next. What a pupil does next is
+ * The way through the lessons in one row: back, what is seldom needed in a menu, begin or go to the program, next. What a pupil does next is
  * yellow: begin, or once the task is [done] the next lesson.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, onEvent: (WorkshopEvent) -> Unit) = FlowRow(
+internal fun TutorialFoot(
+    tutorial: TutorialState,
+    done: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+    onProgram: (() -> Unit)?,
+) = FlowRow(
     Modifier.fillMaxWidth().padding(horizontal = Space.SMALL, vertical = Space.TINY),
     Arrangement.SpaceBetween,
 ) {
@@ -48,6 +54,8 @@ internal fun TutorialFoot(tutorial: TutorialState, done: Boolean, onEvent: (Work
                 LearningTags.TRY_STEP,
                 help = LearningTexts.tryStepHelp(spoken),
             ) { onEvent(LearningEvent.StepTried) }
+        } else if (onProgram != null && !done && LocalDensity.current.fontScale <= LARGE_LESSON) {
+            Button(LearningTexts.toProgram(spoken), LearningTags.TO_PROGRAM, ButtonKind.SECOND, onClick = onProgram)
         }
         Next(tutorial, done, onEvent)
     }

@@ -32,9 +32,16 @@ import robotran.workshop.state.TutorialState
 /**
  * The current step of the tutorial, above the program or in its place: first the task, which is always there, below or
  * beside it how it works. Both scroll; the way through the lessons stays visible.
+ *
+ * @param onProgram shows the program, which the lesson is in the place of; null if the program is beside it.
  */
 @Composable
-fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+fun TutorialPane(
+    state: LearningState,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+    onProgram: (() -> Unit)? = null,
+) {
     val tutorial = state.tutorial ?: return
     val colours = LocalRobotranColours.current
     val title = LearningTexts.tutorial(spoken)
@@ -57,7 +64,7 @@ fun TutorialPane(state: LearningState, onEvent: (WorkshopEvent) -> Unit, modifie
                 }
             }
             HorizontalDivider()
-            TutorialFoot(tutorial, state.isStepDone, onEvent)
+            TutorialFoot(tutorial, state.isStepDone, onEvent, onProgram)
         }
     }
 }
@@ -69,9 +76,11 @@ private fun TaskAndText(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
 ) = Row(modifier.fillMaxSize()) {
-    Scrolled(LearningTags.TASK_AND_HELP, Modifier.weight(1f)) {
-        if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
-        TutorialTask(state, tutorial, onEvent)
+    TaskStays(taskOf(state, tutorial), Modifier.weight(1f)) { onPlaced ->
+        Scrolled(LearningTags.TASK_AND_HELP, Modifier) {
+            if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
+            TutorialTask(state, tutorial, onEvent, onPlaced)
+        }
     }
     Scrolled(LearningTags.TUTORIAL_TEXT, Modifier.weight(1f)) { Paragraphs(state, tutorial) }
 }
@@ -84,13 +93,18 @@ private fun TaskOverText(
     isTall: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier,
-) = Scrolled(LearningTags.TUTORIAL_TEXT, modifier) {
-    var isOpen by rememberSaveable(tutorial.isLoaded, isTall) { mutableStateOf(isTall || !tutorial.isLoaded) }
-    if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
-    TutorialTask(state, tutorial, onEvent)
-    Disclosure(LearningTexts.explanation(spoken), LearningTags.EXPLANATION, isOpen) { isOpen = it }
-    if (isOpen) Paragraphs(state, tutorial)
+) = TaskStays(taskOf(state, tutorial), modifier) { onPlaced ->
+    Scrolled(LearningTags.TUTORIAL_TEXT, Modifier) {
+        var isOpen by rememberSaveable(tutorial.isLoaded, isTall) { mutableStateOf(isTall || !tutorial.isLoaded) }
+        if (LocalDensity.current.fontScale <= LARGE_LESSON) StepTitle(state, tutorial)
+        TutorialTask(state, tutorial, onEvent, onPlaced)
+        Disclosure(LearningTexts.explanation(spoken), LearningTags.EXPLANATION, isOpen) { isOpen = it }
+        if (isOpen) Paragraphs(state, tutorial)
+    }
 }
+
+private fun taskOf(state: LearningState, tutorial: TutorialState): String =
+    tutorial.current.text(state.language, state.isInBlocks).task
 
 @Composable
 private fun Scrolled(tag: String, modifier: Modifier, content: @Composable ColumnScope.() -> Unit) {

@@ -15,6 +15,8 @@ import androidx.compose.ui.draw.drawBehind
 import androidx.compose.ui.draw.drawWithContent
 import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Size
+import androidx.compose.ui.layout.LayoutCoordinates
+import androidx.compose.ui.layout.onGloballyPositioned
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -30,9 +32,18 @@ import robotran.workshop.state.LearningState
 import robotran.workshop.state.TaskHelp
 import robotran.workshop.state.TutorialState
 
-/** The task of a step, its status, and help. A bar on the left marks its extent. */
+/**
+ * The task of a step, its status, and help. A bar on the left marks its extent.
+ *
+ * @param onPlaced where the text of the task is.
+ */
 @Composable
-internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent: (LearningEvent) -> Unit) {
+internal fun TutorialTask(
+    state: LearningState,
+    tutorial: TutorialState,
+    onEvent: (LearningEvent) -> Unit,
+    onPlaced: (LayoutCoordinates) -> Unit,
+) {
     val colours = LocalRobotranColours.current
     val text = tutorial.current.text(state.language, state.isInBlocks)
     val bar = if (state.isStepDone) RobotranColours.RUN_GREEN else RobotranColours.YELLOW
@@ -58,7 +69,7 @@ internal fun TutorialTask(state: LearningState, tutorial: TutorialState, onEvent
             val title = if (state.isStepDone) LearningTexts::taskDone else LearningTexts::task
             Text(title(spoken), style = TextStyles.lead.strong)
         }
-        MarkedText(text.task)
+        MarkedText(text.task, Modifier.onGloballyPositioned(onPlaced))
         TaskHelps(
             tutorial.help,
             state.isInBlocks,

@@ -6,14 +6,12 @@ import androidx.compose.foundation.clickable
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ColumnScope
-import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.rememberScrollState
 import androidx.compose.foundation.shape.RoundedCornerShape
 import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawWithContent
@@ -96,27 +94,13 @@ fun TaskCard(
                 drawRect(RobotranColours.YELLOW, size = Size(BAR.toPx(), size.height))
             },
     ) {
-        Row(verticalAlignment = Alignment.Top) {
-            // It does not scroll, and must leave room for the rest.
-            val lines = if (LocalDensity.current.fontScale <= LARGE) 2 else 1
-            val fold = {
-                val change = !isFolded
-                onEvent(
-                    if (assignment == null) {
-                        ScreenEvent.TaskFolded(change)
-                    } else {
-                        AssignmentEvent.TaskFolded(change)
-                    },
-                )
-            }
-            val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
-            Title(
-                task.world,
-                touch.weight(
-                    1f,
-                ).padding(start = START, top = Space.MEDIUM, bottom = if (isFolded) Space.TINY else Space.MEDIUM),
-                lines,
-            )
+        // It does not scroll, and must leave room for the rest.
+        val lines = if (LocalDensity.current.fontScale <= LARGE) 2 else 1
+        val fold = {
+            val change = !isFolded
+            onEvent(if (assignment == null) ScreenEvent.TaskFolded(change) else AssignmentEvent.TaskFolded(change))
+        }
+        WordsBeside({
             IconButton(
                 if (isFolded) UNFOLD_ICON else FOLD_ICON,
                 if (isFolded) LearningTexts.taskUnfold(spoken) else LearningTexts.taskFold(spoken),
@@ -124,6 +108,10 @@ fun TaskCard(
                 onClick = fold,
             )
             HideTask(onEvent)
+        }) {
+            val touch = if (isFolded) Modifier.clickable(onClick = fold) else Modifier
+            val air = if (isFolded) Space.TINY else Space.MEDIUM
+            Title(task.world, touch.padding(start = START, top = air, bottom = air), lines)
         }
         when {
             assignment == null -> if (!isFolded) TaskOfWorld(task.world, task.learning, onEvent)

@@ -8,7 +8,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.ui.learning.TaskHelps
 import robotran.ui.school.tags.AssignmentTags
-import robotran.ui.school.texts.LearningTexts
+import robotran.ui.texts.CommonTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
@@ -24,7 +24,7 @@ internal fun WorldTaskHelp(
 ) {
     Column(Modifier.padding(top = 8.dp), Arrangement.spacedBy(8.dp)) {
         if (task.canStart) {
-            Button(LearningTexts.worldProgram(spoken), AssignmentTags.WORLD_PROGRAM, ButtonKind.SECOND) {
+            Button(CommonTexts.worldProgram(spoken), AssignmentTags.WORLD_PROGRAM, ButtonKind.SECOND) {
                 onEvent(LearningEvent.WorldProgramRequested)
             }
         }

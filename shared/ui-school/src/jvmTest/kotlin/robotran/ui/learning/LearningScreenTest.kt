@@ -9,6 +9,8 @@ import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsNodeInteraction
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsFocused
+import androidx.compose.ui.test.assertIsNotSelected
+import androidx.compose.ui.test.assertIsSelected
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
@@ -28,10 +30,14 @@ import robotran.ui.program.tags.ProgramTags
 import robotran.ui.run.tags.RunTags
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.onPhone
+import robotran.ui.screen.onScreen
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.pixelsOf
+import robotran.ui.screen.scrollTo
 import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.world.tags.WorldTags
+import robotran.uikit.RobotranColours
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
@@ -98,6 +104,55 @@ class LearningScreenTest {
         onNodeWithTag(LearningTags.NEXT_STEP).assertLargeEnough().performClick()
         pass(100)
         onNodeWithTag(LearningTags.STEP_TITLE).assertTextContains("A line on the paper")
+    }
+
+    @Test
+    fun `a line of the task stays when it has scrolled away for a hint`() = onScreen(1366, 768) { workshop ->
+        workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "java-counting" }))
+        pass(300)
+        onNodeWithTag(LearningTags.TASK_LINE).assertDoesNotExist()
+        repeat(3) {
+            workshop.handle(LearningEvent.HintRequested(true))
+            pass(600)
+            onNodeWithTag(LearningTags.HINT).assertIsDisplayed()
+        }
+        scrollTo(LearningTags.EXPLANATION)
+        pass(300)
+        onNodeWithTag(LearningTags.TASK_LINE).assertIsDisplayed()
+        scrollTo(LearningTags.TASK_STATUS)
+        pass(300)
+        onNodeWithTag(LearningTags.TASK_LINE).assertDoesNotExist()
+    }
+
+    @Test
+    fun `on a phone a lesson that has been opened leads to its program, and no tab claims to be shown`() =
+        onPhone { workshop ->
+            workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "star" }))
+            pass(300)
+            for (pane in Pane.entries) onNodeWithTag(ScreenTags.tab(pane)).assertIsNotSelected()
+            onNodeWithTag(LearningTags.TASK).assertIsDisplayed()
+            onNodeWithTag(LearningTags.TO_PROGRAM).assertLargeEnough().performClick()
+            pass(300)
+            onNodeWithTag(ScreenTags.tab(Pane.PROGRAM)).assertIsSelected()
+            onNodeWithTag(LearningTags.TUTORIAL_TASK, useUnmergedTree = true).assertIsDisplayed()
+            onNodeWithTag(LearningTags.FOLD_TUTORIAL).performClick()
+            pass(300)
+            onNodeWithTag(LearningTags.TASK).assertIsDisplayed()
+            onNodeWithTag(ScreenTags.tab(Pane.WORLD)).performClick()
+            pass(300)
+            onNodeWithTag(WorldTags.WORLD).assertIsDisplayed()
+        }
+
+    @Test
+    fun `only one button is yellow while a lesson that is not begun offers to try it`() = onTablet { workshop ->
+        val isYellow = { tag: String -> pixelsOf(tag).run { this[width / 8, height / 2] } == RobotranColours.YELLOW }
+        assertTrue(isYellow(RunTags.RUN))
+        workshop.handle(LearningEvent.PageRequested(LearningPage.TUTORIAL))
+        pass(300)
+        assertEquals(listOf(true, false), listOf(LearningTags.TRY_STEP, RunTags.RUN).map(isYellow))
+        onNodeWithTag(LearningTags.TRY_STEP).performClick()
+        pass(300)
+        assertTrue(isYellow(RunTags.RUN))
     }
 
     @Test

@@ -10,6 +10,7 @@ import androidx.compose.ui.test.SemanticsMatcher
 import androidx.compose.ui.test.assert
 import androidx.compose.ui.test.assertContentDescriptionEquals
 import androidx.compose.ui.test.assertIsDisplayed
+import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.isFocused
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
@@ -27,6 +28,7 @@ import robotran.ui.screen.assertWhole
 import robotran.ui.screen.onPhone
 import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
+import robotran.ui.screen.scrollAndTouch
 import robotran.ui.screen.undrawnTest
 import robotran.ui.sheet.PictureBounds
 import robotran.ui.sheet.SheetColours
@@ -146,7 +148,7 @@ class LessonMapPageTest {
         workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
         pass(300)
         val first = Lessons.strands.first().lessons.map { "lesson-${it.name}" }
-        val reached = (1..first.size + 3).mapNotNull {
+        val reached = (1..first.size + 3 + Lessons.strands.size).mapNotNull {
             onRoot().performKeyInput { pressKey(Key.Tab) }
             pass(50)
             onNode(isFocused()).fetchSemanticsNode().config.getOrNull(SemanticsProperties.TestTag)
@@ -167,6 +169,20 @@ class LessonMapPageTest {
         assertFalse(pictures[0].contentEquals(begun), "nothing is drawn")
         assertFalse(pictures[0].contentEquals(pictures[1]), "the pupil's drawing is not shown")
     }
+
+    @Test
+    fun `a touch on the sign of a strand goes to its lessons, and the keyboard goes on from there`() =
+        onEither { workshop ->
+            workshop.handle(LearningEvent.PageRequested(LearningPage.MAP))
+            pass(300)
+            for (strand in listOf("java", "sense", "drive")) {
+                scrollAndTouch(LearningTags.goTo(strand))
+                pass(1_000)
+                val first = Lessons.strands.first { it.name == strand }.lessons.first()
+                onNodeWithTag(LearningTags.strand(strand)).assertIsDisplayed()
+                onNodeWithTag(LearningTags.lesson(first.name)).assertIsDisplayed().assertIsFocused()
+            }
+        }
 
     @Test
     fun `from a lesson the map is one touch away`() = onTablet { workshop ->

@@ -12,6 +12,7 @@ import robotran.ui.sheet.transform
 import robotran.ui.sheet.zoomedBy
 import robotran.workshop.state.SheetCamera
 import robotran.world.Paper
+import robotran.world.geometry.Bounds
 import robotran.world.geometry.Point
 
 /**
@@ -36,6 +37,14 @@ internal class EditView(private val paper: () -> Paper) : EditorView() {
         get() {
             val place = transform.toCentimetres(pane.center)
             return Point(place.x.coerceIn(0.0, paper().width), place.y.coerceIn(0.0, paper().height))
+        }
+
+    /** The visible part of the sheet's plane. */
+    val inSight: Bounds
+        get() {
+            val corners = listOf(pane.topLeft, pane.bottomRight).map(transform::toCentimetres)
+            val (across, up) = corners.map { it.x } to corners.map { it.y }
+            return Bounds(across.min(), up.min(), across.max(), up.max())
         }
 
     override fun zoomBy(factor: Double, about: Offset) {

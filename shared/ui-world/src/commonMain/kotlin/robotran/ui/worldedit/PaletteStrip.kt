@@ -20,7 +20,7 @@ import robotran.worldediting.nextRobotColour
 import robotran.worldediting.piece
 import robotran.worldediting.uniqueName
 
-/** The palette of elements. The usual place of one is the centre of the visible paper. */
+/** The palette of elements. The usual place of one is near the centre of the visible paper. */
 @Composable
 internal fun PaletteStrip(
     editor: EditorScope,
@@ -53,7 +53,8 @@ private fun ItemButton(editor: EditorScope, view: EditView, item: PaletteItem, u
     PaletteButton(look, view, upright) { place ->
         val new = item.piece(editor.world)
         val piece = if (item == PaletteItem.ROBOT) new.named(editor.world.uniqueName(robotName)) else new
-        editor.make(WorldEdit.Put(piece, place?.let(view.transform::toCentimetres) ?: view.middle))
+        val at = place?.let(view.transform::toCentimetres) ?: view.middle
+        editor.make(WorldEdit.Put(piece, at, view.inSight.takeIf { place == null }))
         onPut()
     }
 }

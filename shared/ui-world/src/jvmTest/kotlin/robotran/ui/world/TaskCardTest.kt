@@ -63,7 +63,10 @@ class TaskCardTest {
                 checkTargets(AssignmentTags.TASK_FOLD, AssignmentTags.TASK_HIDE)
                 onNodeWithTag(AssignmentTags.TASK_FOLD).performClick()
                 pass(300)
-                assertTrue(height() <= 64, "${height()} of $whole")
+                // Beside a sheet, the card may be so narrow that its buttons are below the line.
+                val isNarrow = onNodeWithTag(AssignmentTags.TASK_CARD).fetchSemanticsNode().size.width < 240
+                val most = if (isNarrow) 96 else 64
+                assertTrue(height() <= most, "${height()} of $whole")
                 onNodeWithTag(AssignmentTags.TASK_TEXT).assertDoesNotExist()
                 onNodeWithTag(AssignmentTags.TASK_TITLE).performClick()
                 pass(300)

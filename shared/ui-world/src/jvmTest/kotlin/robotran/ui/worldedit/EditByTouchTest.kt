@@ -24,7 +24,10 @@ import robotran.worldediting.ElementRef
 import robotran.worldediting.PaletteItem
 import robotran.worldediting.Tool
 import robotran.worldediting.WorldEdit
+import robotran.worldediting.bounds
+import robotran.worldediting.form
 import robotran.worldediting.handlesOf
+import robotran.worldediting.piece
 import robotran.worldediting.things
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -190,6 +193,33 @@ class EditByTouchTest {
         assertTrue(isThere(WorldTags.CHOSEN_TROUBLE))
         make(WorldEdit.Nudge(0.0, 20.0))
         assertFalse(isThere(WorldTags.EDIT_HINTS))
+        tap(WorldTags.done(WorldTags.EDIT))
+        assertEquals(null, workshop.state.worldEdit)
+    }
+
+    @Test
+    fun `a goal and a wall that are touched in the palette lie apart from each other and from the robot`() = onEditor {
+        val edges = world.walls.size
+        tap(WorldTags.palette(PaletteItem.GOAL_AREA))
+        tap(WorldTags.palette(PaletteItem.WALL))
+        tap(WorldTags.palette(PaletteItem.GOAL_AREA))
+        val inside = world.things().filter { it.kind != ElementKind.WALL || it.number >= edges }
+        val boxes = inside.mapNotNull { world.piece(it)?.form?.bounds }
+        assertEquals(4, boxes.size)
+        for (one in boxes) {
+            for (other in boxes - one) {
+                val apart =
+                    one.right <= other.left || other.right <= one.left || one.top <= other.bottom ||
+                        other.top <= one.bottom
+                assertTrue(apart, "$one lies over $other")
+            }
+        }
+    }
+
+    @Test
+    fun `a goal over the robot is told without keeping the editor open`() = onEditor {
+        put(PaletteItem.GOAL_AREA, 40.0, 30.0)
+        assertTrue(isThere(WorldTags.EDIT_HINTS))
         tap(WorldTags.done(WorldTags.EDIT))
         assertEquals(null, workshop.state.worldEdit)
     }

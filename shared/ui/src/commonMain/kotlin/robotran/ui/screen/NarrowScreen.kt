@@ -67,14 +67,19 @@ internal fun NarrowScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 MainMenu(state.document, state.worldEdit != null, onEvent, withProject = true)
-                PaneTabs(state.pane, state.diagnostics.isNotEmpty(), {
+                PaneTabs(state.pane.takeUnless { isTutorialOpen }, state.diagnostics.isNotEmpty(), {
                     perform(ScreenEvent.PaneChosen(it))
                 }, Modifier.weight(1f))
             }
             HorizontalDivider()
             if (isTutorialOpen) {
                 Box(Modifier.weight(1f)) {
-                    TutorialPane(state.learning, perform, Modifier.fillMaxSize())
+                    TutorialPane(
+                        state.learning,
+                        perform,
+                        Modifier.fillMaxSize(),
+                        onProgram = { perform(ScreenEvent.PaneChosen(Pane.PROGRAM)) },
+                    )
                     NoticeOver(state.notice, state.document, onEvent)
                 }
             } else {

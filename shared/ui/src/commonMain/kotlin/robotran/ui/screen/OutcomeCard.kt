@@ -6,15 +6,12 @@ import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.ExperimentalLayoutApi
 import androidx.compose.foundation.layout.FlowRow
-import androidx.compose.foundation.layout.Row
-import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
-import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.draw.clip
 import androidx.compose.ui.draw.drawWithContent
@@ -73,7 +70,7 @@ internal fun OutcomeCard(
             Text(recordText(solved), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
         }
 
-        missing.isNotEmpty() || isTimeUp -> Card(MissingLook, onClose, modifier) {
+        missing.isNotEmpty() || isTimeUp -> Card(missingLook(state.changed), onClose, modifier) {
             if (isTimeUp) Line(RunTexts.timeUp(spoken, state.world.timeLimit), ScreenTags.MISSING_TIME_UP)
             Missing(missing, onEvent)
             state.assignment?.let { Tries(it, canHandIn = false, tellsTries, onEvent) }
@@ -173,6 +170,13 @@ private class CardLook(val title: Label, val bar: Color, val tag: String)
 private val SolvedLook = CardLook(RunTexts::outcomeSolved, RobotranColours.RUN_GREEN, ScreenTags.SOLVED_CARD)
 private val MissingLook = CardLook(RunTexts::outcomeMissing, SheetColours.SHORTFALL, ScreenTags.MISSING_CARD)
 
+/** @param isOfLastRun whether the program has been changed since, so that this says nothing about it. */
+@Composable
+private fun missingLook(isOfLastRun: Boolean): CardLook {
+    if (!isOfLastRun) return MissingLook
+    return CardLook(RunTexts::outcomeLastMissing, LocalRobotranColours.current.line, ScreenTags.MISSING_CARD)
+}
+
 @Composable
 private fun Card(look: CardLook, onClose: () -> Unit, modifier: Modifier, content: @Composable () -> Unit) {
     val colours = LocalRobotranColours.current
@@ -189,9 +193,14 @@ private fun Card(look: CardLook, onClose: () -> Unit, modifier: Modifier, conten
             .padding(start = 22.dp, bottom = Space.MEDIUM)
             .announced(),
     ) {
-        Row(Modifier.fillMaxWidth(), verticalAlignment = Alignment.CenterVertically) {
-            Text(look.title(spoken), Modifier.weight(1f).heading(), TextStyles.cardTitle.strong)
+        WordsBeside({
             IconButton(Icon.CLOSE, RunTexts.outcomeClose(spoken), ScreenTags.OUTCOME_CLOSE, onClick = onClose)
+        }) {
+            Text(
+                look.title(spoken),
+                Modifier.testTag(ScreenTags.OUTCOME_TITLE).padding(vertical = Space.TINY).heading(),
+                TextStyles.cardTitle.strong,
+            )
         }
         Column(Modifier.padding(end = Space.MEDIUM), Arrangement.spacedBy(Space.TINY)) { content() }
     }

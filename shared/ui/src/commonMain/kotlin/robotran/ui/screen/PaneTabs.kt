@@ -7,13 +7,17 @@ import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.state.Pane
 
-/** The tabs of the three panes of a narrow screen. [mistaken] marks the program's tab. */
+/**
+ * The tabs of the three panes of a narrow screen. [mistaken] marks the program's tab.
+ *
+ * @param chosen null while a lesson is in the place of all of them.
+ */
 @Composable
-internal fun PaneTabs(chosen: Pane, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
+internal fun PaneTabs(chosen: Pane?, mistaken: Boolean, onChoose: (Pane) -> Unit, modifier: Modifier = Modifier) {
     val tabs = Pane.entries.map {
         Tab(it.title(spoken), ScreenTags.tab(it), isMarked = it == Pane.PROGRAM && mistaken)
     }
-    Tabs(tabs, chosen.ordinal, modifier) { onChoose(Pane.entries[it]) }
+    Tabs(tabs, chosen?.ordinal, modifier) { onChoose(Pane.entries[it]) }
 }
 
 private val Pane.title: Label

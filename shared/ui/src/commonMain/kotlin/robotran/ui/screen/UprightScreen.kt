@@ -38,10 +38,12 @@ internal fun UprightScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         val isTutorialOpen = tutorial != null && !tutorial.isFolded && keyboard == 0.dp
         val isLarge = LocalDensity.current.fontScale > LARGE
         val tutorialShare = if (isLarge) TUTORIAL_SHARE_LARGE else TUTORIAL_SHARE
+        // With large text, what there is to say about a task needs room below its sheet.
+        val hasTask = state.part { hasTask || world.goals.isNotEmpty() }
         val first = when {
-            !isTutorialOpen -> PROGRAM_SHARE
-            isLarge -> PROGRAM_SHARE_LARGE
-            else -> PROGRAM_SHARE_READING
+            isLarge && (isTutorialOpen || hasTask) -> PROGRAM_SHARE_LARGE
+            isTutorialOpen -> PROGRAM_SHARE_READING
+            else -> PROGRAM_SHARE
         }
         Column(Modifier.fillMaxSize()) {
             TopStrip(state.document, state.worldEdit != null, state.fullPane, onEvent)

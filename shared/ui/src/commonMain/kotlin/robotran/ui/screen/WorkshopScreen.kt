@@ -21,7 +21,6 @@ import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.ui.assignment.HandInDialog
-import robotran.ui.assignment.NotAllowedStrip
 import robotran.ui.assignment.making.AssignmentEditorPage
 import robotran.ui.assignment.making.MakingPlace
 import robotran.ui.course.CoursePages
@@ -31,9 +30,6 @@ import robotran.ui.export.ExportDialog
 import robotran.ui.handins.HandInsPage
 import robotran.ui.learning.LearningPages
 import robotran.ui.parts.ScreenLayout
-import robotran.ui.program.LocalAllowedLanguages
-import robotran.ui.program.LocalProgramWarning
-import robotran.ui.program.blocks.LocalAllowedBlocks
 import robotran.ui.robot.RobotEditPane
 import robotran.ui.runbar.LocalBrickKind
 import robotran.ui.runbar.RunBar
@@ -43,8 +39,6 @@ import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
 import robotran.ui.worldedit.WorldEditPane
 import robotran.uikit.*
-import robotran.workshop.blocks.allowedBlocks
-import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
@@ -78,7 +72,7 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
             state.course.page != null || state.learning.page?.coversAll == true
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
-            ProvideAssignmentRestrictions(state, onEvent) {
+            ProvideForPrograms(state, onEvent) {
                 CompositionLocalProvider(LocalBrickKind provides state.part { run.brick.kind }) {
                     Panes(state, layout, form, onEvent, runBar)
                 }
@@ -146,31 +140,6 @@ private fun Pages(state: WorkshopState, footHeight: Dp, onEvent: (WorkshopEvent)
     state.send?.let { SendDialog(it, onEvent) }
     state.show?.let { ExportDialog(it, state.world, state.session, onEvent) }
     state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
-}
-
-/** [content], which offers the blocks and languages that the open assignment allows; programs say what it does not. */
-@Composable
-private fun ProvideAssignmentRestrictions(
-    state: WorkshopState,
-    onEvent: (WorkshopEvent) -> Unit,
-    content: @Composable () -> Unit,
-) {
-    val assignment = state.assignment?.takeIf { it.isOpenForTries }?.assignment
-    val allowed = remember(assignment?.words) { assignment?.let { allowedBlocks(it) } }
-    val found = state.assignment?.notAllowed.orEmpty()
-    val warning = remember(found) {
-        found.takeIf { it.isNotEmpty() }?.let { all ->
-            @Composable { program: String, maxHeight: Dp ->
-                NotAllowedStrip(all, program, maxHeight) { onEvent(AssignmentEvent.NotAllowedShown(it)) }
-            }
-        }
-    }
-    CompositionLocalProvider(
-        LocalAllowedBlocks provides allowed,
-        LocalAllowedLanguages provides assignment?.languages?.ifEmpty { null },
-        LocalProgramWarning provides warning,
-        content = content,
-    )
 }
 
 /** From this size on, at default font size, there is room for the whole brick beside a large sheet. */

@@ -11,19 +11,22 @@ import androidx.compose.ui.text.TextLayoutResult
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.learning.Lessons
+import robotran.ui.school.tags.AssignmentTags
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.screen.tags.ScreenTags
 import robotran.workshop.Workshop
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.openWorkshop
+import robotran.workshop.state.Pane
 import robotran.workshop.state.Settings
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
-/** With the largest text on a phone, no word is broken that would fit into the width of the screen. */
+/** On a phone, above all with the largest text, no word is broken that would fit into the width of its place. */
 @OptIn(ExperimentalTestApi::class)
 class BrokenWordsTest {
     @Test
@@ -57,6 +60,19 @@ class BrokenWordsTest {
                 onNodeWithTag(LearningTags.FOLDED_HINT).assertIsDisplayed()
                 onNodeWithTag(ScreenTags.MISSING_CARD).assertIsDisplayed()
                 assertNoBrokenWords("the verdict at $width")
+            }
+        }
+    }
+
+    @Test
+    fun `beside the sheet of a phone held across, in the card of a task, at the normal size of text`() {
+        for (world in listOf("block-push", "obstacle-course", "line-gaps")) {
+            onScreen(891, 411) { workshop ->
+                workshop.handle(LearningEvent.WorldChosen(world))
+                workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
+                pass(300)
+                onNodeWithTag(AssignmentTags.TASK_TITLE).assertIsDisplayed()
+                assertNoBrokenWords("the task of $world")
             }
         }
     }

@@ -65,11 +65,44 @@ class OutcomeCardTest {
         onNodeWithTag(RunTags.SHORTFALL).assertTextContains("cm short of the marked area", substring = true)
         onNodeWithTag(RunTags.SHORTFALL).performClick()
         pass(500)
+        assertEquals("A", workshop.state.run.shortfalls.single().sign)
         val moment = workshop.state.run.shortfalls.single().shortfall.moment
         assertEquals(moment?.milliseconds, workshop.state.run.time)
         assertEquals(55.0, workshop.state.session.robot.pose.x, 0.5)
         assertEquals(0, onAllNodesWithTag(ScreenTags.MISSING_CARD).fetchSemanticsNodes().size)
     }
+
+    @Test
+    fun `once the program is changed, the card says that it is about the last run`() = onTablet { workshop ->
+        workshop.runToFlag("forward 15\n")
+        pass(300)
+        onNodeWithTag(ScreenTags.OUTCOME_TITLE).assertTextEquals("Not there yet")
+        workshop.handle(ProgramEvent.ProgramEdited("forward 16\n"))
+        pass(300)
+        onNodeWithTag(ScreenTags.OUTCOME_TITLE).assertTextEquals("Last run: not there yet")
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(8_000)
+        pass(300)
+        onNodeWithTag(ScreenTags.OUTCOME_TITLE).assertTextEquals("Not there yet")
+    }
+
+    @Test
+    fun `upright with German and the largest text, the task's line is whole and the first sentence is in sight`() =
+        onScreen(820, 1180) { workshop ->
+            val settings = Settings(textScale = 2f, lessMotion = true, language = Language.GERMAN)
+            workshop.handle(SettingsEvent.SettingsChanged(settings))
+            workshop.handle(LearningEvent.WorldChosen("block-push"))
+            workshop.handle(ProgramEvent.ProgramEdited("forward 15\n"))
+            workshop.handle(RunEvent.RunPressed)
+            workshop.advance(60_000)
+            pass(500)
+            for (tag in listOf(AssignmentTags.TASK_TITLE, ScreenTags.OUTCOME_TITLE, RunTags.SHORTFALL_TEXT)) {
+                val node = onNodeWithTag(tag, useUnmergedTree = true).fetchSemanticsNode()
+                assertEquals(node.size.height.toFloat(), node.boundsInRoot.height, 1f, tag)
+            }
+            val sheet = onNodeWithTag(WorldTags.WORLD).fetchSemanticsNode().boundsInRoot
+            assertTrue(sheet.height > 150, "the sheet is only ${sheet.height} high")
+        }
 
     @Test
     fun `on a phone a touch on the sentence in the goals shows the sheet`() = onPhone { workshop ->

@@ -47,6 +47,11 @@ internal class ProgramRoom(project: Project, private val services: Services, roo
 
     fun handle(event: ProgramEvent) = handle(event, byUser = true)
 
+    /** Closes what is open over the blocks, such as a number. */
+    fun closeBlockSheet() {
+        if (state.blocks?.sheet != null) handle(BlockEvent.DialogShown(null))
+    }
+
     private fun handle(event: ProgramEvent, byUser: Boolean) {
         val before = programs.written
         programs.handle(event)

@@ -11,7 +11,14 @@ import robotran.simulation.state.GoalShortfall
  * @property number the number of its mark on the sheet, from 1; null if it has no place.
  */
 @Immutable
-data class ShortfallMark(val where: List<Int>, val goal: GoalProgress, val shortfall: GoalShortfall, val number: Int?)
+data class ShortfallMark(val where: List<Int>, val goal: GoalProgress, val shortfall: GoalShortfall, val number: Int?) {
+    /** What its mark says: a letter, since goals that have an order have numbers on the sheet. */
+    val sign: String? get() = number?.let { LETTERS.getOrNull(it - 1)?.toString() ?: "$it" }
+
+    private companion object {
+        const val LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+    }
+}
 
 /** What was missing for [goals] and for the parts of those that are groups, in their order. */
 fun shortfallMarks(goals: List<GoalProgress>): List<ShortfallMark> {

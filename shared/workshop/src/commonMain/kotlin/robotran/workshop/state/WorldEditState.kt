@@ -2,7 +2,9 @@ package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
 import robotran.world.World
+import robotran.worldediting.ElementRef
 import robotran.worldediting.WorldEditing
+import robotran.worldediting.goalsMetAtStart
 
 /**
  * The state of the world editor.
@@ -23,6 +25,9 @@ data class WorldEditState(
 ) {
     val world: World get() = editing.world
     val isChanged: Boolean get() = world != first
+
+    /** The goals where somebody already is at the start, so that nothing has to be done for them. */
+    val metAtStart: List<ElementRef> = goalsMetAtStart(editing.world)
 }
 
 /** The assignment called [assignment] whose world is edited, or its variation called [variation]. */

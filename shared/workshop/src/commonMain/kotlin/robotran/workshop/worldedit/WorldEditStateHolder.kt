@@ -18,6 +18,7 @@ import robotran.world.RobotPlacement
 import robotran.worldediting.WorldEdit
 import robotran.worldediting.WorldEditing
 import robotran.worldediting.after
+import robotran.worldediting.goalsMetAtStart
 
 /**
  * Holds the edited world; null while it is not edited. Valid states are saved at once, so that a crash loses nothing.
@@ -136,7 +137,8 @@ class WorldEditStateHolder(
     private fun edit(edit: WorldEdit) {
         val now = state ?: return
         val editing = now.editing.after(edit)
-        val hasNews = editing.error != null || editing.errors != now.editing.errors
+        val isMetNow = editing.world != now.world && goalsMetAtStart(editing.world) != now.metAtStart
+        val hasNews = editing.error != null || editing.errors != now.editing.errors || isMetNow
         state = now.copy(
             editing = editing,
             hasFailedToClose = now.hasFailedToClose && editing.errors.isNotEmpty(),

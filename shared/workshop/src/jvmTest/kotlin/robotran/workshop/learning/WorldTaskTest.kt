@@ -13,6 +13,7 @@ import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
+import robotran.workshop.examples.EARLIER_FIRST_PROGRAMS
 import robotran.workshop.openWorkshop
 import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.Notice
@@ -61,6 +62,17 @@ class WorldTaskTest {
         workshop.handle(LearningEvent.WorldProgramRequested)
         assertEquals("forward 8\n", workshop.state.programText)
         assertEquals(listOf("square.robo", task.program.name), tabs)
+    }
+
+    @Test
+    fun `a first program of an earlier version that is unchanged makes way for the one to begin with`() {
+        for (earlier in EARLIER_FIRST_PROGRAMS) {
+            choose("plain")
+            workshop.handle(ProgramEvent.ProgramEdited("$earlier\n"))
+            choose("square")
+            assertEquals(listOf(task.program.name), tabs)
+            assertEquals(task.program.text, workshop.state.programText)
+        }
     }
 
     @Test

@@ -195,7 +195,7 @@ class RejectedElementsTest {
             complaint("\"line\": \"loop\"", "\"line\": \"box\""),
         )
         assertEquals(
-            "goals[4] needs a template, and this world has none.",
+            "goals[4] needs a drawing to trace, and this world has none.",
             complaint("\"template\"", "\"pattern\"", line = 57),
         )
     }

@@ -77,6 +77,7 @@ object ProgramTags {
     const val NUMBER_NOW = "number-now"
     const val NUMBER_SLIDER = "number-slider"
     const val OTHER_BRICK = "other-brick"
+    const val OTHER_BRICK_BEGINNING = "other-brick-beginning"
     const val OUT = "out"
     const val PALETTE_ALL = "palette-all"
     const val PALETTE_BLOCKS = "palette-blocks"

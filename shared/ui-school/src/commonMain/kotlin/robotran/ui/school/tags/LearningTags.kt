@@ -32,6 +32,7 @@ object LearningTags {
     const val MAP = "map"
     const val MAP_COURSES = "map-courses"
     const val MAP_PAGE = "map-page"
+    const val STRANDS = "strands"
     const val NEXT_STEP = "next-step"
     const val PREVIOUS_STEP = "previous-step"
     const val SOLUTION_NOTE = "solution-note"
@@ -41,6 +42,8 @@ object LearningTags {
     const val STEP_TITLE = "step-title"
     const val TASK = "task"
     const val TASK_AND_HELP = "task-and-help"
+    const val TASK_LINE = "task-line"
+    const val TO_PROGRAM = "to-program"
     const val TASK_STATUS = "task-status"
     const val TEACHERS = "teachers"
     const val TEACHERS_COURSES = "teachers-courses"
@@ -80,6 +83,8 @@ object LearningTags {
     fun lesson(name: String) = "lesson-$name"
 
     fun strand(name: String) = "strand-$name"
+
+    fun goTo(strand: String) = "go-to-$strand"
 
     fun tutorialStep(number: Int) = "tutorial-step-$number"
 

@@ -38,6 +38,7 @@ object ScreenTags {
     const val NOTICE_TEXT = "notice-text"
     const val MISSING_OTHERS = "missing-others"
     const val OUTCOME_CLOSE = "outcome-close"
+    const val OUTCOME_TITLE = "outcome-title"
     const val OUTCOME_TRIES = "outcome-tries"
     const val SETTINGS = "settings"
     const val SITE = "site"
