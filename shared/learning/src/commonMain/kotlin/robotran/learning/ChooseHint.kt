@@ -24,8 +24,8 @@ data class Hint(
 )
 
 /**
- * The first hint for [attempt] at the task of [lesson]. If the program is as it was given, the hint says so. Otherwise
- * the hints of the lesson (`## When ...`) are tried, in their order in its text, then those that all lessons share, in
+ * The first hint for [attempt] at the task of [lesson]. If the program is as it was given, the hint says so; if it has
+ * reached the goals in the lesson's other place, what it lacks for this one. Otherwise the hints of the lesson (`## When ...`) are tried, in their order in its text, then those that all lessons share, in
  * the order of [commonConditions]. If none fits, it is the lesson's nudge. Null if the attempt has solved the task.
  */
 fun chooseHint(lesson: Lesson, attempt: Attempt, language: Language): Hint? {
@@ -33,7 +33,8 @@ fun chooseHint(lesson: Lesson, attempt: Attempt, language: Language): Hint? {
     val common = sharedHints(language).map { HintForViews(it, it) }
     val whens = lesson.text(language).whens
     val own = whens.zip(lesson.text(language, inBlocks = true).whens, ::HintForViews)
-    return (common.take(1) + own + common.drop(1)).firstNotNullOfOrNull { hint ->
+    val (again, others) = (own + common.drop(1)).partition { it.text.condition.phrase == HintCondition.AGAIN }
+    return (common.take(1) + again + others).firstNotNullOfOrNull { hint ->
         hint.text.condition.match(attempt)?.let { hintOf(hint, it) }
     } ?: stagedHint(lesson, HintStage.NUDGE, language)
 }

@@ -52,9 +52,19 @@ class Lesson internal constructor(
     fun text(language: Language, inBlocks: Boolean = false): LessonText =
         (if (inBlocks) textsForBlocks else texts).getValue(language)
 
-    /** The world of the lesson, with title and task in [language]. */
-    fun world(language: Language): World =
-        text(language).let { plainWorld.copy(title = it.title, task = withoutBackticks(it.task)) }
+    /** The places in which a program must reach the goals. */
+    val places: List<LessonPlace> get() = LessonPlace.entries.filter { worldAt(it) != null }
+
+    /** The world of the lesson, with title and task in [language]. Fails if the lesson lacks the [place]. */
+    fun world(language: Language, place: LessonPlace = LessonPlace.FIRST): World {
+        val world = checkNotNull(worldAt(place)) { "$name has one place." }
+        return text(language).let { world.copy(title = it.title, task = withoutBackticks(it.task)) }
+    }
+
+    private fun worldAt(place: LessonPlace): World? = when (place) {
+        LessonPlace.FIRST -> plainWorld
+        LessonPlace.AGAIN -> version.again
+    }
 
     /** The same lesson with a robot that has a [brick], or this one if there is none. */
     fun on(brick: BrickKind): Lesson = onOtherBricks[brick]?.value ?: this
@@ -62,12 +72,18 @@ class Lesson internal constructor(
     /** The brick of the pupil's robot. */
     val brick: BrickKind get() = plainWorld.robots.first().description.brick
 
-    /** Whether [world] is the lesson's, in any language, on this brick. */
-    internal fun isIn(world: World): Boolean = plainWorld.isSameWorldAs(world)
+    /** The place whose world is [world], in any language, on this brick; null if it is another's. */
+    fun placeOf(world: World): LessonPlace? = when {
+        // Both places have the same paper, so few worlds are read.
+        plainWorld.paper != world.paper -> null
+        plainWorld.isSameWorldAs(world) -> LessonPlace.FIRST
+        version.again?.isSameWorldAs(world) == true -> LessonPlace.AGAIN
+        else -> null
+    }
 
     /** The lesson with the brick for which [world] is its world, in any language; null if it is another's. */
-    internal fun foundIn(world: World): Lesson? = takeIf { isIn(world) }
-        ?: onOtherBricks.values.map { it.value }.firstOrNull { it.isIn(world.withPupilsPenbot()) }
+    internal fun foundIn(world: World): Lesson? = takeIf { placeOf(world) != null }
+        ?: onOtherBricks.values.map { it.value }.firstOrNull { it.placeOf(world.withPupilsPenbot()) != null }
 
     /** The language of [program]. */
     val programLanguage: ProgramLanguage get() = languageOf(program)
@@ -81,8 +97,12 @@ class Lesson internal constructor(
      * @param files the pupil's own version of [program], such as [solution]; the first file may have any name, whose
      * extension tells the language.
      */
-    fun project(language: Language, files: List<SourceFile> = listOf(program)): Project {
-        val world = world(language)
+    fun project(
+        language: Language,
+        files: List<SourceFile> = listOf(program),
+        place: LessonPlace = LessonPlace.FIRST,
+    ): Project {
+        val world = world(language, place)
         return Project(
             world,
             listOf(
@@ -94,9 +114,17 @@ class Lesson internal constructor(
         )
     }
 
-    /** A try at the task with the text [program], whose run ended in the state [run]. */
-    fun attempt(program: String, run: SessionState): Attempt =
-        Attempt(program, this.program.text, solution.text, plainWorld, run)
+    /**
+     * A try at the task with the text [program], whose run at [place] ended in the state [run].
+     *
+     * @param hasPassed whether the same program has reached the goals in the other place.
+     */
+    fun attempt(
+        program: String,
+        run: SessionState,
+        place: LessonPlace = LessonPlace.FIRST,
+        hasPassed: Boolean = false,
+    ): Attempt = Attempt(program, this.program.text, solution.text, checkNotNull(worldAt(place)), run, hasPassed)
 }
 
 private fun languageOf(file: SourceFile): ProgramLanguage = ProgramLanguage.ofFileOrDefault(file.name)

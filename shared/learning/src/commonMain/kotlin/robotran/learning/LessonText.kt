@@ -13,6 +13,7 @@ import robotran.learning.hint.HintCondition
  * @property part the second hint: a part of the solution.
  * @property solution the third hint: the whole solution in words.
  * @property whens hints for what may go wrong, in the order in which they are tried.
+ * @property again what is different in [LessonPlace.AGAIN]; null for a lesson with one place.
  */
 data class LessonText(
     val title: String,
@@ -23,6 +24,7 @@ data class LessonText(
     val part: String,
     val solution: String,
     val whens: List<ConditionalHint>,
+    val again: String? = null,
 ) {
     internal companion object {
         /**
@@ -60,6 +62,7 @@ data class LessonText(
                 under("Part"),
                 under("Solution"),
                 conditionalHints(parts, shownParagraphs),
+                if ("Again" in parts) under("Again") else null,
             )
         }
     }

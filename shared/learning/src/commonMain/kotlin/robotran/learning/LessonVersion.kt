@@ -11,14 +11,22 @@ import robotran.world.RobotDescription
 import robotran.world.SensorPart
 import robotran.world.World
 
-/** What a lesson has for one kind of brick. */
+/**
+ * What a lesson has for one kind of brick.
+ *
+ * @param again reads the world of [LessonPlace.AGAIN], once it is needed; null if the lesson has one place.
+ */
 internal class LessonVersion(
     val brick: BrickKind,
     val program: SourceFile,
     val solution: SourceFile,
     val world: World,
     val drawing: RunDrawing?,
-)
+    again: () -> World? = { null },
+) {
+    /** The world of [LessonPlace.AGAIN]; null if the lesson has one place. */
+    val again: World? by lazy(again)
+}
 
 /** The lesson in [files] as it is written: for a robot with the [BrickKind.default]. */
 internal fun plainVersion(files: Map<String, String>): LessonVersion {
@@ -32,7 +40,7 @@ internal fun plainVersion(files: Map<String, String>): LessonVersion {
         SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
         worldOf(files.getValue(WORLD)),
         drawingIn(files, DRAWING),
-    )
+    ) { files[AGAIN]?.let(::worldOf) }
 }
 
 /**
@@ -51,7 +59,7 @@ internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<Strin
         SourceFile(plain.program.name, solution),
         (ownWorld ?: plain.world).withFirst(PUPILS_ROBOTS.getValue(brick)),
         if (ownWorld == null) plain.drawing else drawingIn(files, prefix + DRAWING),
-    )
+    ) { (files[prefix + AGAIN]?.let(::worldOf) ?: plain.again)?.withFirst(PUPILS_ROBOTS.getValue(brick)) }
 }
 
 private fun drawingIn(files: Map<String, String>, file: String): RunDrawing? =
@@ -90,6 +98,7 @@ private val PUPILS_ROBOTS: Map<BrickKind, RobotDescription> = BrickKind.entries.
 }
 
 private const val WORLD = "world.world.json"
+private const val AGAIN = "again.world.json"
 
 /** What the run of the solution leaves on the sheet. */
 internal const val DRAWING = "drawing.txt"

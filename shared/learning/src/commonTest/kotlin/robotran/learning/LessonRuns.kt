@@ -24,15 +24,35 @@ internal val worldTasks: List<Lesson> by lazy {
     WorldGallery.worlds.flatMap { listOf(it) + it.harder }.mapNotNull { it.lesson }
 }
 
-/** Runs [program] in the world of [lesson] with [seed] until its goals are decided. */
-internal suspend fun runIn(lesson: Lesson, program: String, seed: Int = 1): Attempt =
-    runIn(lesson, SourceFile(lesson.program.name, program), seed)
+/** Runs [program] in the world of [lesson] at [place] with [seed] until its goals are decided. */
+internal suspend fun runIn(
+    lesson: Lesson,
+    program: String,
+    seed: Int = 1,
+    place: LessonPlace = LessonPlace.FIRST,
+    hasPassed: Boolean = false,
+): Attempt = runIn(lesson, SourceFile(lesson.program.name, program), seed, place, hasPassed)
 
 /** The same for a program in any language. */
-internal suspend fun runIn(lesson: Lesson, program: SourceFile, seed: Int): Attempt {
-    val session = sessionOf(lesson, program, seed)
+internal suspend fun runIn(
+    lesson: Lesson,
+    program: SourceFile,
+    seed: Int,
+    place: LessonPlace = LessonPlace.FIRST,
+    hasPassed: Boolean = false,
+): Attempt {
+    val session = sessionOf(lesson, program, seed, place)
     session.runForGoals()
-    return lesson.attempt(program.text, session.state).also { session.close() }
+    return lesson.attempt(program.text, session.state, place, hasPassed).also { session.close() }
+}
+
+/** The last run of [program] in the places of [lesson], in their order: the first in which it misses a goal. */
+internal suspend fun runInAllPlaces(lesson: Lesson, program: String, seed: Int = 1): Attempt {
+    val first = runIn(lesson, program, seed)
+    val others = lesson.places.filter { it != LessonPlace.FIRST }
+    return others.fold(first) { before, place ->
+        if (before.isSolved) runIn(lesson, program, seed, place, hasPassed = true) else before
+    }
 }
 
 /**
@@ -62,8 +82,13 @@ private fun holds(goal: Goal, progress: GoalProgress): Boolean {
     }
 }
 
-private suspend fun sessionOf(lesson: Lesson, program: SourceFile, seed: Int): Session {
-    val project = lesson.project(Language.ENGLISH, listOf(program))
+private suspend fun sessionOf(
+    lesson: Lesson,
+    program: SourceFile,
+    seed: Int,
+    place: LessonPlace = LessonPlace.FIRST,
+): Session {
+    val project = lesson.project(Language.ENGLISH, listOf(program), place)
     val loads = readRobotLoads(project, compiler)
     return Session(
         project.worldToRun.copy(seed = seed),

@@ -10,7 +10,7 @@ class LessonSolutionsTest {
     @Test
     fun `every solution reaches the goals and the program that is given does not`() = runTest(timeout = 5.minutes) {
         for (lesson in Lessons.all) {
-            val solved = runIn(lesson, lesson.solution.text)
+            val solved = runInAllPlaces(lesson, lesson.solution.text)
             assertTrue(solved.isSolved, "${lesson.name} is not solved: ${solved.run.goals}, ${solved.run.robot.pose}")
             assertFalse(
                 runIn(lesson, lesson.program.text).isSolved,

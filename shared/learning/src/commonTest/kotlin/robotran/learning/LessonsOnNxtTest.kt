@@ -22,7 +22,7 @@ class LessonsOnNxtTest {
             val failed = mutableListOf<String>()
             for (lesson in lessons) {
                 for (seed in listOf(1, 2)) {
-                    val solved = runIn(lesson, lesson.solution.text, seed)
+                    val solved = runInAllPlaces(lesson, lesson.solution.text, seed)
                     if (!solved.isSolved) failed += "${lesson.name}: ${solved.run.goals}, ${solved.run.robot.pose}"
                 }
                 if (runIn(lesson, lesson.program.text).isSolved) failed += "${lesson.name} is solved at once"
@@ -80,7 +80,7 @@ class LessonsOnNxtTest {
 
     private fun partsOf(text: LessonText): List<String> =
         listOf(text.title) + text.paragraphs + text.task + text.nudge + text.part + text.solution +
-            text.whens.map { it.text }
+            text.whens.map { it.text } + listOfNotNull(text.again)
 
     private fun quoted(text: String): List<String> =
         text.split('`').filterIndexed { place, _ -> place % 2 == 1 }.sorted()

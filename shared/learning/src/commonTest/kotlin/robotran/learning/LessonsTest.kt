@@ -132,7 +132,7 @@ class LessonsTest {
 
     private fun partsOf(text: LessonText): List<String> =
         listOf(text.title) + text.paragraphs + text.task + text.nudge + text.part + text.solution +
-            text.whens.map { it.text }
+            text.whens.map { it.text } + listOfNotNull(text.again)
 
     private companion object {
         /** So that it fits into two or three lines of a card. */

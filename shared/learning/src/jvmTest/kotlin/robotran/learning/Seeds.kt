@@ -13,6 +13,8 @@ internal suspend fun unsolvedWorlds(seeds: IntRange): List<String> = worldTasks.
 /** The same for lessons. Without deviations of the robot, a seed changes nothing. */
 internal suspend fun unsolvedLessons(brick: BrickKind, seeds: IntRange): List<String> =
     Lessons.all.map { it.on(brick) }.filter { it.world(Language.ENGLISH).realism != 0.0 }.flatMap { lesson ->
-        seeds.map { it to runIn(lesson, lesson.solution.text, it) }.filterNot { (_, solved) -> solved.isSolved }
+        seeds.map { it to runInAllPlaces(lesson, lesson.solution.text, it) }.filterNot { (_, solved) ->
+            solved.isSolved
+        }
             .map { (seed, solved) -> "${lesson.name}, seed $seed: ${solved.run.goals}, ${solved.run.robot.pose}" }
     }

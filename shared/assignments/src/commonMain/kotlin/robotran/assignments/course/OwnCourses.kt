@@ -3,9 +3,12 @@ package robotran.assignments.course
 import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
+import robotran.learning.LessonPlace
+import robotran.learning.LessonText
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WorldGallery
+import robotran.learning.hint.HintCondition
 import robotran.programs.Program
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
@@ -14,6 +17,7 @@ import robotran.projects.AssignmentLimits
 import robotran.projects.Course
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
+import robotran.projects.WorldVariation
 
 /** Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. */
 object OwnCourses {
@@ -48,11 +52,11 @@ object OwnCourses {
 
     /**
      * [lesson] as an assignment with checks and solution: the hint for what went wrong first, then those that give away
-     * more with each failed try.
+     * more with each failed try. A hand-in is graded in all places of the lesson.
      */
     fun assignmentOf(lesson: Lesson, language: Language): Project {
         val text = lesson.text(language)
-        val hints = text.whens.map { AssignmentHint(it.text, it.condition.phrase) } + listOf(
+        val hints = conditionalHints(text) + listOf(
             AssignmentHint(text.nudge),
             AssignmentHint(text.part, afterTries = TRIES_BEFORE_PART),
             AssignmentHint(text.solution, afterTries = TRIES_BEFORE_SOLUTION),
@@ -61,11 +65,21 @@ object OwnCourses {
             id = "robotran-${lesson.name.replace('/', '-')}",
             text = text.paragraphs.joinToString("\n\n"),
             hints = hints.takeLast(AssignmentLimits.MAXIMUM_HINTS),
-            checks = AssignmentChecks(SEEDS),
+            checks = AssignmentChecks(SEEDS, variationsOf(lesson, language)),
             solution = listOf(programOf(lesson, lesson.solution)),
         )
         return lesson.project(language).copy(assignment = assignment)
     }
+
+    /** The pupil tries an assignment in one place, so nothing went wrong only in the other one. */
+    private fun conditionalHints(text: LessonText): List<AssignmentHint> =
+        text.whens.filterNot { it.condition.phrase == HintCondition.AGAIN }
+            .map { AssignmentHint(it.text, it.condition.phrase) }
+
+    private fun variationsOf(lesson: Lesson, language: Language): List<WorldVariation> =
+        lesson.places.filter { it != LessonPlace.FIRST }.map { place ->
+            WorldVariation(CourseMessages.of(language).again(), lesson.world(language, place))
+        }
 
     private fun programOf(lesson: Lesson, file: SourceFile) =
         ProjectProgram(Program(file.name, lesson.programLanguage, listOf(file)))

@@ -16,8 +16,16 @@ import robotran.world.World
  * @property solution a program that does the task.
  * @property world the world of the task.
  * @property run the state at the end of the run, with its goals.
+ * @property hasPassed whether the same program has reached the goals in the other place of the lesson.
  */
-class Attempt(val program: String, val given: String, val solution: String, val world: World, val run: SessionState) {
+class Attempt(
+    val program: String,
+    val given: String,
+    val solution: String,
+    val world: World,
+    val run: SessionState,
+    val hasPassed: Boolean = false,
+) {
     internal val lines: List<CodeLine> by lazy { codeLines(inEnglish(program)) }
     internal val givenLines: List<CodeLine> by lazy { codeLines(given) }
     internal val solutionLines: List<CodeLine> by lazy { codeLines(solution) }

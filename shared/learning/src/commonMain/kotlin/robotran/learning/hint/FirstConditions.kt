@@ -5,6 +5,7 @@ internal val firstConditions: List<HintCondition> = listOf(
     HintCondition("nothing changed") { attempt ->
         HintMatch().takeIf { attempt.lines.map { it.tokens } == attempt.givenLines.map { it.tokens } }
     },
+    HintCondition(HintCondition.AGAIN) { if (it.hasPassed) HintMatch() else null },
     HintCondition("program failed") { if (it.hasFailed) HintMatch() else null },
     HintCondition("wrong port") { attempt ->
         if (attempt.run.missingSensors != null) {

@@ -12,6 +12,9 @@ class HintCondition internal constructor(val phrase: String, private val find: (
     override fun toString(): String = phrase
 
     companion object {
+        /** The phrase for a try whose program reaches the goals only in the other place of a lesson. */
+        const val AGAIN = "again"
+
         /** The condition with this [phrase]; null if there is none. */
         fun of(phrase: String): HintCondition? {
             val words = phrase.substringAfter(ARGUMENT, "").trim()

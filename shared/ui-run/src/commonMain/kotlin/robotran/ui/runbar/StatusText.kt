@@ -15,6 +15,7 @@ internal fun statusText(status: WorkshopStatus): String = when (status) {
     WorkshopStatus.Empty -> RunTexts.statusEmpty(spoken)
     WorkshopStatus.Changed -> RunTexts.statusChanged(spoken)
     WorkshopStatus.Solved -> RunTexts.statusSolved(spoken)
+    WorkshopStatus.SolvedHere -> RunTexts.outcomeSolvedHere(spoken)
     is WorkshopStatus.TimeUp -> RunTexts.timeUp(spoken, status.seconds)
     WorkshopStatus.Off -> RunTexts.statusOff(spoken)
     WorkshopStatus.Compiling -> RunTexts.statusCompiling(spoken)

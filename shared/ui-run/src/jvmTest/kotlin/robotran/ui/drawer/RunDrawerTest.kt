@@ -205,7 +205,7 @@ class RunDrawerTest {
         workshop.with("pen down\nforward 10", listOf(Goal(InkLength(5.0, null))))
         workshop.handle(RunEvent.RunPressed)
         pass(6_000)
-        onNodeWithTag(RunTags.GOAL_CHIP).assertTextContains("All goals met. Well done.")
+        onNodeWithTag(RunTags.GOAL_CHIP).assertTextContains("All goals met")
     }
 
     @Test

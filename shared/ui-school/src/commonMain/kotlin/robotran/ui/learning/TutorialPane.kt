@@ -64,7 +64,7 @@ fun TutorialPane(
                 }
             }
             HorizontalDivider()
-            TutorialFoot(tutorial, state.isStepDone, onEvent, onProgram)
+            TutorialFoot(tutorial, state.isStepDone && state.elsewhere == null, onEvent, onProgram)
         }
     }
 }

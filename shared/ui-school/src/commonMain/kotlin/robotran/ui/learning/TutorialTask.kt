@@ -24,6 +24,7 @@ import androidx.compose.ui.semantics.heading
 import androidx.compose.ui.semantics.liveRegion
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.unit.dp
+import robotran.learning.LessonPlace
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
 import robotran.uikit.*
@@ -70,10 +71,13 @@ internal fun TutorialTask(
             Text(title(spoken), style = TextStyles.lead.strong)
         }
         MarkedText(text.task, Modifier.onGloballyPositioned(onPlaced))
+        text.again?.takeIf { tutorial.place == LessonPlace.AGAIN }?.let {
+            MarkedText(it, Modifier.testTag(LearningTags.AGAIN))
+        }
         TaskHelps(
             tutorial.help,
             state.isInBlocks,
-            state.solved != null,
+            state.isReached,
             { onEvent(LearningEvent.HintRequested(it)) },
             { onEvent(LearningEvent.SolutionRequested(it)) },
         )

@@ -41,8 +41,9 @@ import robotran.workshop.state.SolvedTask
 import robotran.workshop.state.WorkshopState
 
 /**
- * What came of a run that is over, until it is closed: what was missing for the goals, or that the task is solved. Shown
- * at the end of the run only, so that an earlier time is not covered.
+ * What came of a run that is over, until it is closed: what was missing for the goals, that the task is solved, or that
+ * the program works here and is to be tried elsewhere. Shown at the end of the run only, so that an earlier time is not
+ * covered.
  *
  * @param canHandIn whether there is a sheet to hand in; false in a page embedded in another one.
  * @param tellsTries whether it says how far the pupil is with an assignment; false if another card does.
@@ -60,6 +61,7 @@ internal fun OutcomeCard(
     // A goal may be met where the robot begins: before a run nobody has done anything.
     if (isClosed || state.untouched || state.run.isSeeking || state.run.time < finished) return
     val solved = state.learning.solved
+    val elsewhere = state.learning.elsewhere
     val missing = missed(state.run.shortfalls)
     val isTimeUp = state.run.isTimeUp
     val onClose = { isClosed = true }
@@ -68,6 +70,10 @@ internal fun OutcomeCard(
             Onward(state, solved, canHandIn, tellsTries, onEvent)
             solved.learned?.let { Text(RunTexts.outcomeLearned(spoken, it), style = TextStyles.sentence) }
             Text(recordText(solved), style = TextStyles.smallLines, color = LocalRobotranColours.current.quiet)
+        }
+
+        elsewhere != null -> Card(SolvedHereLook, onClose, modifier) {
+            TryElsewhere(state.learning, elsewhere, onEvent)
         }
 
         missing.isNotEmpty() || isTimeUp -> Card(missingLook(state.changed), onClose, modifier) {
@@ -168,6 +174,7 @@ private fun Next(solved: SolvedTask, onEvent: (WorkshopEvent) -> Unit) {
 private class CardLook(val title: Label, val bar: Color, val tag: String)
 
 private val SolvedLook = CardLook(RunTexts::outcomeSolved, RobotranColours.RUN_GREEN, ScreenTags.SOLVED_CARD)
+private val SolvedHereLook = CardLook(RunTexts::outcomeSolvedHere, RobotranColours.YELLOW, ScreenTags.ELSEWHERE_CARD)
 private val MissingLook = CardLook(RunTexts::outcomeMissing, SheetColours.SHORTFALL, ScreenTags.MISSING_CARD)
 
 /** @param isOfLastRun whether the program has been changed since, so that this says nothing about it. */

@@ -14,6 +14,7 @@ import robotran.workshop.blocks.allowedBlocks
 import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
+import robotran.workshop.state.LearningState
 import robotran.workshop.state.WorkshopState
 
 /**
@@ -42,10 +43,16 @@ internal fun ProvideForPrograms(
     }
     CompositionLocalProvider(
         LocalBeginning provides beginning,
-        LocalRunIsNext provides (state.learning.tutorial?.run { isFolded || isLoaded } ?: true),
+        LocalRunIsNext provides isRunNext(state.learning),
         LocalAllowedBlocks provides allowed,
         LocalAllowedLanguages provides assignment?.languages?.ifEmpty { null },
         LocalProgramWarning provides warning,
         content = content,
     )
+}
+
+/** Whether Run is what comes next: not before a lesson is begun, nor once its task is done and a button leads on. */
+private fun isRunNext(learning: LearningState): Boolean {
+    val isBegun = learning.tutorial?.run { isFolded || isLoaded } ?: true
+    return isBegun && learning.solved == null && learning.elsewhere == null
 }

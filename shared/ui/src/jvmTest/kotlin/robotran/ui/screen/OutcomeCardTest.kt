@@ -136,6 +136,9 @@ class OutcomeCardTest {
             workshop.handle(ProgramEvent.ProgramEdited(program))
             workshop.handle(RunEvent.RunPressed)
             workshop.advance(60_000)
+            // It works here: the same has to work in the lesson's other place.
+            workshop.handle(LearningEvent.OtherPlaceTried)
+            workshop.advance(60_000)
             pass(300)
             assertEquals(isSolved, isThere(ScreenTags.SOLVED_CARD), program)
             for (tag in help) assertEquals(!isSolved, isThere(tag), "$tag of $program")
@@ -143,6 +146,37 @@ class OutcomeCardTest {
         workshop.handle(RunEvent.RunPressed)
         pass(300)
         for (tag in help) assertTrue(isThere(tag), tag)
+    }
+
+    @Test
+    fun `what works here is not praised, but a touch tries it where something is different, in every language`() {
+        for ((window, isNarrow) in listOf((1180 to 820) to false, (412 to 915) to true)) {
+            onScreen(window.first, window.second) { workshop ->
+                workshop.handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "edge" }))
+                if (isNarrow) workshop.handle(LearningEvent.TutorialFolded(true))
+                workshop.handle(ProgramEvent.ProgramEdited("wait 0.1 seconds\nforward 46\nbeep\n"))
+                workshop.handle(RunEvent.RunPressed)
+                workshop.advance(20_000)
+                for (language in Language.entries) {
+                    workshop.handle(SettingsEvent.SettingsChanged(Settings(lessMotion = true, language = language)))
+                    pass(300)
+                    onNodeWithTag(ScreenTags.ELSEWHERE_CARD).assertIsDisplayed()
+                    val again = checkNotNull(Lessons.named("edge")?.text(language)?.again)
+                    onNodeWithTag(ScreenTags.ELSEWHERE_WORDS).assertTextEquals(again)
+                    onNodeWithTag(ScreenTags.TRY_ELSEWHERE).assertIsDisplayed()
+                }
+                onNodeWithTag(ScreenTags.SOLVED_CARD).assertDoesNotExist()
+                onNodeWithTag(ScreenTags.TRY_ELSEWHERE).performClick()
+                workshop.advance(20_000)
+                pass(300)
+                onNodeWithTag(ScreenTags.ELSEWHERE_CARD).assertDoesNotExist()
+                onNodeWithTag(ScreenTags.MISSING_CARD).assertIsDisplayed()
+                if (!isNarrow) {
+                    onNodeWithTag(LearningTags.AGAIN).assertExists()
+                    onNodeWithTag(LearningTags.HINT).assertIsDisplayed()
+                }
+            }
+        }
     }
 
     @Test

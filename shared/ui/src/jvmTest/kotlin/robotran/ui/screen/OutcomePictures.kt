@@ -2,6 +2,7 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
+import robotran.learning.Lessons
 import robotran.programs.Program
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
@@ -60,6 +61,29 @@ class OutcomePictures {
         solved().use("solved-tablet", 1280, 800)
         solved(Settings(language = Language.GERMAN, textScale = 2f)).use("solved-tablet-large", 1280, 800)
         solved().use("solved-laptop-dark", 1440, 900, dark = true)
+    }
+
+    @Test
+    fun `what works here, and what fails there, can be photographed`() {
+        for (isThere in listOf(false, true)) {
+            val name = if (isThere) "there" else "here"
+            elsewhere(isThere).apply { handle(LearningEvent.TutorialFolded(true)) }.use("again-$name-phone", 411, 891)
+            elsewhere(isThere).use("again-$name-tablet", 1280, 800)
+            elsewhere(isThere).use("again-$name-tablet-dark", 1280, 800, dark = true)
+            val large = Settings(language = Language.GERMAN, textScale = 2f)
+            elsewhere(isThere, large).use("again-$name-tablet-large", 1280, 800)
+            elsewhere(isThere, large).apply { handle(LearningEvent.TutorialFolded(true)) }
+                .use("again-$name-phone-large", 411, 891)
+        }
+    }
+
+    private fun elsewhere(isThere: Boolean, settings: Settings = Settings()) = workshop(settings).apply {
+        handle(LearningEvent.LessonChosen(Lessons.all.indexOfFirst { it.name == "edge" }))
+        handle(ProgramEvent.ProgramEdited("wait 0.1 seconds\nforward 46\nbeep\n"))
+        handle(RunEvent.RunPressed)
+        advance(20_000)
+        if (isThere) handle(LearningEvent.OtherPlaceTried)
+        advance(20_000)
     }
 
     @Test

@@ -60,6 +60,10 @@ abstract class StageInSight {
         assertStage(workshop, "$described, start")
         workshop.run(workshop.state.programText, "$described, failure", this)
         workshop.run(lesson.solution.text, "$described, success", this)
+        if (lesson.places.size == 1) return
+        workshop.handle(LearningEvent.OtherPlaceTried)
+        workshop.advance(minOf(workshop.state.world.timeLimit, LONGEST_SECONDS) * 1_000)
+        assertStage(workshop, "$described, success there")
     }
 
     private fun Workshop.run(program: String, described: String, screen: ComposeUiTest) {

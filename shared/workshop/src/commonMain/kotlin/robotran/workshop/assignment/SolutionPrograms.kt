@@ -89,7 +89,7 @@ internal fun proposedStart(open: List<ProjectProgram>): List<ProjectProgram> {
 /** The program that has just met all goals of the open world, as long as it is as it was then. */
 internal fun solvingProgram(project: Project, ended: EndedAttempt?): ProjectProgram? {
     if (ended == null || !ended.result.isSolved || ended.result.goals != project.world.goals.size) return null
-    val ran = ended.programs.getOrNull(ended.firstProgram)?.asProject() ?: return null
+    val ran = ended.program?.asProject() ?: return null
     return project.firstPrograms.firstOrNull { textsOf(it) == textsOf(ran) }
         ?.takeUnless { isOfApp(it) }?.copy(view = null)
 }

@@ -27,6 +27,9 @@ sealed interface LearningEvent : SchoolEvent {
     /** Resets the step's program to its original text. */
     data object StepRestarted : LearningEvent
 
+    /** Puts the pupil's program into the step's other place, where it has not reached the goals yet, and runs it. */
+    data object OtherPlaceTried : LearningEvent
+
     /** Loads the lesson with the index [index] and shows it next to its program. */
     data class LessonChosen(val index: Int) : LearningEvent
 

@@ -9,6 +9,7 @@ import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.learning.GalleryWorld
 import robotran.learning.Lesson
+import robotran.learning.LessonPlace
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
 import robotran.learning.drawing.RunDrawing
@@ -30,6 +31,7 @@ import robotran.workshop.service.Services
 import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.service.pupilPrograms
+import robotran.workshop.state.EndedAttempt
 import robotran.workshop.state.HelpState
 import robotran.workshop.state.LearningPage
 import robotran.workshop.state.LearningState
@@ -64,6 +66,8 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     private val help = HelpFinder(preferences, current, newTabs)
     private val worldTask = WorldTaskController(preferences, current, newTabs, runControls, hints)
 
+    private val places = LessonPlaces(tutorial, current)
+
     /** Whether it was the solution that began the present run, which solves nothing. */
     private var isSolutionRun = false
 
@@ -90,7 +94,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
             is ProjectRoomEvent.Leaving -> leaveProject()
             is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged -> projectChanged()
             is ProgramRoomEvent.Written, ProgramRoomEvent.Chosen -> programsChanged()
-            is RunRoomEvent.Changed -> runChanged(event.session, event.outcome, current.shownProgram)
+            is RunRoomEvent.Changed -> runChanged(event, current.shownProgram)
             is WindowRoomEvent.LanguageChanged -> refresh()
             WorldRoomEvent.EditorOpening, WindowRoomEvent.PagesLeft -> {
                 if (state.page != null) handle(LearningEvent.PageClosed)
@@ -115,6 +119,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
             is LearningEvent.StepChosen -> changeTutorial { tutorial.choose(it, event.index) }
             LearningEvent.StepTried -> changeTutorial { tutorial.loadStep(it) }
             LearningEvent.StepRestarted -> changeTutorial { tutorial.beginAgain(it) }
+            LearningEvent.OtherPlaceTried -> tryElsewhere()
             is LearningEvent.LessonChosen -> openLesson(event.index)
             is LearningEvent.HintRequested -> nextHint(event.shown)
             is LearningEvent.SolutionRequested -> showSolution(event.shown)
@@ -138,35 +143,58 @@ class LearningStateHolder(private val services: Services, private val switcher: 
      * Called with each new state of the run. The task is completed once all goals are met, and solved once the run is
      * over.
      */
-    private fun runChanged(session: SessionState, outcome: RunOutcome, program: Program) {
+    private fun runChanged(run: RunRoomEvent.Changed, program: Program) {
+        val session = run.session
+        val outcome = run.outcome
         if (outcome.finished == null && session.milliseconds < START_MILLISECONDS) isSolutionRun = isSolutionShown
         goalsChanged(session)
-        tryChanged(session, outcome, program)
+        tryChanged(session, outcome, program, run.ended)
         if (!outcome.isSolved) {
-            if (state.solved != null) state = state.copy(solved = null)
-        } else if (state.solved == null && !isSolutionRun) {
-            state = state.copy(solved = solve(session, outcome.finished ?: 0, program))
-            refresh()
-            services.publish(SchoolRoomEvent.TaskSolved)
+            if (state.isReached) state = state.copy(solved = null, elsewhere = null)
+        } else if (!state.isReached && !isSolutionRun) {
+            reached(PassedRun(outcome.finished ?: 0, RunDrawing.of(session)), program, run.ended)
         }
+    }
+
+    /** The goals are reached at the end of [run]. In a lesson with two places this counts once it is so in both. */
+    private fun reached(run: PassedRun, program: Program, ended: EndedAttempt?) {
+        val step = tutorial.loadedStep()
+        if (step == null || !places.areTwo(step)) return showSolved(step, run, program)
+        // A replay is no try of a program.
+        val tried = ended?.takeIf { it.result.isSolved }?.program ?: return
+        val runs = places.pass(step, tried, run)
+        val other = step.places.firstOrNull { it !in runs }
+        if (other == null) {
+            stepDone(step)
+            showSolved(step, runs.getValue(LessonPlace.FIRST), tried)
+        } else {
+            changeHelp { _, help -> hints.none(help) }
+            state = state.copy(elsewhere = other)
+            refresh()
+        }
+    }
+
+    private fun showSolved(step: Lesson?, run: PassedRun, program: Program) {
+        state = state.copy(solved = solve(step, run, program))
+        refresh()
+        services.publish(SchoolRoomEvent.TaskSolved)
     }
 
     /** Whether the program in the editor is the solution that the app shows. */
     private val isSolutionShown: Boolean
         get() = (state.worldTask?.help ?: state.tutorial?.help)?.solutionShown == true
 
-    private fun solve(session: SessionState, milliseconds: Long, program: Program): SolvedTask {
-        val step = tutorial.loadedStep()
+    private fun solve(step: Lesson?, run: PassedRun, program: Program): SolvedTask {
         val world = worldTask.loadedWorld()
         val name = step?.name ?: world?.let { "world/${it.name}" }
-        val record = TaskRecord(milliseconds, linesOf(program))
+        val record = TaskRecord(run.milliseconds, linesOf(program))
         val before = progress.records[name]
         if (name != null) store.update { it.copy(records = it.records + (name to (before?.with(record) ?: record))) }
-        if (step != null) drawings.keep(step.name, RunDrawing.of(session))
+        if (step != null) drawings.keep(step.name, run.drawing)
         val index = step?.let(Lessons::indexOf)
         return SolvedTask(
             learned = step?.text(preferences.language)?.skill,
-            milliseconds = milliseconds,
+            milliseconds = run.milliseconds,
             lines = record.lines,
             bestMilliseconds = before?.milliseconds,
             bestLines = before?.lines,
@@ -175,7 +203,10 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         )
     }
 
-    /** A goal that is met stays met, whatever the run goes on to do, so the task is done at this moment. */
+    /**
+     * A goal that is met stays met, whatever the run goes on to do, so the task is done at this moment. A lesson with two
+     * places waits for the end of the run, see [reached].
+     */
     private fun goalsChanged(session: SessionState) {
         if (session.goals == goalsSeen) return
         goalsSeen = session.goals
@@ -183,11 +214,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         val step = tutorial.loadedStep()
         if (step != null) {
             // Watching the solution does not complete the step.
-            if (!isSolutionRun) {
-                tutorial.saveProgram()
-                store.update { it.copy(stepsDone = it.stepsDone + step.name) }
-                changeHelp { _, help -> hints.none(help) }
-            }
+            if (!isSolutionRun && !places.areTwo(step)) stepDone(step)
         } else if (!isSolutionRun) {
             worldTask.loadedWorld()?.let(::worldDone)
             changeWorldTask(worldTask::withoutHints)
@@ -195,17 +222,29 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         refresh()
     }
 
+    private fun stepDone(step: Lesson) {
+        tutorial.saveProgram()
+        store.update { it.copy(stepsDone = it.stepsDone + step.name) }
+        changeHelp { _, help -> hints.none(help) }
+    }
+
     /** Once a try is over and has failed, shows the hint that fits, also for a task that was done before. */
-    private fun tryChanged(session: SessionState, outcome: RunOutcome, program: Program) {
+    private fun tryChanged(session: SessionState, outcome: RunOutcome, program: Program, ended: EndedAttempt?) {
         val wasOver = isTryOver
         isTryOver = outcome.finished != null
         if (wasOver || !isTryOver || outcome.isSolved) return
         if (outcome.goals.any { it.status == GoalStatus.PENDING }) return
         changeWorldTask { worldTask.afterTry(it, program, session) }
-        tutorial.attemptAt(session)?.let { attempt ->
+        tutorial.attemptAt(session, places.hasPassedElsewhere(ended?.program))?.let { attempt ->
             changeHelp { step, help -> hints.after(attempt, step, help, preferences.language) }
         }
         refresh()
+    }
+
+    /** Puts the program that has reached the goals here into the lesson's other place, and runs it. */
+    private fun tryElsewhere() {
+        tutorial.tryAt(state.elsewhere ?: return)
+        runControls.run()
     }
 
     /** Called before another project is loaded. Stores the pupil's version of a step's program. */
@@ -246,7 +285,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         }
         val brick = tutorial.brick
         val shown = state.tutorial?.copy(brick = brick)?.let {
-            it.copy(isLoaded = tutorial.loadedStep() === it.current)
+            it.copy(isLoaded = tutorial.loadedStep() === it.current, place = tutorial.loadedPlace())
         }
         val now = state.copy(
             language = preferences.language,

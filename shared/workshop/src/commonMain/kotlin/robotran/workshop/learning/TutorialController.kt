@@ -6,6 +6,7 @@ import robotran.brick.kind.BrickKind
 import robotran.documents.tutorialProjectName
 import robotran.languagesupport.SourceFile
 import robotran.learning.Lesson
+import robotran.learning.LessonPlace
 import robotran.learning.Lessons
 import robotran.learning.hint.Attempt
 import robotran.simulation.state.SessionState
@@ -44,6 +45,15 @@ internal class TutorialController(
 
     /** The step whose world is loaded, for the brick of its robot; null for any other world. */
     fun loadedStep(): Lesson? = Lessons.lessonIn(current.project.world)
+
+    /** The place of the loaded step; the first one of any other world. */
+    fun loadedPlace(): LessonPlace = loadedStep()?.placeOf(current.project.world) ?: LessonPlace.FIRST
+
+    /** Puts the loaded step's robot with its program into the world of [place]. */
+    fun tryAt(place: LessonPlace) {
+        val step = loadedStep()?.takeIf { place in it.places } ?: return
+        editor.changeWorld(step.world(preferences.language, place))
+    }
 
     /** The tutorial at [step], which is loaded. */
     fun show(step: Lesson): TutorialState {
@@ -85,12 +95,13 @@ internal class TutorialController(
         return now.withSolution(false)
     }
 
-    /** Loads the current step's solution, or the pupil's program again. */
+    /** Loads the current step's solution, or the pupil's program again, in the place that is loaded. */
     fun showSolution(tutorial: TutorialState, shown: Boolean): TutorialState {
         if (shown == tutorial.help.solutionShown) return tutorial
         if (shown) saveProgram()
         val now = tutorial.copy(brick = brick)
-        switchTo(now.current, if (shown) now.current.solution else pupilProgram(now.current))
+        val place = loadedPlace()
+        switchTo(now.current, if (shown) now.current.solution else pupilProgram(now.current), place)
         return now.withSolution(shown)
     }
 
@@ -102,8 +113,8 @@ internal class TutorialController(
     }
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
-    private fun switchTo(step: Lesson, file: SourceFile) {
-        if (loadedStep() != null) return open(step, file)
+    private fun switchTo(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {
+        if (loadedStep() != null) return open(step, file, place)
         scope.launch {
             val project = step.project(preferences.language, listOf(file))
             val result = switcher.beginProject(
@@ -118,8 +129,10 @@ internal class TutorialController(
         }
     }
 
-    private fun open(step: Lesson, file: SourceFile) {
-        editor.openProject(step.project(preferences.language, listOf(file)))
+    private fun open(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {
+        // Another step may be loaded, which has places of its own.
+        val there = place.takeIf { it in step.places } ?: LessonPlace.FIRST
+        editor.openProject(step.project(preferences.language, listOf(file), there))
         isSolutionLoaded = file === step.solution
     }
 
@@ -134,11 +147,15 @@ internal class TutorialController(
         }
     }
 
-    /** The try at the loaded step that ended in [session]; null if no step or its solution is loaded. */
-    fun attemptAt(session: SessionState): Attempt? {
+    /**
+     * The try at the loaded step that ended in [session]; null if no step or its solution is loaded.
+     *
+     * @param hasPassed whether the same program has reached the goals in the step's other place.
+     */
+    fun attemptAt(session: SessionState, hasPassed: Boolean): Attempt? {
         val step = loadedStep()
         if (step == null || isSolutionLoaded) return null
-        return loadedProgram(step)?.let { step.attempt(it, session) }
+        return loadedProgram(step)?.let { step.attempt(it, session, loadedPlace(), hasPassed) }
     }
 
     private fun loadedProgram(step: Lesson): String? =

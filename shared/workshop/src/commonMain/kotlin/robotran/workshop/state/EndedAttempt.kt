@@ -22,4 +22,7 @@ data class EndedAttempt(
     val result: TryResult,
     val percent: Int?,
     val state: SessionState,
-)
+) {
+    /** The program that Run started; null if there was none. */
+    val program: Program? get() = programs.getOrNull(firstProgram)
+}

@@ -7,6 +7,7 @@ import robotran.language.ProgramLanguage
 import robotran.learning.Hint
 import robotran.learning.HintStage
 import robotran.learning.Lesson
+import robotran.learning.LessonPlace
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WordHelp
@@ -27,6 +28,8 @@ import robotran.learning.drawing.RunDrawing
  * @property help the state of the help page.
  * @property solved the task that the current run has solved; null before it is over.
  * @property isInBlocks whether the program is shown in blocks, so that the tutorial speaks of blocks.
+ * @property elsewhere the other place of the lesson, where the program of the current run is still to reach the goals,
+ * as it has here; null before it has, and once the task is solved.
  */
 @Immutable
 data class LearningState(
@@ -41,6 +44,7 @@ data class LearningState(
     val query: String = "",
     val isInBlocks: Boolean = false,
     val solved: SolvedTask? = null,
+    val elsewhere: LessonPlace? = null,
 ) {
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
@@ -54,6 +58,9 @@ data class LearningState(
             }
         }
 
+    /** Whether the program of the current run has reached the goals, so that nobody needs help until the next one. */
+    val isReached: Boolean get() = solved != null || elsewhere != null
+
     /** Whether the task of the current step is completed. */
     val isStepDone: Boolean get() = tutorial?.let { it.current.name in stepsDone } ?: false
 }
@@ -66,6 +73,7 @@ data class LearningState(
  * @property isLoaded whether the program and the world of that step are loaded.
  * @property help the help with the step's task.
  * @property brick the brick that the pupil works with.
+ * @property place whose world is loaded; the first one if the step is not loaded.
  */
 @Immutable
 data class TutorialState(
@@ -74,6 +82,7 @@ data class TutorialState(
     val isFolded: Boolean = false,
     val isLoaded: Boolean = false,
     val help: TaskHelp = TaskHelp(),
+    val place: LessonPlace = LessonPlace.FIRST,
 ) {
     val current: Lesson get() = Lessons.all[step].on(brick)
 

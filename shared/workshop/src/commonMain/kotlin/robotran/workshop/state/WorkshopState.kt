@@ -141,6 +141,8 @@ interface WorkshopState {
         is RunState.Running -> {
             val line = lineOf(run.frame?.sourceLine ?: now.sourceLine)
             when {
+                run.isPaused && run.isSolved && learning.elsewhere != null -> WorkshopStatus.SolvedHere
+
                 run.isPaused && run.isSolved -> WorkshopStatus.Solved
 
                 run.isPaused && run.isTimeUp && run.time == run.outcome.finished -> {

@@ -37,6 +37,9 @@ sealed interface WorkshopStatus {
     /** The task is completed. Its program may not have ended. */
     data object Solved : WorkshopStatus
 
+    /** The goals are reached in one place of a lesson, but not in the other one yet. Its program may not have ended. */
+    data object SolvedHere : WorkshopStatus
+
     /** The task's time limit of [seconds] is reached, and not all goals are met. Its program may not have ended. */
     data class TimeUp(val seconds: Int) : WorkshopStatus
 

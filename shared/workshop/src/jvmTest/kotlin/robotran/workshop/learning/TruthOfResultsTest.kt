@@ -57,7 +57,10 @@ class TruthOfResultsTest {
         assertEquals(false, wasDoneMeanwhile(solution.replace("repeat 4", "repeat 6")))
         assertEquals(WorkshopStatus.TimeUp(20), workshop.state.status)
         assertEquals("wrong number", help.fittingHint?.condition?.phrase)
-        assertTrue(wasDoneMeanwhile(solution))
+        assertEquals(false, wasDoneMeanwhile(solution))
+        workshop.handle(LearningEvent.OtherPlaceTried)
+        repeat(STEPS) { workshop.advance(STEP) }
+        assertTrue(learning.isStepDone)
     }
 
     @Test
@@ -88,6 +91,8 @@ class TruthOfResultsTest {
     fun `a run that goes on after the task is completed changes nothing`() {
         begin("bumping-along")
         runs(assertNotNull(learning.tutorial).current.solution.text)
+        repeat(STEPS) { workshop.advance(STEP) }
+        workshop.handle(LearningEvent.OtherPlaceTried)
         repeat(STEPS) { workshop.advance(STEP) }
         assertEquals(WorkshopStatus.Solved, workshop.state.status)
         val record = learning.solved

@@ -6,6 +6,7 @@ import robotran.learning.HintStage
 
 /** The tags of lessons, worlds, examples and help, by which tests and the page find what is on the screen. */
 object LearningTags {
+    const val AGAIN = "again"
     const val BEGIN_AGAIN = "begin-again"
     const val EXAMPLES_PAGE = "examples-page"
     const val EXAMPLE_CARDS = "example-cards"
