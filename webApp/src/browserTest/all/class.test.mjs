@@ -168,7 +168,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await isSaid(page, /40 cm ahead/);
     await photograph(page, 'class-task');
     await finger.press('run');
-    await appears(page, 'outcome-tries');
+    await appears(page, 'missing-card');
     await photograph(page, 'class-failed');
     await finger.press('tab-program');
     await finger.press('view-switch');
@@ -205,7 +205,7 @@ test('a class from the assignment to the feedback, by touch', { timeout: 600_000
     await appears(page, 'program-1');
     await type(page, finger, 'program', javaFor(500));
     await finger.press('run');
-    await says(page, 'outcome-tries', /1 try/);
+    await says(page, 'assignment-tries', /1 try/);
     await isKept(page, 'sleep(500)');
     await type(page, finger, 'program', javaFor(4500));
     await isKept(page, 'sleep(4500)');

@@ -183,7 +183,7 @@ test('a tutorial leaves program and world in sight, on a tablet across and uprig
     const { tutorial, world, 'editor-more': tools } = await boxesOf(page, ['tutorial', 'world', 'editor-more']);
     assert.ok(world.right - world.left > 500, JSON.stringify(world));
     assert.ok(tools.right <= world.left && tools.right - tools.left >= 47, JSON.stringify(tools));
-    assert.ok(tutorial.right <= tools.left);
+    assert.ok(tutorial.bottom <= tools.top && tutorial.right <= world.left, JSON.stringify([tutorial, tools]));
     await photograph(page, 'layout-tutorial-across');
     assert.deepEqual(troubles, []);
   });

@@ -115,6 +115,15 @@ test('a poster with drawing and program is one page on paper', () =>
     const text = pdf.toString('latin1');
     assert.equal(text.match(/\/Type\s*\/Page\b/g).length, 1, 'one page');
     assert.match(text, /\/MediaBox\s*\[0 0 59[45][\d.]* 84[12][\d.]*\]/, 'of A4, upright');
+    const picture = await downloaded(page, () => tap(page, 'show-save'));
+    assert.match(picture.name, /\.png$/);
+    const sides = [16, 20].map((place) => picture.bytes.readUInt32BE(place));
+    assert.deepEqual(sides, [1680, 2376], 'a picture of the whole page');
+    await tap(page, 'show-more');
+    await tap(page, 'show-poster');
+    await tap(page, 'poster-kind-1');
+    await tap(page, 'show-make');
+    await appears(page, 'show-made');
     const { name, bytes } = await downloaded(page, () => tap(page, 'show-save'));
     assert.match(name, /\.svg$/);
     assert.match(bytes.toString(), /^<svg [^>]*viewBox="0 0 210 297"/);

@@ -4,7 +4,11 @@ import android.app.Activity
 import android.content.pm.PackageManager
 import android.print.PrintAttributes
 import android.print.PrintManager
+import androidx.compose.ui.text.font.createFontFamilyResolver
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
 import robotran.ui.poster.DrawnPoster
+import robotran.ui.poster.posterPng
 import robotran.ui.poster.posterSvg
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Printing
@@ -23,6 +27,11 @@ class AndroidPosters internal constructor(private val packages: PackageManager) 
     }
 
     override fun svg(poster: Poster): String = posterSvg(poster)
+
+    override suspend fun png(poster: Poster): ByteArray? {
+        val shown = activity.get() ?: return null
+        return withContext(Dispatchers.Default) { posterPng(poster, createFontFamilyResolver(shown)) }
+    }
 
     override suspend fun print(poster: Poster): Printing {
         val shown = activity.get() ?: return Printing.Failed("")

@@ -1,8 +1,10 @@
 package robotran.desktop.platform
 
+import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.ui.poster.DrawnPoster
+import robotran.ui.poster.posterPng
 import robotran.ui.poster.posterSvg
 import robotran.workshop.platform.Posters
 import robotran.workshop.platform.Printing
@@ -18,6 +20,10 @@ internal object DesktopPosters : Posters {
     override val canPrint: Boolean = true
 
     override fun svg(poster: Poster): String = posterSvg(poster)
+
+    override suspend fun png(poster: Poster): ByteArray = withContext(Dispatchers.Default) {
+        posterPng(poster, createFontFamilyResolver())
+    }
 
     override suspend fun print(poster: Poster): Printing {
         val drawn = DrawnPoster(poster)

@@ -21,6 +21,7 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.text.withStyle
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.LayoutDirection
+import robotran.ui.pictures.pngOf
 import robotran.ui.sheet.SheetColours
 import robotran.ui.sheet.SheetFit
 import robotran.ui.sheet.drawSheet
@@ -67,7 +68,7 @@ class DrawnPoster(private val poster: Poster) {
         }
     }
 
-    /** The page with [pixelsPerMillimetre], for a printer. */
+    /** The page with [pixelsPerMillimetre], for a printer or a file. */
     fun image(pixelsPerMillimetre: Double, fonts: FontFamily.Resolver): ImageBitmap {
         val wide = (page.width * pixelsPerMillimetre).roundToInt()
         val high = (page.height * pixelsPerMillimetre).roundToInt()
@@ -79,6 +80,13 @@ class DrawnPoster(private val poster: Poster) {
         return image
     }
 }
+
+/** The sharpness of a poster as a picture: 200 dots per inch, for screens and small prints. */
+const val POSTER_PIXELS_PER_MILLIMETRE = 8.0
+
+/** [poster] as a PNG file, drawn off the screen with [fonts]. */
+fun posterPng(poster: Poster, fonts: FontFamily.Resolver): ByteArray =
+    pngOf(DrawnPoster(poster).image(POSTER_PIXELS_PER_MILLIMETRE, fonts))
 
 private fun DrawScope.drawBox(box: PosterBox, scale: Float) {
     val corner = Offset(box.area.left.toFloat() * scale, box.area.top.toFloat() * scale)

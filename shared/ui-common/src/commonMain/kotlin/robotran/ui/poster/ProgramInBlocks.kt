@@ -20,8 +20,10 @@ internal class ProgramInBlocks(program: BlockProgram) : PosterProgram {
     }
 
     override fun fitted(area: PosterArea, moreLines: (Int) -> String): FittedProgram {
-        val sizes = (0..SIZE_STEPS).map { LARGEST - it * (LARGEST - SMALLEST) / SIZE_STEPS }
-        val fits = sizes.asSequence().flatMap { size -> (1..MAX_COLUMNS).map { place(area, size, it) } }
+        LARGE_SIZES.asSequence().map { place(area, it, columns = 1) }
+            .firstOrNull { it.placed == rows.size && !it.hasBrokenRows }
+            ?.let { return FittedProgram(it.size, it.lines, it.boxes) }
+        val fits = SIZES.asSequence().flatMap { size -> (1..MAX_COLUMNS).map { place(area, size, it) } }
             .filter { it.placed == rows.size }
         // Blocks that take one line each are worth more than larger letters in narrower columns.
         (fits.firstOrNull { !it.hasBrokenRows } ?: fits.firstOrNull())?.let {

@@ -13,8 +13,8 @@ internal class ProgramInText(program: Program) : PosterProgram {
     }
 
     private fun fit(area: PosterArea): CodeFit {
-        for (step in 0..SIZE_STEPS) {
-            val size = LARGEST - step * (LARGEST - SMALLEST) / SIZE_STEPS
+        for (size in LARGE_SIZES) fit(area, size, 1).takeIf { it.fits && it.lines.size == code.size }?.let { return it }
+        for (size in SIZES) {
             for (columns in 1..MAX_COLUMNS) fit(area, size, columns).takeIf { it.fits }?.let { return it }
         }
         return (1..MAX_COLUMNS).map { fit(area, SMALLEST, it) }.maxBy { it.rows * it.columns }
@@ -51,10 +51,12 @@ private class CodeFit(val size: Double, val columns: Int, val lines: List<List<P
 
 internal fun columnWidth(area: PosterArea, columns: Int) = (area.width - (columns - 1) * GAP) / columns
 
-/** Letters for the program: 12 to 5.5 points. */
-internal const val LARGEST = 4.2
-internal const val SMALLEST = 1.95
-internal const val SIZE_STEPS = 18
+/** The sizes of letters for the program, 12 to 5.5 points, the largest first. */
+internal val SIZES = List(19) { 4.2 - it * 0.125 }
+internal val SMALLEST = SIZES.last()
+
+/** 20 to 12 points, for a short program that has its room in one column without broken lines. */
+internal val LARGE_SIZES = List(14) { 7.0 - it * 0.2 }
 internal const val MAX_COLUMNS = 3
 private const val MIN_CHARACTERS = 12
 internal const val LINE_HEIGHT = 1.35

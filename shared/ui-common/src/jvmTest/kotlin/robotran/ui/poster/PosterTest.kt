@@ -46,8 +46,23 @@ class PosterTest {
             page.lines.map { it.text },
         )
         val code = page.lines.filter { it.isCode }
-        assertTrue(code.all { it.size == 4.2 && it.baseline > page.sheet.top + page.sheet.height })
+        assertTrue(code.all { it.size == 7.0 && it.baseline > page.sheet.top + page.sheet.height })
         assertTrue(code.flatMap { it.runs }.map { it.colour }.toSet().size > 2, "in colours")
+    }
+
+    @Test
+    fun `letters are only large where every line has its room in one column`() {
+        val wide = layPoster(posterOf("beep\nshow \"a sentence that would not fit in one line of large letters\""))
+        val long = layPoster(posterOf(List(16) { "beep" }.joinToString("\n")))
+        val few = layPoster(posterOf(List(9) { "beep" }.joinToString("\n")))
+        for (page in listOf(wide, long, few)) {
+            val code = page.lines.filter { it.isCode }
+            val isInOneColumn = code.map { it.left }.distinct().size == 1
+            assertTrue(code.first().size <= 4.2 || isInOneColumn, "${code.first().size}")
+        }
+        assertEquals(2, wide.lines.count { it.isCode })
+        assertEquals(7.0, few.lines.first { it.isCode }.size)
+        assertTrue(long.lines.first { it.isCode }.size in 4.2..7.0)
     }
 
     @Test

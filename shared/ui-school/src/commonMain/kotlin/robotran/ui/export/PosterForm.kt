@@ -29,6 +29,7 @@ import robotran.ui.school.tags.ExportTags
 import robotran.ui.school.texts.ExportTexts
 import robotran.uikit.*
 import robotran.workshop.event.ExportEvent
+import robotran.workshop.platform.FileKind
 import robotran.workshop.state.Poster
 import robotran.workshop.state.ShowStep
 
@@ -70,6 +71,13 @@ private fun PosterFields(step: ShowStep.ChoosingPoster, onEvent: (ExportEvent) -
     }
     SwitchRow(ExportTexts.posterDate(spoken), step.isDated, ExportTags.POSTER_DATE) {
         onEvent(ExportEvent.PosterChanged(poster.title, poster.maker, it))
+    }
+    val kinds = listOf(
+        FileKind.PNG to ExportTexts.posterPicture(spoken),
+        FileKind.SVG to ExportTexts.posterDrawing(spoken),
+    )
+    ChipRow(title = "", kinds, step.kind, ExportTags.POSTER_KIND) {
+        onEvent(ExportEvent.PosterKindChosen(it))
     }
     val quiet = LocalRobotranColours.current.quiet
     Text(ExportTexts.posterPrivate(spoken), style = TextStyles.smallLines, color = quiet)

@@ -74,10 +74,12 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
                 val title = tutorial.current.text(state.language).title
                 val words = when {
                     isLarge -> title
-                    tutorial.isFolded -> "$name · $title"
+                    tutorial.isFolded -> "$title · $name"
                     else -> name
                 }
-                Text(words, style = TextStyles.body.medium)
+                // Folded, the task has the room.
+                val lines = if (tutorial.isFolded && !isLarge) 1 else Int.MAX_VALUE
+                Text(words, style = TextStyles.body.medium, maxLines = lines, overflow = TextOverflow.Ellipsis)
                 if (tutorial.isFolded) FoldedTask(state, tutorial) else StepDots(state, Modifier.padding(top = 4.dp))
             }
             StepList(state, tutorial, choosing, { choosing = false }, onEvent)
@@ -92,7 +94,7 @@ private fun FoldedTask(state: LearningState, tutorial: TutorialState) = Text(
     Modifier.testTag(LearningTags.TUTORIAL_TASK),
     TextStyles.caption,
     color = LocalRobotranColours.current.quiet,
-    maxLines = if (LocalDensity.current.fontScale > LARGE_LESSON) 1 else 2,
+    maxLines = if (LocalDensity.current.fontScale > LARGE_LESSON) 1 else FOLDED_LINES,
     overflow = TextOverflow.Ellipsis,
 )
 
@@ -225,5 +227,8 @@ private fun DrawScope.drawDot(index: Int, isDone: Boolean, isShown: Boolean, col
 
 /** From this font scale on, a phone has room for two lines only, and the title stands in them. */
 internal const val LARGE_LESSON = 1.3f
+
+/** On a phone beside its buttons, most tasks are whole in them. */
+private const val FOLDED_LINES = 3
 private val DOT_STEP = 18.dp
 private val DOT_RADIUS = 4.dp

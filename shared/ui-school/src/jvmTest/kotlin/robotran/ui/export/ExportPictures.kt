@@ -1,10 +1,12 @@
 package robotran.ui.export
 
+import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.runBlocking
 import robotran.language.Language
 import robotran.projects.ProgramView
 import robotran.ui.golden.GoldenPicture
 import robotran.ui.pictures.DrawnWorldPictures
+import robotran.ui.poster.posterPng
 import robotran.ui.poster.posterSvg
 import robotran.ui.screen.keepAs
 import robotran.ui.screen.photograph
@@ -82,6 +84,8 @@ private object AnyPrinter : Posters {
     override val canPrint: Boolean get() = true
 
     override fun svg(poster: Poster): String = posterSvg(poster)
+
+    override suspend fun png(poster: Poster): ByteArray = posterPng(poster, createFontFamilyResolver())
 
     override suspend fun print(poster: Poster): Printing = Printing.Cancelled
 }

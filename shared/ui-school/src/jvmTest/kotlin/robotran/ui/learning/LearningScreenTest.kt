@@ -206,7 +206,7 @@ class LearningScreenTest {
         pass(100)
         onNodeWithTag(LearningTags.TUTORIAL).assertDoesNotExist()
         onNodeWithTag(LearningTags.TUTORIAL_STEPS)
-            .assertIsDisplayed().assertTextContains("Drive and draw: 1 of 10 · A first drive")
+            .assertIsDisplayed().assertTextContains("A first drive · Drive and draw: 1 of 10")
         onNodeWithTag(LearningTags.FOLD_TUTORIAL).performClick()
         pass(100)
         onNodeWithTag(LearningTags.TUTORIAL).assertIsDisplayed()

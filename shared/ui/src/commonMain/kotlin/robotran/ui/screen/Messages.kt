@@ -20,6 +20,7 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.dp
+import robotran.brick.state.RunState
 import robotran.ui.brick.BrickHint
 import robotran.ui.brick.brickHintWords
 import robotran.ui.screen.tags.ScreenTags
@@ -89,13 +90,16 @@ private fun News(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, options
             state.notice?.takeUnless { it is Notice.WorldSolved && state.learning.solved != null }
                 ?.let { NoticeBar(it, onEvent) }
         }
+        // What stopped the program comes before what it has not reached for that.
+        val hasFailed = state.run.brick.run is RunState.Failed
+        if (hasFailed) ClosableHint(state.run, options.onWholeBrick)
         OutcomeCard(
             state,
             onEvent,
             canHandIn = !options.isEmbedded,
             tellsTries = options.isEmbedded || !state.taskShown || !state.hasTask,
         )
-        ClosableHint(state.run, options.onWholeBrick)
+        if (!hasFailed) ClosableHint(state.run, options.onWholeBrick)
     }
 }
 

@@ -76,8 +76,8 @@ internal data class StagePlan(val side: MessageSide, val extent: Dp) {
         /** Below the sheet there is more room for sentences, so that it may be a little smaller for it. */
         private const val NEARLY = 0.95f
 
-        /** At the default font size: a notice of two lines with its buttons; a task or an outcome with its button. */
-        private val NOTICES = 128.dp
+        /** At the default font size: a notice of two lines; a task or an outcome with its button. */
+        private val NOTICES = 80.dp
         private val TASK = 164.dp
         private val ASSIGNMENT = 200.dp
 

@@ -8,6 +8,7 @@ import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onFirst
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
+import robotran.brick.controls.BrickButton
 import robotran.language.Language
 import robotran.learning.Lessons
 import robotran.programs.Program
@@ -189,6 +190,21 @@ class OutcomeCardTest {
             assertTrue(workshop.state.session.brick.explanation != null, program)
             assertEquals(isShown, isThere(RunTags.BRICK_HINT), program)
         }
+    }
+
+    @Test
+    fun `why a program failed comes before what it has not reached for that`() = onPhone { workshop ->
+        workshop.handle(LearningEvent.WorldChosen("square"))
+        workshop.handle(ProgramEvent.ProgramEdited("var zero = 0\nforward 2\nshow 5 / zero\n"))
+        workshop.handle(RunEvent.RunPressed)
+        workshop.advance(5_000)
+        workshop.handle(ScreenEvent.PaneChosen(Pane.WORLD))
+        pass(500)
+        val why = onNodeWithTag(RunTags.BRICK_HINT).assertIsDisplayed().fetchSemanticsNode().boundsInRoot
+        val missing = onNodeWithTag(ScreenTags.MISSING_CARD).fetchSemanticsNode().boundsInRoot
+        val brick = onNodeWithTag(RunTags.button(BrickButton.RUN)).fetchSemanticsNode().boundsInRoot
+        assertTrue(why.bottom <= missing.top || missing.isEmpty, "$why and $missing")
+        assertTrue(why.bottom <= brick.top, "$why and $brick")
     }
 
     @Test

@@ -74,14 +74,14 @@ class SheetRoomTest {
 
         /** For each window the part of the sheet's pane, in percent of its area at text of 100 and 200 %. */
         val SHARES = listOf(
-            Pair(360 to 640, listOf(35, 27)),
-            Pair(411 to 891, listOf(45, 41)),
-            Pair(640 to 360, listOf(22, 20)),
+            Pair(360 to 640, listOf(42, 30)),
+            Pair(411 to 891, listOf(45, 45)),
+            Pair(640 to 360, listOf(26, 20)),
             Pair(891 to 411, listOf(34, 26)),
-            Pair(820 to 1180, listOf(29, 15)),
-            Pair(1280 to 800, listOf(39, 31)),
-            Pair(1440 to 900, listOf(42, 37)),
-            Pair(1920 to 1080, listOf(42, 37)),
+            Pair(820 to 1180, listOf(29, 17)),
+            Pair(1280 to 800, listOf(45, 37)),
+            Pair(1440 to 900, listOf(47, 42)),
+            Pair(1920 to 1080, listOf(42, 47)),
         )
     }
 }

@@ -25,15 +25,22 @@ internal object GoldenPicture {
     /** Fails if [picture] differs from the reference [name]. */
     fun check(name: String, picture: Image) {
         val small = quarterOf(picture)
-        val file = File(kept, "$name.png")
+        kept.mkdirs()
+        compare(name, picture, File(kept, "$name.png"), small) { it }
+    }
+
+    /** Fails if [picture] differs from that of the pages of that [name], which is kept in full size. */
+    fun checkPage(name: String, picture: Image) =
+        compare(name, picture, File("../../docs/pictures/$name.png"), picture, ::quarterOf)
+
+    private fun compare(name: String, picture: Image, file: File, recorded: Image, reduce: (Image) -> Image) {
         if (recording) {
             show(name, picture)
-            kept.mkdirs()
-            file.writeBytes(bytesOf(small))
+            file.writeBytes(bytesOf(recorded))
         }
         if (!file.exists()) fail("There is no picture $name yet: look at ${show(name, picture)} and record it.")
-        val wanted = Image.makeFromEncoded(file.readBytes())
-        val other = share(tilesOf(small), tilesOf(wanted))
+        val wanted = reduce(Image.makeFromEncoded(file.readBytes()))
+        val other = share(tilesOf(reduce(recorded)), tilesOf(wanted))
         if (other > MAX_OTHER_TILES) {
             fail("$name looks different: ${(other * 100).toInt()} % of its tiles. See ${show(name, picture)}.")
         }

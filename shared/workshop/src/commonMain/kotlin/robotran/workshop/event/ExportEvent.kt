@@ -25,6 +25,9 @@ sealed interface ExportEvent : SchoolEvent {
     /** Changes what is on the poster. */
     data class PosterChanged(val title: String, val maker: String, val isDated: Boolean) : ExportEvent
 
+    /** Chooses the kind of the poster's file, PNG or SVG. */
+    data class PosterKindChosen(val kind: FileKind) : ExportEvent
+
     /** Saves what was made. */
     data object SaveRequested : ExportEvent
 

@@ -54,6 +54,7 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
             is ExportEvent.StillChosen -> work { makeStill(event.kind) }
             ExportEvent.PosterChosen -> show(ShowStep.ChoosingPoster(firstPoster(), isDated))
             is ExportEvent.PosterChanged -> if (step is ShowStep.ChoosingPoster) change(step, event)
+            is ExportEvent.PosterKindChosen -> if (step is ShowStep.ChoosingPoster) show(step.copy(kind = event.kind))
             ExportEvent.SaveRequested -> if (step is ShowStep.Made) work { save(step) }
             ExportEvent.ShareRequested -> if (step is ShowStep.Made) work { share(step) }
             ExportEvent.PrintRequested -> if (step is ShowStep.Made) work { print(step) }
@@ -92,7 +93,7 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
     private fun make(chosen: ShowStep) {
         when (chosen) {
             is ShowStep.ChoosingSpeed -> work { makeMoving(chosen) }
-            is ShowStep.ChoosingPoster -> work { makePoster(chosen.poster) }
+            is ShowStep.ChoosingPoster -> work { makePoster(chosen) }
             else -> Unit
         }
     }
@@ -126,8 +127,13 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
         made(bytes, kind, MadePicture.Still(world, session))
     }
 
-    private fun makePoster(poster: Poster) =
-        made(platform.posters.svg(poster).encodeToByteArray(), FileKind.SVG, MadePicture.Page(poster), poster.title)
+    private suspend fun makePoster(chosen: ShowStep.ChoosingPoster) {
+        val poster = chosen.poster
+        val picture = if (chosen.kind == FileKind.PNG) platform.posters.png(poster) else null
+        val bytes = picture ?: platform.posters.svg(poster).encodeToByteArray()
+        val kind = if (picture == null) FileKind.SVG else FileKind.PNG
+        made(bytes, kind, MadePicture.Page(poster), poster.title)
+    }
 
     private fun made(bytes: ByteArray, kind: FileKind, shown: MadePicture, name: String = title()) =
         show(ShowStep.Made(MadeWork(fileNameFor(name, kind), kind, bytes, shown)))
@@ -148,7 +154,7 @@ class ExportStateHolder(services: Services, private val title: () -> String) {
         isDated = event.isDated
         val title = event.title.take(Poster.MAX_TITLE)
         val poster = step.poster.copy(title = title, maker = makerName, date = dateOf(isDated))
-        show(ShowStep.ChoosingPoster(poster, isDated))
+        show(step.copy(poster = poster, isDated = isDated))
     }
 
     private fun dateOf(isDated: Boolean): String =

@@ -10,6 +10,9 @@ interface Posters {
     /** The page as SVG text, the same on every platform. */
     fun svg(poster: Poster): String
 
+    /** The page as a PNG picture that fills a screen; null if the platform cannot draw it now. */
+    suspend fun png(poster: Poster): ByteArray?
+
     /** Shows the platform's print dialog and prints. */
     suspend fun print(poster: Poster): Printing
 }
@@ -30,6 +33,8 @@ object NoPosters : Posters {
     override val canPrint: Boolean get() = false
 
     override fun svg(poster: Poster): String = ""
+
+    override suspend fun png(poster: Poster): ByteArray? = null
 
     override suspend fun print(poster: Poster): Printing = Printing.Cancelled
 }

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.documents.FileKind
 
 /**
  * The sheet with which pupils show what they made.
@@ -34,8 +35,13 @@ sealed interface ShowStep {
     /** Making a moving picture; [progress] is 0..1. */
     data class Making(val kind: MovingKind, val progress: Float) : ShowStep
 
-    /** Choosing what is on the [poster]; [isDated] is whether it has its date. */
-    data class ChoosingPoster(val poster: Poster, val isDated: Boolean) : ShowStep
+    /**
+     * Choosing what is on the [poster].
+     *
+     * @property isDated whether it has its date.
+     * @property kind the kind of its file, PNG or SVG.
+     */
+    data class ChoosingPoster(val poster: Poster, val isDated: Boolean, val kind: FileKind = FileKind.PNG) : ShowStep
 
     /**
      * Looking at what was made.

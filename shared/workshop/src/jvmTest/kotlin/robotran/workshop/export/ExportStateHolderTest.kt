@@ -154,9 +154,22 @@ class ExportStateHolderTest {
         workshop.handle(ExportEvent.PrintRequested)
         advanceUntilIdle()
         assertEquals(listOf(poster), printer.printed)
-        files.location = "/home/poster.svg"
+        files.location = "/home/poster.png"
         save(workshop)
-        assertEquals("poster A line by Ada", files.disk.getValue("/home/poster.svg").decodeToString())
+        assertEquals("picture of A line by Ada", files.disk.getValue("/home/poster.png").decodeToString())
+    }
+
+    @Test
+    fun `a poster is a drawing to enlarge if the pupil wants, or if nothing else can be made`() = shown { workshop ->
+        workshop.handle(ExportEvent.Requested)
+        workshop.handle(ExportEvent.PosterChosen)
+        workshop.handle(ExportEvent.PosterKindChosen(FileKind.SVG))
+        workshop.handle(ExportEvent.PosterChanged("A line", "Ada", isDated = false))
+        assertEquals(FileKind.SVG, madePoster(workshop))
+        printer.draws = false
+        workshop.handle(ExportEvent.BackRequested)
+        workshop.handle(ExportEvent.PosterChosen)
+        assertEquals(FileKind.SVG, madePoster(workshop))
     }
 
     @Test
@@ -185,6 +198,14 @@ class ExportStateHolderTest {
     }
 
     private val Workshop.step: ShowStep? get() = state.show?.step
+
+    private fun TestScope.madePoster(workshop: Workshop): FileKind {
+        workshop.handle(ExportEvent.MakingRequested)
+        advanceUntilIdle()
+        val work = assertIs<ShowStep.Made>(workshop.step).work
+        assertTrue(work.bytes.decodeToString().startsWith("poster "))
+        return work.kind
+    }
 
     private fun TestScope.save(workshop: Workshop) {
         advanceUntilIdle()
@@ -245,10 +266,14 @@ class ExportStateHolderTest {
     private class TestPrinter : Posters {
         val printed = mutableListOf<Poster>()
         var result: Printing = Printing.HandedOver
+        var draws = true
 
         override val canPrint: Boolean get() = true
 
         override fun svg(poster: Poster): String = "poster ${poster.title} by ${poster.maker}"
+
+        override suspend fun png(poster: Poster): ByteArray? =
+            "picture of ${poster.title} by ${poster.maker}".encodeToByteArray().takeIf { draws }
 
         override suspend fun print(poster: Poster): Printing {
             printed += poster

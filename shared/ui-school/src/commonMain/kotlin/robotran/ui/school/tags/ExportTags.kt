@@ -3,6 +3,7 @@ package robotran.ui.school.tags
 /** The tags of showing work to others, by which tests and the page find what is on the screen. */
 object ExportTags {
     const val POSTER_DATE = "poster-date"
+    const val POSTER_KIND = "poster-kind"
     const val POSTER_MAKER = "poster-maker"
     const val POSTER_PREVIEW = "poster-preview"
     const val POSTER_TITLE = "poster-title"

@@ -2,7 +2,10 @@ package robotran.ui.program.blocks.dialogs
 
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
+import androidx.compose.foundation.layout.IntrinsicSize
 import androidx.compose.foundation.layout.Row
+import androidx.compose.foundation.layout.fillMaxHeight
+import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -22,7 +25,7 @@ import robotran.uikit.*
 internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: (Char) -> Unit) =
     Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
         for (row in if (isLow) LOW_ROWS else ROWS) {
-            Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
+            Row(Modifier.height(IntrinsicSize.Min), Arrangement.spacedBy(GAP)) {
                 for (key in row) {
                     PadKey("$key", ProgramTags.digit(key), keyWidth, spokenFor(key), signOf(key)) {
                         onKey(key)
@@ -32,7 +35,7 @@ internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: 
             }
         }
         if (!isLow) {
-            Row(horizontalArrangement = Arrangement.spacedBy(GAP)) {
+            Row(Modifier.height(IntrinsicSize.Min), Arrangement.spacedBy(GAP)) {
                 val half = keyWidth * 2 + GAP
                 PadKey("0", ProgramTags.DIGIT_0, half, "0") { onKey('0') }
                 DoneKey(half, onDone)
@@ -46,7 +49,7 @@ private fun DoneKey(width: Dp, onDone: () -> Unit) =
 
 @Composable
 private fun PadKey(label: String, tag: String, width: Dp, spoken: String, sign: Icon? = null, onClick: () -> Unit) =
-    DialogButton(label, tag, Modifier.width(width), spoken, sign = sign, onClick = onClick)
+    DialogButton(label, tag, Modifier.width(width).fillMaxHeight(), spoken, sign = sign, onClick = onClick)
 
 /** The width of a pad with keys of [keyWidth]; [isLow] as in [NumberPad]. */
 internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {
