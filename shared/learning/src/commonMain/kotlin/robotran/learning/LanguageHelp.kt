@@ -4,8 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.assembly.CommandHelp
-import robotran.robolang.words.inEnglish
-import robotran.robolang.words.vocabularyOf
+import robotran.programs.support
 
 /** The help on the words of one programming language. */
 internal interface LanguageHelp {
@@ -38,7 +37,7 @@ private object RobolangHelp : LanguageHelp {
 
     override fun at(text: String, range: IntRange, language: Language, brick: BrickKind): WordHelp? {
         val word = text.substring(range.first, range.last + 1)
-        return on(vocabularyOf(text).inEnglish(word), language, brick)
+        return on(ProgramLanguage.ROBOLANG.support.usualWord(word, text), language, brick)
     }
 }
 

@@ -17,8 +17,12 @@ class OtherWordsTest {
 
     @Test
     fun `every program of a lesson goes into each language and back`() {
-        for (lesson in lessons) for (program in listOf(lesson.program, lesson.solution)) for (language in others) {
-            assertEquals(program.text, changed(changed(program.text, language), Language.ENGLISH), lesson.name)
+        for (lesson in lessons) {
+            for (program in listOf(lesson.program, lesson.solution)) {
+                for (language in others) {
+                    assertEquals(program.text, changed(changed(program.text, language), Language.ENGLISH), lesson.name)
+                }
+            }
         }
     }
 
@@ -42,7 +46,11 @@ class OtherWordsTest {
             val english = chooseHint(wrong.lesson, runIn(wrong.lesson, wrong.program), Language.ENGLISH)
             for (language in others) {
                 val attempt = runIn(wrong.lesson, changed(wrong.program, language))
-                assertEquals(english, chooseHint(wrong.lesson, attempt, Language.ENGLISH), "${wrong.lesson.name} $language")
+                assertEquals(
+                    english,
+                    chooseHint(wrong.lesson, attempt, Language.ENGLISH),
+                    "${wrong.lesson.name} $language",
+                )
             }
         }
     }

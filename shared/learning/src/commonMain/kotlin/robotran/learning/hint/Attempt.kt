@@ -1,9 +1,6 @@
 package robotran.learning.hint
 
 import robotran.brick.state.RunState
-import robotran.robolang.wording.ChangedWords
-import robotran.robolang.wording.changeWords
-import robotran.robolang.words.Vocabulary
 import robotran.simulation.state.GoalStatus
 import robotran.simulation.state.SessionState
 import robotran.world.World
@@ -11,7 +8,7 @@ import robotran.world.World
 /**
  * One try at a task: the program and what its run did.
  *
- * @property program the pupil's program.
+ * @property program the pupil's program, in the words that [solution] has.
  * @property given the program that the pupil began with.
  * @property solution a program that does the task.
  * @property world the world of the task.
@@ -26,7 +23,7 @@ class Attempt(
     val run: SessionState,
     val hasPassed: Boolean = false,
 ) {
-    internal val lines: List<CodeLine> by lazy { codeLines(inEnglish(program)) }
+    internal val lines: List<CodeLine> by lazy { codeLines(program) }
     internal val givenLines: List<CodeLine> by lazy { codeLines(given) }
     internal val solutionLines: List<CodeLine> by lazy { codeLines(solution) }
 
@@ -56,7 +53,3 @@ class Attempt(
         const val MILLISECONDS_PER_SECOND = 1000.0
     }
 }
-
-/** A Robolang program in the words of English, as solutions are; any other program as it is. */
-private fun inEnglish(program: String): String =
-    (changeWords(program, Vocabulary.ENGLISH) as? ChangedWords.Success)?.text ?: program

@@ -13,6 +13,10 @@ import robotran.robolang.brickOfRobolang
 import robotran.robolang.edit.RobolangSyntax
 import robotran.robolang.robolangTokens
 import robotran.robolang.robolangTokensOfLines
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.inEnglish
 import robotran.robolang.words.vocabularyOf
 
 object RobolangSupport : LanguageSupport {
@@ -21,6 +25,11 @@ object RobolangSupport : LanguageSupport {
     override val files: ProgramFiles = RobolangFiles
     override val measure: ProgramMeasure = RobolangMeasure
     override val hasBlocks = true
+
+    override fun inUsualWords(program: String): String =
+        (changeWords(program, Vocabulary.ENGLISH) as? ChangedWords.Success)?.text ?: program
+
+    override fun usualWord(word: String, program: String): String = vocabularyOf(program).inEnglish(word)
 
     override fun translations(brick: BrickKind): List<ProgramLanguage> = listOfNotNull(
         ProgramLanguage.JAVA.takeIf { brick.java != null },
