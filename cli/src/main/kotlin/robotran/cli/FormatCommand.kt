@@ -8,6 +8,7 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
+import com.github.ajalt.clikt.parameters.types.choice
 import robotran.cli.console.Console
 import robotran.cli.console.ExitCode
 import robotran.cli.console.LanguageOption
@@ -23,11 +24,17 @@ import robotran.nqc.support.NqcSupport
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
 
 /** `robotran format FILE..`: formats programs in place. With `--check` it only lists the unformatted ones. */
 internal class FormatCommand(private val console: Console) : CoreCliktCommand("format") {
     private val files by argument("FILE", help = "programs in Robolang (.robo) or NQC (.nqc)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
+
+    private val words by option("--words", metavar = "LANGUAGE", help = "writes Robolang in the words of en, es or de")
+        .choice(Vocabulary.all.associateBy { it.language.tag })
 
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
@@ -56,10 +63,21 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
 
     private fun format(name: String, file: TextFile.Success): ExitCode =
         when (val result = formatRobolang(file.text, RobolangMessages.of(spoken.language))) {
-            is FormatResult.Success -> settle(name, file, result.text)
+            is FormatResult.Success -> inWords(name, file, result.text)
 
             is FormatResult.Failure -> {
                 result.diagnostics.forEach { console.complain(lineOf(name, it)) }
+                ExitCode.PROGRAM_FAILED
+            }
+        }
+
+    private fun inWords(name: String, file: TextFile.Success, formatted: String): ExitCode =
+        when (val result = words?.let { changeWords(formatted, it) }) {
+            null -> settle(name, file, formatted)
+            is ChangedWords.Success -> settle(name, file, result.text)
+
+            is ChangedWords.NamesInTheWay -> {
+                console.complain(sentences.namesInTheWay(name, result.names))
                 ExitCode.PROGRAM_FAILED
             }
         }

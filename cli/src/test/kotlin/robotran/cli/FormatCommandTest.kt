@@ -47,4 +47,20 @@ class FormatCommandTest : CommandTest() {
         assertEquals(2, format("$folder/missing.robo"))
         assertContains(console.complaints.single(), "missing.robo")
     }
+
+    @Test
+    fun `a program goes into the words of another language and back`() {
+        assertEquals(0, format("$untidy", "--words", "de"))
+        assertTrue(untidy.readText().startsWith("wiederhole 2 mal\n  piepse"), untidy.readText())
+        assertEquals(0, format("$untidy", "--words", "en"))
+        assertTrue(untidy.readText().startsWith("repeat 2 times\n  beep"), untidy.readText())
+    }
+
+    @Test
+    fun `a name that is a word of the other language is told, and the program stays`() {
+        val program = folder.resolve("names.robo").also { it.writeText("var ende = 5\nshow ende\n") }
+        assertEquals(1, format("$program", "--words", "de"))
+        assertEquals("var ende = 5\nshow ende\n", program.readText())
+        assertContains(console.complaints.single(), "ende")
+    }
 }

@@ -38,5 +38,5 @@ fun copied(program: BlockProgram, run: BlockRun): String? {
     val rows = program.outline.rows(program.lineCount).subList(lines.first, lines.last + 1)
     val base = baseIndentation(rows)
     val copy = rows.map { it.moved(base, indentation = "", depth = -rows.first().depth) }
-    return copy.closed(unclosed(copy)).joinToString("") { it.content + "\n" }
+    return copy.closed(unclosed(copy), program).joinToString("") { it.content + "\n" }
 }

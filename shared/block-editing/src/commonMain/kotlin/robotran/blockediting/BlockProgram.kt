@@ -6,6 +6,8 @@ import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ProgramOutline
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.written
 
 /**
  * A Robolang text as blocks. Immutable: an edit makes another one, see [apply].
@@ -21,6 +23,13 @@ class BlockProgram internal constructor(
     internal val messages: RobolangMessages,
 ) {
     val text: String get() = outline.source
+
+    /** The words that it is written in. */
+    val vocabulary: Vocabulary get() = outline.parsed?.vocabulary ?: Vocabulary.ENGLISH
+
+    /** [english], a piece of a program, in the words of this one. */
+    internal fun inWords(english: String): String =
+        vocabulary.written(english, outline.names.mapTo(mutableSetOf()) { it.key })
 
     /** All blocks, each before those inside it. */
     val all: List<Block> by lazy { buildList { addAllOf(blocks) } }

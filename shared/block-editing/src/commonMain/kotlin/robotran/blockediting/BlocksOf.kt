@@ -15,6 +15,12 @@ import robotran.robolang.outline.outlineRobolang
 fun blocksOf(text: String, messages: RobolangMessages, previous: BlockProgram? = null): BlockProgram =
     blocksOf(outlineRobolang(text, messages), messages, previous)
 
+/** Reads [text] as blocks that belong to [program]: written in its words, or in those of English. */
+internal fun fragmentOf(program: BlockProgram, text: String): BlockProgram {
+    val written = program.inWords(text)
+    return blocksOf(outlineRobolang(written, program.messages, program.vocabulary), program.messages, previous = null)
+}
+
 internal fun blocksOf(outline: ProgramOutline, messages: RobolangMessages, previous: BlockProgram?): BlockProgram {
     val count = linesOfBlocks(outline)
     val ids = if (previous == null) LineIds(IntArray(count) { it }, count) else carriedIds(previous, outline, count)

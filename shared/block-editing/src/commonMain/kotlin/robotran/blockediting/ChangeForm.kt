@@ -1,8 +1,6 @@
 package robotran.blockediting
 
-import robotran.language.Language
 import robotran.language.source.SourceSpan
-import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
@@ -34,20 +32,20 @@ internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): Blo
     val line = program.outline.lines.getOrNull(edit.line) ?: return refused(BlockEditError.NotFound)
     val form = line.form ?: return refused(BlockEditError.NoSuchForm)
     if (edit.form !in formsFor(form)) return refused(BlockEditError.NoSuchForm)
-    val template = checkNotNull(edit.form.example).substringBefore('\n')
+    val template = program.inWords(checkNotNull(edit.form.example).substringBefore('\n'))
     val span = SourceSpan(line.parts.first().span.start, line.parts.last().span.end)
-    val text = filledIn(template, line, program.text)
+    val text = filledIn(template, line, program)
     val change = TextEdit(span.start, span.textIn(program.text), text)
     return resultOf(program, listOf(change), SourceSpan(span.start, span.start + text.length))
 }
 
-private fun filledIn(template: String, line: OutlineLine, source: String): String = buildString {
+private fun filledIn(template: String, line: OutlineLine, program: BlockProgram): String = buildString {
     val left = line.parts.toMutableList()
     var position = 0
-    for (part in outlineRobolang(template, messages = RobolangMessages.of(Language.ENGLISH)).lines.first().parts) {
+    for (part in outlineRobolang(template, program.messages, program.vocabulary).lines.first().parts) {
         append(template, position, part.span.start)
         val same = left.firstOrNull { isAlike(it, part) }
-        if (same == null) append(part.span.textIn(template)) else append(same.span.textIn(source))
+        if (same == null) append(part.span.textIn(template)) else append(same.span.textIn(program.text))
         left -= setOfNotNull(same)
         position = part.span.end
     }

@@ -13,7 +13,7 @@ internal class ConstructEdits(private val program: BlockProgram) {
     fun wrap(edit: BlockEdit.Wrap): BlockEditResult {
         val blocks = program.blocksOf(edit.run) ?: return refused(BlockEditError.NotFound)
         val place = checkNotNull(program.placeOf(edit.run.first))
-        val fragment = blocksOf(edit.construct, program.messages)
+        val fragment = fragmentOf(program, edit.construct)
         val construct =
             fragment.blocks.singleOrNull() as? Block.Construct ?: return refused(BlockEditError.NoSuchConstruct)
         if (construct.head.form == LineForm.ROBOT) return refused(BlockEditError.OnlySettings)
@@ -24,7 +24,7 @@ internal class ConstructEdits(private val program: BlockProgram) {
         val inside = rows.subList(first, after)
         val base = baseIndentation(inside)
         val target = if (inside.all { it.isBlank }) program.indentationAt(place) else base
-        val own = fragment.outline.rows(fragment.lineCount).let { it.closed(unclosed(it)) }
+        val own = fragment.outline.rows(fragment.lineCount).let { it.closed(unclosed(it), program) }
             .map { it.moved(base = "", target, program.depthAt(place)) }
         val wrapped = own.take(1) + inside.map { it.moved(base, target + INDENTATION, depth = 1) } +
             own.drop(construct.slots.first().lastLine + 1)
@@ -61,13 +61,14 @@ internal class ConstructEdits(private val program: BlockProgram) {
         if (condition != null) conditionError(condition)?.let { return refused(it) }
         val words = if (condition == null) "else" else "else if " + condition.trim()
         val indentation = indentationOf(rows[construct.head.index].content)
-        val branch = Row(indentation + words, null, LineRole.BRANCHES, construct.head.depth, origin = null)
+        val branch =
+            Row(indentation + program.inWords(words), null, LineRole.BRANCHES, construct.head.depth, origin = null)
         val line = otherwise?.head?.index ?: (construct.slots.last().lastLine + 1)
         return resultOf(program, rows.subList(0, line) + branch + rows.subList(line, rows.size), listOf(branch))
     }
 
     private fun conditionError(condition: String): BlockEditError? {
-        val line = blocksOf("if $condition", program.messages).outline.lines
+        val line = fragmentOf(program, "if $condition").outline.lines
         val value = line.first().parts.filterIsInstance<PhrasePart.Value>().singleOrNull()
         if (line.size > 1 || value == null || line.first().comment != null) {
             return BlockEditError.NoValue(condition, line.first().error)

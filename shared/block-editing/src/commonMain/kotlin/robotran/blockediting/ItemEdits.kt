@@ -10,7 +10,7 @@ import robotran.textediting.TextEdit
 internal class ItemEdits(private val program: BlockProgram) {
     fun add(edit: BlockEdit.AddItem): BlockEditResult {
         val items = listAt(edit.list) ?: return refused(BlockEditError.NotFound)
-        val item = edit.item.trim()
+        val item = program.inWords(edit.item.trim())
         if (edit.index !in 0..items.items.size) return refused(BlockEditError.NotFound)
         val change = items.added(edit.index, item)
         val start = change.start + change.inserted.indexOf(item)
@@ -30,7 +30,7 @@ internal class ItemEdits(private val program: BlockProgram) {
     fun addParameter(edit: BlockEdit.AddParameter): BlockEditResult {
         val uses = bracketsOf(edit.routine) ?: return refused(BlockEditError.NotFound)
         val name = edit.name.trim()
-        if (!isName(name)) return refused(BlockEditError.NoName(name))
+        if (!isName(name, program.vocabulary)) return refused(BlockEditError.NoName(name))
         if (program.freeName(name) != name) return refused(BlockEditError.NameTaken(name))
         val changes = uses.map { (use, items) ->
             items.added(items.items.size, if (use == edit.routine) name else ValueUse.ANY.example)

@@ -9,15 +9,18 @@ import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.robolangTokens
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.written
 import robotran.textediting.TextEdit
 
 /**
- * Whether Robolang allows [text] as a name. It also allows its newer words, but lines that already use such a word
+ * Whether Robolang in [vocabulary] allows [text] as a name. It also allows its newer words, but lines that already use such a word
  * would say something else then, so blocks offer none of them.
  */
-fun isName(text: String): Boolean {
-    if (RobolangWords.isNewerWord(text)) return false
-    val line = outlineRobolang("var $text = 1", messages = RobolangMessages.of(Language.ENGLISH)).lines
+fun isName(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): Boolean {
+    if (RobolangWords.isNewerWord(text, vocabulary)) return false
+    val declaration = vocabulary.written("var ") + "$text = 1"
+    val line = outlineRobolang(declaration, RobolangMessages.of(Language.ENGLISH), vocabulary).lines
     return line.size == 1 && line.first().parts.any { it is PhrasePart.NamePart && it.span.length == text.length }
 }
 
@@ -33,7 +36,7 @@ internal fun renamed(program: BlockProgram, edit: BlockEdit.Rename): BlockEditRe
     val name = program.outline.names.firstOrNull { it.declaredAt == edit.declaredAt }
         ?: return refused(BlockEditError.NotFound)
     val new = edit.name.trim()
-    if (!isName(new)) return refused(BlockEditError.NoName(new))
+    if (!isName(new, program.vocabulary)) return refused(BlockEditError.NoName(new))
     val key = keyOf(new)
     val isTaken = key in RobolangWords.functions ||
         program.outline.names.any {

@@ -12,7 +12,7 @@ internal class NewNames(private val program: BlockProgram) {
     fun use(edit: BlockEdit.UseNewName): BlockEditResult {
         val part = program.partAt(edit.part) ?: return refused(BlockEditError.NotFound)
         val name = edit.name.trim()
-        if (!isName(name)) return refused(BlockEditError.NoName(name))
+        if (!isName(name, program.vocabulary)) return refused(BlockEditError.NoName(name))
         if (program.freeName(name) != name) return refused(BlockEditError.NameTaken(name))
         val line = program.lineAt(edit.part.start).index
         val declared = when (part) {

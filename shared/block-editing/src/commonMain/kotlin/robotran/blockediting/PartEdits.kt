@@ -4,6 +4,7 @@ import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.ValueForm
+import robotran.robolang.words.agreeing
 import robotran.textediting.TextEdit
 
 /** Edits of the words and values of a line. */
@@ -33,12 +34,14 @@ internal class PartEdits(private val program: BlockProgram) {
     }
 
     /** @param left changes elsewhere that are made together with this one. */
-    private fun value(part: PhrasePart.Value, text: String, left: List<TextEdit> = emptyList()): BlockEditResult {
-        val alone = outlineRobolang(VALUE_LINE + text, program.messages).lines
+    private fun value(part: PhrasePart.Value, english: String, left: List<TextEdit> = emptyList()): BlockEditResult {
+        val text = program.inWords(english)
+        val line = program.inWords(VALUE_LINE) + text
+        val alone = outlineRobolang(line, program.messages, program.vocabulary).lines
         val isValue = alone.size == 1 && alone.first().comment == null &&
             alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
         if (!isValue) return refused(BlockEditError.NoValue(text, alone.first().error))
-        val line = program.lineAt(part.span.start)
+        val head = program.lineAt(part.span.start)
         // An operand with a weaker operator inside needs brackets.
         for (attempt in listOf(text, "($text)")) {
             val changes = (left + changes(part, attempt)).sortedBy { it.start }
@@ -46,7 +49,7 @@ internal class PartEdits(private val program: BlockProgram) {
             val placed = SourceSpan(start, start + attempt.length)
             val after = blocksOf(changed(program.text, changes), program.messages, program)
             val now = after.partAt(placed) as? PhrasePart.Value
-            if (now == null || after.lineAt(placed.start).form != line.form || now.use != part.use) continue
+            if (now == null || after.lineAt(placed.start).form != head.form || now.use != part.use) continue
             val isFit = fits(after.kindOf(now.value), part.use)
             if (!isFit) return refused(checkNotNull(errorOf(part.use.kind)))
             return doneWith(program, after, changes, placed)
@@ -63,18 +66,18 @@ internal class PartEdits(private val program: BlockProgram) {
         val place = line.parts.indexOfFirst { it.span == part.span }
         val unit = line.parts.getOrNull(place + 1)?.takeIf { place >= 0 } ?: return null
         val word = unit.span.textIn(program.text)
-        val numbers = UNITS.firstOrNull { word == it.first || word == it.second } ?: return null
-        val agreeing = if (text == "1") numbers.first else numbers.second
+        val agreeing = program.vocabulary.agreeing(word, text)
         return change(unit.span, agreeing).takeIf { word != agreeing }
     }
 
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
         val option = part.options.firstOrNull { it.equals(text, ignoreCase = true) }
             ?: return refused(BlockEditError.NoChoice(part.options))
-        return sameForm(part.span, option) { it is PhrasePart.Choice } ?: refused(BlockEditError.NoChoice(part.options))
+        return sameForm(part.span, program.inWords(option)) { it is PhrasePart.Choice }
+            ?: refused(BlockEditError.NoChoice(part.options))
     }
 
-    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text)) {
+    private fun name(part: PhrasePart.NamePart, text: String): BlockEditResult = if (isName(text, program.vocabulary)) {
         sameForm(part.span, text) { it is PhrasePart.NamePart } ?: refused(BlockEditError.NoName(text))
     } else {
         refused(BlockEditError.NoName(text))
@@ -102,13 +105,5 @@ internal class PartEdits(private val program: BlockProgram) {
 
     private companion object {
         const val VALUE_LINE = "var value = "
-
-        /** Units that agree with their number. */
-        val UNITS = listOf(
-            "time" to "times",
-            "degree" to "degrees",
-            "second" to "seconds",
-            "millisecond" to "milliseconds",
-        )
     }
 }

@@ -19,7 +19,7 @@ internal fun resultOf(program: BlockProgram, rows: List<Row>, selected: List<Row
     val unclosed = unclosed(rows)
     val near = unclosed.filter { block -> isNearChange(rows, block) }
     for (lacking in listOf(emptyList(), near, unclosed).distinct()) {
-        val attempt = rows.closed(lacking)
+        val attempt = rows.closed(lacking, program)
         val text = RowText(program, attempt)
         if (text.text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockEditError.TooLong)
         val outline = outlineRobolang(text.text, program.messages)

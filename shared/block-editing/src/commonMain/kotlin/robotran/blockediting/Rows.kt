@@ -66,8 +66,8 @@ internal fun unclosed(rows: List<Row>): List<IntRange> {
     return found
 }
 
-/** These rows with an `end` for each of the blocks [lacking] one, as [unclosed] finds them. */
-internal fun List<Row>.closed(lacking: List<IntRange>): List<Row> {
+/** These rows with an `end`, in the words of [program], for each of the blocks [lacking] one, as [unclosed] finds them. */
+internal fun List<Row>.closed(lacking: List<IntRange>, program: BlockProgram): List<Row> {
     if (lacking.isEmpty()) return this
     val rows = toMutableList()
     for (block in lacking) {
@@ -79,7 +79,7 @@ internal fun List<Row>.closed(lacking: List<IntRange>): List<Row> {
     val ends = lacking.groupBy { block -> lastFilled(block) + 1 }
     return buildList {
         for (index in 0..rows.size) {
-            ends[index]?.sortedByDescending { it.first }?.forEach { add(endOf(rows[it.first])) }
+            ends[index]?.sortedByDescending { it.first }?.forEach { add(endOf(rows[it.first], program)) }
             rows.getOrNull(index)?.let(::add)
         }
     }
@@ -89,8 +89,10 @@ internal fun List<Row>.closed(lacking: List<IntRange>): List<Row> {
 private fun List<Row>.lastFilled(block: IntRange): Int =
     (block.last - 1 downTo block.first).first { it == block.first || !this[it].isBlank }
 
-private fun endOf(opener: Row) =
-    Row(indentationOf(opener.content) + "end", lineBreak = null, LineRole.CLOSES, opener.depth, origin = null)
+private fun endOf(opener: Row, program: BlockProgram): Row {
+    val content = indentationOf(opener.content) + program.inWords("end")
+    return Row(content, lineBreak = null, LineRole.CLOSES, opener.depth, origin = null)
+}
 
 /** Whether a block is nested more deeply than the language allows. */
 internal fun isTooDeep(rows: List<Row>): Boolean =

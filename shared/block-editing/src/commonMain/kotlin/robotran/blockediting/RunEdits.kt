@@ -6,13 +6,15 @@ internal class RunEdits(private val program: BlockProgram) {
 
     fun insert(edit: BlockEdit.Insert): BlockEditResult {
         val line = program.lineIndexOf(edit.place) ?: return refused(BlockEditError.NotFound)
-        val fragment = blocksOf(edit.text, program.messages)
+        val fragment = fragmentOf(program, edit.text)
         val lines = fragment.outline.rows(fragment.lineCount)
         if (lines.isEmpty()) return refused(BlockEditError.NothingToInsert)
         program.errorAt(edit.place, fragment.blocks)?.let { return refused(it) }
         val indentation = program.indentationAt(edit.place)
         val base = baseIndentation(lines)
-        val new = lines.closed(unclosed(lines)).map { it.moved(base, indentation, program.depthAt(edit.place)) }
+        val new = lines.closed(unclosed(lines), program).map {
+            it.moved(base, indentation, program.depthAt(edit.place))
+        }
         return resultOf(program, rows.subList(0, line) + new + rows.subList(line, rows.size), new)
     }
 

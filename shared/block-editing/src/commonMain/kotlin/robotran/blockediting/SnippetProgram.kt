@@ -1,7 +1,5 @@
 package robotran.blockediting
 
-import robotran.language.Language
-import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
 import robotran.robolang.outline.NameKind
 import robotran.robolang.outline.PhrasePart
@@ -38,7 +36,7 @@ fun snippetOf(program: BlockProgram, run: BlockRun): SnippetProgram {
 
 /** A program of [text] alone, which is not in [program] yet, with what it needs from there. */
 fun snippetOf(program: BlockProgram, text: String): SnippetProgram {
-    val new = text.removeSuffix("\n")
+    val new = program.inWords(text.removeSuffix("\n"))
     val lines = blocksOf("${program.text}\n$new", program.messages)
     val count = lines.outline.lines.size
     return snippetOf(
@@ -46,7 +44,7 @@ fun snippetOf(program: BlockProgram, text: String): SnippetProgram {
         (
             count - outlineRobolang(
                 new,
-                messages = RobolangMessages.of(Language.ENGLISH),
+                program.messages,
             ).lines.size..<count
         ).toMutableSet(),
     )

@@ -34,6 +34,12 @@ interface LanguageSupport {
     /** Whether lines of a compiled program name their file even if the program has only one. */
     val namesFileOfLines: Boolean get() = false
 
+    /** [program] in the words that help, hints and solutions have, where a language of programs has words in several. */
+    fun inUsualWords(program: String): String = program
+
+    /** The [word] of [program] in those words. */
+    fun usualWord(word: String, program: String): String = word
+
     /** The languages that its programs for a [brick] can be shown in, the usual one first. */
     fun translations(brick: BrickKind): List<ProgramLanguage> = emptyList()
 }

@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.legofirmware.assembly.CommandHelp
+import robotran.programs.support
 
 /** The help on the words of one programming language. */
 internal interface LanguageHelp {
@@ -33,6 +34,11 @@ private object RobolangHelp : LanguageHelp {
 
     override fun on(word: String, language: Language, brick: BrickKind) =
         robolangWords.help(lowercaseWord(word), language)
+
+    override fun at(text: String, range: IntRange, language: Language, brick: BrickKind): WordHelp? {
+        val word = text.substring(range.first, range.last + 1)
+        return on(ProgramLanguage.ROBOLANG.support.usualWord(word, text), language, brick)
+    }
 }
 
 private object JavaHelp : LanguageHelp {

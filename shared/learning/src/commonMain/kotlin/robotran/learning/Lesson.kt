@@ -7,6 +7,7 @@ import robotran.languagesupport.SourceFile
 import robotran.learning.drawing.RunDrawing
 import robotran.learning.hint.Attempt
 import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot
@@ -126,7 +127,10 @@ class Lesson internal constructor(
         run: SessionState,
         place: LessonPlace = LessonPlace.FIRST,
         hasPassed: Boolean = false,
-    ): Attempt = Attempt(program, this.program.text, solution.text, checkNotNull(worldAt(place)), run, hasPassed)
+    ): Attempt {
+        val written = languageOf(this.program).support.inUsualWords(program)
+        return Attempt(written, this.program.text, solution.text, checkNotNull(worldAt(place)), run, hasPassed)
+    }
 }
 
 private fun languageOf(file: SourceFile): ProgramLanguage = ProgramLanguage.ofFileOrDefault(file.name)

@@ -5,6 +5,7 @@ import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.OPENERS
+import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.lowercaseKeyword
 
 /** The keywords and functions of Robolang, in lower case, for completion in an editor. */
@@ -18,14 +19,16 @@ object RobolangWords {
     /** The operators that are words. */
     internal val operators: List<String> = BinaryOperator.entries.map { it.text }.filter { it.first().isLetter() }
 
-    /** All words of the language. */
+    /** All words of the language, in English. */
     val keywords: List<String> = Keyword.entries.map { it.text }
 
-    /** Whether [text] is a word that is a name instead in a program that declares it. */
-    fun isNewerWord(text: String): Boolean = Keyword.of(text)?.yields == true
+    /** Whether [text] is a word in [vocabulary] that is a name instead in a program that declares it. */
+    fun isNewerWord(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): Boolean =
+        vocabulary.keyword(text)?.yields == true
 
-    /** The usual spelling of a word of the language, such as `colour` for `Color`; null for any other [text]. */
-    fun spellingOf(text: String): String? = Keyword.of(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
+    /** The usual English spelling of a word in [vocabulary], such as `colour` for `Color`; null for any other [text]. */
+    fun spellingOf(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): String? =
+        vocabulary.keyword(text)?.text ?: BuiltIn.of(lowercaseKeyword(text))?.text
 
     /** All words of the language that a program for [brick] can have. */
     internal fun keywordsOn(brick: BrickKind): List<String> = wordsOn(brick) { true }

@@ -6,6 +6,7 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.RobotConstants
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
 import kotlin.test.Test
 import kotlin.test.assertEquals
 
@@ -85,15 +86,23 @@ class DocumentTest {
         assertEquals(said, rowsUnder("### When a run fails").drop(1).map { it.first() })
     }
 
+    @Test
+    fun `the table of words has all spellings that differ between languages`() {
+        val different = Keyword.entries.map { keyword -> Vocabulary.all.map { it.texts(keyword) } }
+            .filter { it.toSet().size > 1 }
+        val documented = rowsUnder("### Words of other languages").drop(1)
+            .map { row -> row.map { cell -> cell.split(", ").map { it.trim('`') }.toSet() } }
+        assertEquals(different.map { row -> row.map { it.toSet() } }, documented)
+    }
+
     /** The cells of all tables between [heading] and the next heading of its level. */
     private fun rowsUnder(heading: String): List<List<String>> =
         document.substringAfter("\n$heading\n").substringBefore("\n${heading.substringBefore(' ')} ").lines()
             .filter { it.startsWith("| ") }
             .map { row -> row.removeSurrounding("| ", " |").split(" | ") }
 
-    private fun spellings(keywords: List<Keyword>): Set<String> = keywords.flatMap {
-        listOfNotNull(it.text, it.singular)
-    }.toSet()
+    private fun spellings(keywords: List<Keyword>): Set<String> =
+        keywords.flatMap { Vocabulary.ENGLISH.texts(it) }.toSet()
 
     private fun codesOf(source: String, robot: RobotTarget): List<String> = when (val result = read(source, robot)) {
         is RobolangResult.Failure -> result.diagnostics

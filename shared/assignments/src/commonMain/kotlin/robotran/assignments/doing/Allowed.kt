@@ -7,6 +7,7 @@ import robotran.projects.Assignment
 import robotran.projects.ProjectProgram
 import robotran.robolang.RobolangWords
 import robotran.robolang.robolangTokensOfLines
+import robotran.robolang.words.vocabularyOf
 
 private val SENSES = listOf(
     "bumper",
@@ -33,7 +34,7 @@ val wordsToAllow: List<String> = (RobolangWords.commands - "end") + SENSES + Rob
  */
 fun forbiddenWords(assignment: Assignment, programs: List<ProjectProgram>): List<String> {
     if (assignment.words.isEmpty()) return emptyList()
-    val forbidden = wordsToAllow.toSet() - assignment.words.mapNotNull(RobolangWords::spellingOf).toSet()
+    val forbidden = wordsToAllow.toSet() - assignment.words.mapNotNull { RobolangWords.spellingOf(it) }.toSet()
     val used = programs.filter { it.language.support.hasBlocks }
         .flatMapTo(mutableSetOf()) { program -> program.files.flatMap { wordsOfLines(it.text).flatten() } }
     return wordsToAllow.filter { it in forbidden && it in used }
@@ -47,12 +48,13 @@ fun forbiddenLanguages(assignment: Assignment, programs: List<ProjectProgram>): 
         programs.map { it.language }.distinct() - assignment.languages.toSet()
     }
 
-/** The words of each line of [program], in their usual spelling. A word that the program uses as a name is none. */
+/** The words of each line of [program], in their usual English spelling. A word that the program uses as a name is none. */
 internal fun wordsOfLines(program: String): List<Set<String>> {
     val text = program.removePrefix(BYTE_ORDER_MARK)
+    val vocabulary = vocabularyOf(text)
     return text.lines().zip(robolangTokensOfLines(text)) { line, tokens ->
         tokens.filter { it.kind in WORDS }.mapNotNullTo(mutableSetOf()) {
-            RobolangWords.spellingOf(line.substring(it.start, it.end))
+            RobolangWords.spellingOf(line.substring(it.start, it.end), vocabulary)
         }
     }
 }

@@ -7,6 +7,7 @@ import robotran.blockediting.messages.BlockMessages
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.written
 
 /** What a block or a part of it is to a screen reader. */
 enum class BlockRole {
@@ -88,10 +89,13 @@ fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): 
     val text = part.span.textIn(program.text)
     return when (part) {
         is PhrasePart.Word -> PartDescription(BlockRole.TEXT, text)
-        is PhrasePart.Choice -> PartDescription(BlockRole.MENU, "$text, ${messages.choice(part.options)}")
+        is PhrasePart.Choice -> {
+            val options = part.options.map { program.vocabulary.written(it) }
+            PartDescription(BlockRole.MENU, "$text, ${messages.choice(options)}")
+        }
 
         is PhrasePart.Value -> {
-            val unit = part.use.unit?.let { " $it" }.orEmpty()
+            val unit = part.use.unit?.let { " ${program.vocabulary.written(it)}" }.orEmpty()
             PartDescription(BlockRole.INPUT, "$text$unit, ${messages.kind(part.use.kind)}")
         }
 
@@ -140,7 +144,7 @@ internal fun spoken(program: BlockProgram, line: OutlineLine): String {
     if (line.form == null) return written(program, line)
     val last = line.parts.lastOrNull() as? PhrasePart.Value
     val unit = last?.use?.unit?.takeIf { it in RobolangWords.keywords }
-    return written(program, line) + unit?.let { " $it" }.orEmpty()
+    return written(program, line) + unit?.let { " ${program.vocabulary.written(it)}" }.orEmpty()
 }
 
 private val SPACES = Regex("\\s+")

@@ -8,7 +8,7 @@ import robotran.world.World
 /**
  * One try at a task: the program and what its run did.
  *
- * @property program the pupil's program.
+ * @property program the pupil's program, in the words that [solution] has.
  * @property given the program that the pupil began with.
  * @property solution a program that does the task.
  * @property world the world of the task.

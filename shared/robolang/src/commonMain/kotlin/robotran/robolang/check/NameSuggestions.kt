@@ -1,12 +1,13 @@
 package robotran.robolang.check
 
-import robotran.brick.kind.BrickKind
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.suggestion
 import robotran.robolang.syntax.suggestions
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.lowercaseKeyword
+import robotran.robolang.words.written
 
 /** Keywords that have a value. */
 private val VALUES = listOf("left bumper", "right bumper", "light", "timer", "battery", "true", "false")
@@ -28,17 +29,22 @@ private const val SUGGESTIONS = 200
 internal fun CheckContext.nearestName(name: Name, scopes: Scopes): String? {
     if (suggestions++ >= SUGGESTIONS) return null
     val known = scopes.keys.asSequence().take(COMPARED_NAMES).toList()
-    val meant = suggestion(name.text, known + VALUES + valuesOf(brick)) ?: MEANT[name.key]
+    val meant = suggestion(name.text, known + values()) ?: elsewhere(name) ?: MEANT[name.key]
     return meant?.let { scopes[it]?.name?.text ?: it }
 }
 
-private fun valuesOf(brick: BrickKind) =
-    VALUES_OF_SOME.filter { it.isOn(brick) }.flatMap { listOfNotNull(it.text, it.singular) }
+/** What has a value on the brick, in the words of the program. */
+private fun CheckContext.values(): List<String> =
+    (VALUES + VALUES_OF_SOME.filter { it.isOn(brick) }.map { it.text }).map { diagnostics.vocabulary.written(it) }
+
+/** The value that [name] is in the words of another language. */
+private fun elsewhere(name: Name): String? =
+    Vocabulary.all.firstNotNullOfOrNull { other -> other.keyword(name.text)?.text?.takeIf { it in VALUES } }
 
 /** Whether [meant] by [name] is one of several names that are as likely. */
 internal fun CheckContext.isOneOfSeveral(name: Name, meant: String, scopes: Scopes): Boolean {
     val known = scopes.keys.asSequence().take(COMPARED_NAMES).toList()
-    val near = suggestions(name.text, known + VALUES + valuesOf(brick))
+    val near = suggestions(name.text, known + values())
     return near.size > 1 && lowercaseKeyword(meant) in near
 }
 

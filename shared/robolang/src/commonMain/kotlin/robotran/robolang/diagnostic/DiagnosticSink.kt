@@ -6,6 +6,10 @@ import robotran.language.source.Severity
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.quoted
+import robotran.robolang.words.wordsOf
+import robotran.robolang.words.written
 
 /**
  * Collects the diagnostics of all phases for one source. Reports at most one error per line, since a second one often
@@ -16,6 +20,9 @@ import robotran.robolang.messages.RobolangMessages
 internal class DiagnosticSink(val messages: RobolangMessages, private val file: String = "") {
     /** The brick that the program is for, known before it is parsed. */
     lateinit var brick: BrickKind
+
+    /** The words that the program is written in. What is reported in those of English is turned into them. */
+    var vocabulary: Vocabulary = Vocabulary.ENGLISH
 
     /** The names that the program seems to declare, in lower case, those of several words joined by `_`. */
     var declaredNames: Set<String> = emptySet()
@@ -30,6 +37,7 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
     /** Another one for the source [file], with what was reported so far. */
     fun copied(file: String): DiagnosticSink = DiagnosticSink(messages, file).also { copy ->
         copy.brick = brick
+        copy.vocabulary = vocabulary
         copy.declaredNames = declaredNames
         copy.diagnostics += diagnostics.map { it.copy(file = file) }
         copy.errorLines += errorLines
@@ -57,7 +65,10 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
         message: String,
         fix: SourceFix?,
     ) {
-        diagnostics += Diagnostic(severity, file, range, message, fix, text, code)
+        val own = declaredNames + wordsOf(text)
+        val told = if (vocabulary === Vocabulary.ENGLISH) message else vocabulary.quoted(message, own)
+        val written = fix?.let { SourceFix(it.range, vocabulary.written(it.replacement, declaredNames)) }
+        diagnostics += Diagnostic(severity, file, range, told, written, text, code)
     }
 
     /** Drops the errors on [lines], which follow from others, and ignores further ones there. */

@@ -13,6 +13,9 @@ import robotran.languagesupport.callOf
 import robotran.languagesupport.completionOf
 import robotran.robolang.RobolangWords
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
+import robotran.robolang.words.written
 
 /** The completions at the caret of a Robolang program; null if there are none. */
 internal fun completeRobolang(request: CompletionRequest): CompletionList? {
@@ -33,9 +36,10 @@ internal fun completeRobolang(request: CompletionRequest): CompletionList? {
     val start = word?.start ?: column
     val typed = text.substring(start, column)
     if (typed.isEmpty() && !request.isExplicit) return null
-    val before = tokens.filter { it.end <= start }.map { text.substring(it.start, it.end).lowercase() }
-    val names = namesIn(lines, code, lineStart + start)
-    val header = headerAt(lines, line)
+    val vocabulary = vocabularyOf(lines.text)
+    val before = tokens.filter { it.end <= start }.map { canonical(text.substring(it.start, it.end), vocabulary) }
+    val names = namesIn(lines, code, lineStart + start, vocabulary)
+    val header = headerAt(lines, line, vocabulary)
     val brick = header.brick ?: request.brick
     val isAtEnd = text.substring(column).isBlank()
     val candidates = if (before.isEmpty() && header.isInside) {
@@ -55,7 +59,27 @@ internal fun completeRobolang(request: CompletionRequest): CompletionList? {
             } + names + functions(help) + words(RobolangWords.keywordsOn(brick), help)
         }
     }
-    return request.completions(lineStart + start, candidates.distinctBy { it.label })
+    val written = candidates.map { if (it in names) it else it.inWords(vocabulary) }
+    return request.completions(lineStart + start, written.distinctBy { it.label })
+}
+
+/** [word] as the tables of the language have it. */
+private fun canonical(word: String, vocabulary: Vocabulary): String = vocabulary.keyword(word)?.text ?: word.lowercase()
+
+private fun Completion.inWords(vocabulary: Vocabulary): Completion {
+    val written = vocabulary.written(inserted)
+    val before = vocabulary.written(inserted.take(caret))
+    return copy(
+        label = vocabulary.written(label),
+        inserted = written,
+        caret = if (written ==
+            inserted
+        ) {
+            caret
+        } else {
+            before.length
+        },
+    )
 }
 
 private fun words(words: List<String>, help: CompletionHelp, suffix: (String) -> CompletionSuffix? = { null }) =
@@ -70,14 +94,14 @@ private fun functions(help: CompletionHelp) = RobolangWords.functions.map { (nam
 }
 
 /** The names that the program declares, except for the one being written at offset [writing]. */
-private fun namesIn(lines: TextLines, code: CodeTokens, writing: Int): List<Completion> {
+private fun namesIn(lines: TextLines, code: CodeTokens, writing: Int, vocabulary: Vocabulary): List<Completion> {
     val found = LinkedHashMap<String, Completion>()
     for (line in 0..<minOf(lines.count, MAX_LINES)) {
-        if (!declares(lines, line)) continue
+        if (!declares(lines, line, vocabulary)) continue
         val text = lines.line(line)
         val inLine = code.of(line)
         inLine.forEachIndexed { index, token ->
-            val before = inLine.getOrNull(index - 1)?.let { text.substring(it.start, it.end).lowercase() }
+            val before = inLine.getOrNull(index - 1)?.let { canonical(text.substring(it.start, it.end), vocabulary) }
             val isBeingWritten = lines.start(line) + token.start == writing
             if (token.kind != CodeTokenKind.NAME || before !in DECLARING || isBeingWritten) return@forEachIndexed
             val name = text.substring(token.start, token.end)
@@ -91,11 +115,11 @@ private fun namesIn(lines: TextLines, code: CodeTokens, writing: Int): List<Comp
 }
 
 /** Whether [line] may declare names. A fast check, for every keystroke: most lines do not. */
-private fun declares(lines: TextLines, line: Int): Boolean {
+private fun declares(lines: TextLines, line: Int, vocabulary: Vocabulary): Boolean {
     var start = lines.start(line)
     val end = lines.end(line)
     while (start < end && (lines.text[start] == ' ' || lines.text[start] == '\t')) start++
-    return DECLARATIONS.any { lines.text.startsWith(it, start, end) }
+    return DECLARATIONS.any { lines.text.startsWith(vocabulary.text(it), start, end) }
 }
 
 private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
@@ -104,9 +128,8 @@ private fun String.startsWith(word: String, start: Int, end: Int): Boolean {
         !isInWord(this[behind])
 }
 
-private val DECLARATIONS =
-    listOf(Keyword.VAR, Keyword.CONST, Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.FOR).map { it.text }
-private val DECLARING = DECLARATIONS + listOf(Keyword.EACH.text, "(", ",")
+private val DECLARATIONS = listOf(Keyword.VAR, Keyword.CONST, Keyword.PROCEDURE, Keyword.FUNCTION, Keyword.FOR)
+private val DECLARING = DECLARATIONS.map { it.text } + listOf(Keyword.EACH.text, "(", ",")
 
 private fun block(first: String, caret: Int, label: String = "$first … end") =
     Completion(label, CompletionKind.BLOCK, "$first\n  \nend", caret)

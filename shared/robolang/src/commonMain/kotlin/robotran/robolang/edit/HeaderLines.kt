@@ -5,6 +5,7 @@ import robotran.languagesupport.Completion
 import robotran.languagesupport.CompletionKind
 import robotran.languagesupport.TextLines
 import robotran.robolang.words.LineForm
+import robotran.robolang.words.Vocabulary
 
 /**
  * What the header of a program says.
@@ -15,13 +16,12 @@ import robotran.robolang.words.LineForm
 internal class HeaderLines(val isInside: Boolean, val brick: BrickKind?)
 
 /** Looks for the header of [lines], which is near its top, and whether [line] is inside it. */
-internal fun headerAt(lines: TextLines, line: Int): HeaderLines {
+internal fun headerAt(lines: TextLines, line: Int, vocabulary: Vocabulary): HeaderLines {
     var first = -1
     var brick: BrickKind? = null
     for (index in 0..<minOf(lines.count, MAX_LINES)) {
-        val words = lines.line(index).substringBefore("//").trim().lowercase().split(' ').filter {
-            it.isNotEmpty()
-        }
+        val words = lines.line(index).substringBefore("//").trim().split(' ').filter { it.isNotEmpty() }
+            .map { vocabulary.keyword(it)?.text ?: it.lowercase() }
         when {
             words == listOf("robot") && first < 0 -> first = index
             first >= 0 && words == listOf("end") -> return HeaderLines(line in first + 1..<index, brick)

@@ -7,24 +7,30 @@ import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.CompletionList
 import robotran.languagesupport.CompletionRequest
 import robotran.languagesupport.LineTokens
-import robotran.robolang.RobolangWords
 import robotran.robolang.format.FormatResult
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robolangTokens
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.OPENERS
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
 
 /** What editors ask about Robolang. */
 internal object RobolangSyntax : CodeSyntax {
     override val indent = "  "
-    override val blockEnds = setOf(Keyword.END.text, Keyword.ELSE.text)
+    override val blockEnds = Vocabulary.all.flatMapTo(mutableSetOf()) {
+        listOf(it.text(Keyword.END), it.text(Keyword.ELSE))
+    }
     override val keys = listOf("(", ")", "=", "<", ">", "+", "-", "*", "/", "\"", "[", "]", ",")
 
-    override fun blockEffect(line: String): BlockEffect = when (line.trimStart().takeWhile(::isInWord).lowercase()) {
-        Keyword.END.text -> BlockEffect(closes = true, opens = false)
-        Keyword.ELSE.text -> BlockEffect(closes = true, opens = true)
-        in RobolangWords.openers -> BlockEffect(closes = false, opens = true)
-        else -> BlockEffect(closes = false, opens = false)
+    override fun blockEffect(line: String): BlockEffect {
+        val word = line.trimStart().takeWhile(::isInWord)
+        return when (val keyword = vocabularyOf(line).keyword(word)) {
+            Keyword.END -> BlockEffect(closes = true, opens = false)
+            Keyword.ELSE -> BlockEffect(closes = true, opens = true)
+            else -> BlockEffect(closes = false, opens = keyword in OPENERS)
+        }
     }
 
     override fun tokens(line: String, startsInComment: Boolean, brick: BrickKind): LineTokens =

@@ -4,8 +4,8 @@ import robotran.robolang.syntax.BlockEdge
 import robotran.robolang.syntax.MissingEnd
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.ScannedLine
-import robotran.robolang.syntax.isBlank
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.isBlank
 
 /** The role of a line and the number of blocks around it. */
 internal class LinePlace(val role: LineRole, val depth: Int)

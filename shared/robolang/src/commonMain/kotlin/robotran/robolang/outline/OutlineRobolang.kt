@@ -11,16 +11,23 @@ import robotran.robolang.syntax.ParsedProgram
 import robotran.robolang.syntax.RobolangLimits
 import robotran.robolang.syntax.parse
 import robotran.robolang.words.LineForm
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
 
 /**
  * Reads a Robolang program line by line, in time linear in its length. Never throws for any [source]. Only the scanner's
  * and the parser's mistakes are reported; a program with an undeclared name, for example, has none.
  *
  * @param messages the mistakes in the pupil's language.
+ * @param vocabulary the words that it is written in, if that cannot be told from [source], as from a single value.
  */
-fun outlineRobolang(source: String, messages: RobolangMessages): ProgramOutline {
+fun outlineRobolang(
+    source: String,
+    messages: RobolangMessages,
+    vocabulary: Vocabulary = vocabularyOf(source),
+): ProgramOutline {
     if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, DiagnosticSink(messages))
-    val parsed = parse(source, BrickKind.default, messages)
+    val parsed = parse(source, BrickKind.default, messages, vocabulary)
     val program = parsed.program
     val offsets = LineOffsets(source, program.lines)
     return ProgramOutline(source, linesOf(program, offsets, parsed.diagnostics()), parsed) {

@@ -8,10 +8,16 @@ import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.ProgramFiles
 import robotran.languagesupport.ProgramMeasure
 import robotran.languagesupport.SourceFile
+import robotran.robolang.RobolangWords
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.edit.RobolangSyntax
 import robotran.robolang.robolangTokens
 import robotran.robolang.robolangTokensOfLines
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.inEnglish
+import robotran.robolang.words.vocabularyOf
 
 object RobolangSupport : LanguageSupport {
     override val language = ProgramLanguage.ROBOLANG
@@ -19,6 +25,11 @@ object RobolangSupport : LanguageSupport {
     override val files: ProgramFiles = RobolangFiles
     override val measure: ProgramMeasure = RobolangMeasure
     override val hasBlocks = true
+
+    override fun inUsualWords(program: String): String =
+        (changeWords(program, Vocabulary.ENGLISH) as? ChangedWords.Success)?.text ?: program
+
+    override fun usualWord(word: String, program: String): String = vocabularyOf(program).inEnglish(word)
 
     override fun translations(brick: BrickKind): List<ProgramLanguage> = listOfNotNull(
         ProgramLanguage.JAVA.takeIf { brick.java != null },
@@ -35,14 +46,18 @@ private object RobolangMeasure : ProgramMeasure {
         robolangTokens(line).any { it.kind != CodeTokenKind.COMMENT }
     }
 
-    override fun normalTokens(text: String): Sequence<String> = text.lineSequence().zip(
-        robolangTokensOfLines(text).asSequence(),
-    ).flatMap { (line, tokens) ->
-        tokens.mapNotNull { token ->
-            when (token.kind) {
-                CodeTokenKind.COMMENT -> null
-                CodeTokenKind.NAME -> ProgramMeasure.NAME
-                else -> line.substring(token.start, token.end).lowercase()
+    /** Keywords in English, so that programs in different words are compared. */
+    override fun normalTokens(text: String): Sequence<String> {
+        val vocabulary = vocabularyOf(text)
+        return text.lineSequence().zip(robolangTokensOfLines(text).asSequence()).flatMap { (line, tokens) ->
+            tokens.mapNotNull { token ->
+                val word = line.substring(token.start, token.end)
+                when (token.kind) {
+                    CodeTokenKind.COMMENT -> null
+                    CodeTokenKind.NAME -> ProgramMeasure.NAME
+                    CodeTokenKind.KEYWORD -> RobolangWords.spellingOf(word, vocabulary) ?: word.lowercase()
+                    else -> word.lowercase()
+                }
             }
         }
     }

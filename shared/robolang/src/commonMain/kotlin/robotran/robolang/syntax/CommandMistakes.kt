@@ -9,7 +9,10 @@ import robotran.robolang.words.Keyword
 import robotran.robolang.words.OPENERS
 import robotran.robolang.words.SETTINGS
 import robotran.robolang.words.SIDES
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.isDigit
 import robotran.robolang.words.lowercaseKeyword
+import robotran.robolang.words.written
 
 /** Everything a line can begin with; two-word commands also without their space, a common typo. */
 private val BEGINNINGS: List<String> =
@@ -67,15 +70,15 @@ internal enum class BlockEffect { NONE, MAY_OPEN, CLOSES }
 /** Reports that the line does not begin with a command, and suggests one. */
 internal fun DiagnosticSink.reportNoCommand(reader: LineReader, routineNames: Set<String>): BlockEffect {
     val word = reader.first
-    val letters = lettersOfCommandWithNumber(word)
+    val letters = lettersOfCommandWithNumber(word, vocabulary)
     when {
         word.kind != TokenKind.WORD -> reportNoWord(reader)
-        !isDeclaration(word) && reportsAssignedName(reader) -> Unit
+        !isDeclaration(word, vocabulary) && reportsAssignedName(reader) -> Unit
         lowercaseKeyword(word.text) in routineNames -> reportMissingBrackets(reader)
 
         letters != null -> {
             reportMissingSpace(reader, word, letters)
-            if (Keyword.of(letters) in OPENERS) return BlockEffect.MAY_OPEN
+            if (vocabulary.keyword(letters) in OPENERS) return BlockEffect.MAY_OPEN
         }
 
         isSetting(reader) -> {
@@ -114,25 +117,25 @@ private fun DiagnosticSink.reportValueAsCommand(reader: LineReader, range: Sourc
 private fun DiagnosticSink.reportUnknownCommand(reader: LineReader, word: Token): BlockEffect {
     val meant =
         BEGINNINGS_OF[word.keyword] ?: BEGINNINGS_ELSEWHERE[lowercaseKeyword(word.text)]
-            ?: suggestion(word.text, BEGINNINGS)
+            ?: suggestionIn(vocabulary, word.text, BEGINNINGS)
     val fix = meant?.let { SourceFix(word.range, it) }
     report(
         reader,
         DiagnosticCode.UNKNOWN_COMMAND,
         word.range,
-        messages.unknownCommand(shortened(word.text), meant),
+        messages.unknownCommand(shortened(word.text), meant?.let { vocabulary.written(it) }),
         fix,
     )
     return when {
         meant == Keyword.END.text -> BlockEffect.CLOSES
-        meant == null || Keyword.of(meant.substringBefore(' ')) in OPENERS -> BlockEffect.MAY_OPEN
+        meant == null || Vocabulary.ENGLISH.keyword(meant.substringBefore(' ')) in OPENERS -> BlockEffect.MAY_OPEN
         else -> BlockEffect.NONE
     }
 }
 
 /** Whether [word] is meant to begin a declaration. */
-private fun isDeclaration(word: Token): Boolean =
-    lowercaseKeyword(word.text) in BEGINNINGS_ELSEWHERE || suggestion(word.text, DECLARING) != null
+private fun isDeclaration(word: Token, vocabulary: Vocabulary): Boolean =
+    lowercaseKeyword(word.text) in BEGINNINGS_ELSEWHERE || suggestionIn(vocabulary, word.text, DECLARING) != null
 
 private val DECLARING = listOf(Keyword.VAR.text, Keyword.CONST.text)
 
@@ -166,9 +169,9 @@ private fun DiagnosticSink.reportMissingBrackets(reader: LineReader) {
 }
 
 /** `forward` of `forward20`. */
-private fun lettersOfCommandWithNumber(word: Token): String? {
+private fun lettersOfCommandWithNumber(word: Token, vocabulary: Vocabulary): String? {
     val letters = word.text.trimEnd { isDigit(it) }
-    return letters.takeIf { it.length < word.text.length && Keyword.of(it) in Keyword.COMMANDS }
+    return letters.takeIf { it.length < word.text.length && vocabulary.keyword(it) in Keyword.COMMANDS }
 }
 
 private fun DiagnosticSink.reportMissingSpace(reader: LineReader, word: Token, letters: String) {

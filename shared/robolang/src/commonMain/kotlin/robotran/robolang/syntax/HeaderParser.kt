@@ -39,7 +39,9 @@ internal class HeaderParser(reader: LineReader, diagnostics: DiagnosticSink) : L
     private fun times(): Expression? {
         val count = number("4 times") ?: return null
         if (reader.take(Keyword.TIMES) != null) return count
-        val meant = (count as? Expression.Variable)?.let { suggestion(it.name.text, KINDS_OF_REPEAT) }
+        val meant = (count as? Expression.Variable)?.let {
+            suggestionIn(diagnostics.vocabulary, it.name.text, KINDS_OF_REPEAT)
+        }
         if (meant == null) {
             return missing(DiagnosticCode.MISSING_TIMES, listOf(Keyword.TIMES)) {
                 messages.missingTimes(reader.quotable(count.range), it)

@@ -6,7 +6,9 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
 import robotran.robolang.words.TIME_UNITS
+import robotran.robolang.words.isBlank
 import robotran.robolang.words.lowercaseKeyword
+import robotran.robolang.words.written
 
 /** Reports an error in the line of [reader]. */
 internal fun DiagnosticSink.report(
@@ -28,13 +30,13 @@ internal fun DiagnosticSink.reportMissingWord(
 ) {
     if (reportsDeclaredName(reader)) return
     val typed = reader.next?.takeIf { it.kind == TokenKind.WORD }
-    val meant = typed?.let { suggestion(it.text, words) }
+    val meant = typed?.let { suggestionIn(vocabulary, it.text, words) }
     val fix = when {
         typed != null && meant != null -> SourceFix(typed.range, meant)
         typed == null && words.size == 1 -> SourceFix(reader.gap, " " + words.single())
         else -> null
     }
-    report(reader, code, typed?.range ?: reader.gap, message(meant), fix)
+    report(reader, code, typed?.range ?: reader.gap, message(meant?.let { vocabulary.written(it) }), fix)
 }
 
 /** Reports a name that contains a sign or begins with a digit; [start] is its start. */
@@ -63,7 +65,7 @@ internal fun forgiveTakenWords(lines: List<ScannedLine>, diagnostics: Diagnostic
  */
 internal fun DiagnosticSink.reportWrongUnit(reader: LineReader, units: List<Keyword>) {
     val word = reader.next?.takeIf { it.kind == TokenKind.WORD } ?: return
-    val meant = meantUnit(word, units)
+    val meant = meantUnit(word, units, vocabulary)
     if (meant == null && !isUnit(word)) return
     reportUnit(reader, word, units, meant)
 }
@@ -109,11 +111,18 @@ internal fun DiagnosticSink.reportUnit(
     reader: LineReader,
     word: Token,
     units: List<Keyword>,
-    meant: Keyword? = meantUnit(word, units),
+    meant: Keyword? = meantUnit(word, units, vocabulary),
 ) {
     if (reportsDeclaredName(reader)) return
     val command = lowercaseKeyword(reader.first.text)
-    val message = messages.wrongUnit(command, shortened(word.text), units.map { it.text }, meant?.text)
+    val message = messages.wrongUnit(
+        command,
+        shortened(word.text),
+        units.map {
+            vocabulary.text(it)
+        },
+        meant?.let { vocabulary.text(it) },
+    )
     report(reader, DiagnosticCode.WRONG_UNIT, word.range, message, meant?.let { SourceFix(word.range, it.text) })
 }
 

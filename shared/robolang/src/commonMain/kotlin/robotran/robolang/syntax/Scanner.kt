@@ -4,6 +4,11 @@ import robotran.language.pasted.pastedCharacter
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.isBlank
+import robotran.robolang.words.isDigit
+import robotran.robolang.words.isLetter
+import robotran.robolang.words.vocabularyOf
 
 internal const val BYTE_ORDER_MARK = "\uFEFF"
 private const val QUOTATION_MARK = '"'
@@ -14,12 +19,23 @@ internal fun isQuotationMark(character: Char): Boolean =
 
 private const val KEYBOARD_MARKS = "\"'`"
 
-/** Splits [source] into lines and tokens. Reports invalid characters, once per line. */
-internal fun scan(source: String, diagnostics: DiagnosticSink): List<ScannedLine> = withDeclaredNames(
-    source.removePrefix(BYTE_ORDER_MARK).lineSequence()
-        .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
-        .toList(),
-)
+/**
+ * Splits [source] into lines and tokens. Reports invalid characters, once per line.
+ *
+ * @param vocabulary the words that it is written in, which the [diagnostics] are told in, too.
+ */
+internal fun scan(
+    source: String,
+    diagnostics: DiagnosticSink,
+    vocabulary: Vocabulary = vocabularyOf(source),
+): List<ScannedLine> {
+    diagnostics.vocabulary = vocabulary
+    return withDeclaredNames(
+        source.removePrefix(BYTE_ORDER_MARK).lineSequence()
+            .mapIndexed { index, text -> LineScanner(text, index + 1, diagnostics).scan() }
+            .toList(),
+    )
+}
 
 /** Splits one line into tokens. */
 private class LineScanner(private val text: String, private val number: Int, private val diagnostics: DiagnosticSink) {
@@ -101,7 +117,8 @@ private class LineScanner(private val text: String, private val number: Int, pri
         val start = position
         position += length
         val typed = text.substring(start, position)
-        val keyword = if (kind == TokenKind.WORD) Keyword.of(typed) else null
+        val first = tokens.firstOrNull()?.keyword
+        val keyword = if (kind == TokenKind.WORD) diagnostics.vocabulary.keyword(typed, first) else null
         return Token(kind, SourceRange(number, start + 1, position + 1), typed, keyword)
     }
 

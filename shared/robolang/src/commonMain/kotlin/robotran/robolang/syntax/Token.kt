@@ -52,9 +52,9 @@ internal data class Token(
     val text: String,
     val keyword: Keyword? = null,
 ) {
-    /** Whether it can be a name. */
+    /** Whether it can be a name. A single letter can, also where it is an operator behind a value: Spanish `y`. */
     val canBeName: Boolean
-        get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree)
+        get() = kind == TokenKind.WORD && (keyword == null || keyword.isFree || text.length == 1)
 }
 
 /**

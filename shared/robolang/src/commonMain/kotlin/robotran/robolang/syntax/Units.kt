@@ -1,6 +1,7 @@
 package robotran.robolang.syntax
 
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.lowercaseKeyword
 
 /** Other spellings of the units of Robolang. */
@@ -55,11 +56,11 @@ internal fun isUnit(word: Token): Boolean {
 }
 
 /** The unit that [word] probably means. */
-internal fun meantUnit(word: Token, units: List<Keyword>): Keyword? {
+internal fun meantUnit(word: Token, units: List<Keyword>, vocabulary: Vocabulary): Keyword? {
     val abbreviated = OTHER_SPELLINGS[lowercaseKeyword(word.text.take(LONGEST_SPELLING + 1))]
     if (abbreviated != null) return abbreviated.takeIf { it in units }
     if (isUnit(word)) return null
-    val text = suggestion(word.text, units.map { it.text })
+    val text = suggestionIn(vocabulary, word.text, units.map { it.text })
     return units.firstOrNull { it.text == text }
 }
 

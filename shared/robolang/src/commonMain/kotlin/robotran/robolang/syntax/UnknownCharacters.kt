@@ -8,6 +8,10 @@ import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.isBlank
+import robotran.robolang.words.isInvisible
+import robotran.robolang.words.isLetter
+import robotran.robolang.words.unicodeNumber
 
 /** Characters of other languages, with their spelling in Robolang. */
 private val RIGHT_SPELLINGS: Map<String, String> = mapOf(

@@ -11,5 +11,5 @@ internal val SETTINGS: Set<Keyword> = firstWords { it.isSetting }
 
 private fun firstWords(isMeant: (LineForm) -> Boolean): Set<Keyword> =
     LineForm.entries.filter(isMeant).mapNotNullTo(mutableSetOf()) { form ->
-        Keyword.of(form.example.orEmpty().takeWhile { it.isLetter() })
+        Vocabulary.ENGLISH.keyword(form.example.orEmpty().takeWhile { it.isLetter() })
     }

@@ -3,10 +3,9 @@ package robotran.robolang.words
 import robotran.brick.kind.BrickKind
 
 /**
- * The keywords; they ignore case. Completion offers those that begin values in this order.
+ * The keywords; they ignore case. Each has a row in [KEYWORD_TABLE]. Completion offers those that begin values in this order.
  *
- * @property text its spelling in Robolang.
- * @property singular another spelling, for one second or one degree, or of another English.
+ * @property text its usual spelling in English, which the code knows it by; [Vocabulary] has all spellings.
  * @property isFree whether a pupil may use the word as a name, since it stands only where no name can.
  * @property yields whether it is a name in a program that declares it as one: the words that came later.
  * @property needs what a brick must have for it; null if every one does.
@@ -15,7 +14,6 @@ import robotran.brick.kind.BrickKind
  */
 internal enum class Keyword(
     val text: String,
-    val singular: String? = null,
     val isFree: Boolean = false,
     val beginsValue: Boolean = false,
     val endsValue: Boolean = false,
@@ -59,7 +57,7 @@ internal enum class Keyword(
     TURNING("turning", isFree = true),
     FLOAT("float", isFree = true),
     SCREEN("screen", isFree = true),
-    TIMES("times", "time", isFree = true),
+    TIMES("times", isFree = true),
     FOREVER("forever"),
     WHILE("while"),
     UNTIL("until"),
@@ -71,9 +69,9 @@ internal enum class Keyword(
     ON("on", isFree = true),
     FACING("facing", isFree = true),
     CM("cm"),
-    DEGREES("degrees", "degree"),
-    SECONDS("seconds", "second"),
-    MILLISECONDS("milliseconds", "millisecond"),
+    DEGREES("degrees"),
+    SECONDS("seconds"),
+    MILLISECONDS("milliseconds"),
     BUMPER("bumper", isFree = true, endsValue = true),
     LIGHT("light", beginsValue = true, endsValue = true),
     SENSOR("sensor", beginsValue = true),
@@ -95,7 +93,7 @@ internal enum class Keyword(
     SONAR("sonar", isFree = true, needs = BrickFeature.SONAR),
     SOUND("sound", isFree = true, needs = BrickFeature.SOUND_SENSOR),
     DISTANCE("distance", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.SONAR),
-    COLOUR("colour", "color", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
+    COLOUR("colour", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
     LOUDNESS("loudness", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.SOUND_SENSOR),
     TURNED("turned", beginsValue = true, yields = true, needs = BrickFeature.MOTOR_COUNTERS),
     BLACK("black", beginsValue = true, endsValue = true, yields = true, needs = BrickFeature.COLOUR_SENSOR),
@@ -113,17 +111,23 @@ internal enum class Keyword(
     companion object {
         /** The words that a line can begin with. */
         val COMMANDS: Set<Keyword> = entries.filterTo(mutableSetOf()) { it <= END }
-
-        private val bySpelling: Map<String, Keyword> =
-            entries.flatMap { keyword -> listOfNotNull(keyword.text, keyword.singular).map { it to keyword } }.toMap()
-
-        private val longestSpelling: Int = bySpelling.keys.maxOf { it.length }
-
-        /** The keyword [word], ignoring case. */
-        fun of(word: String): Keyword? = if (word.length > longestSpelling) null else bySpelling[lowercaseKeyword(word)]
     }
 }
 
-/** Keywords are plain ASCII, as is their lower case: platforms disagree about some other letters. */
+/** Names, and keywords in sentences, ignore the case of A to Z. Platforms disagree about some other letters. */
 internal fun lowercaseKeyword(word: String): String =
-    buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + ('a' - 'A') else it) } }
+    buildString(word.length) { word.forEach { append(if (it in 'A'..'Z') it + CASE else it) } }
+
+/** [word] in lower case, as far as spellings of keywords have capitals: from A to Z, and with the accents of Latin-1. */
+internal fun lowercaseSpelling(word: String): String =
+    buildString(word.length) { word.forEach { append(if (isCapital(it)) it + CASE else it) } }
+
+/** The reverse of [lowercaseSpelling]. */
+internal fun uppercaseSpelling(word: String): String =
+    buildString(word.length) { word.forEach { append(if (isCapital(it - CASE)) it - CASE else it) } }
+
+private fun isCapital(character: Char): Boolean =
+    character in 'A'..'Z' || (character in '\u00C0'..'\u00DE' && character != '\u00D7')
+
+/** The distance between a capital and its small letter. */
+private const val CASE = 'a' - 'A'

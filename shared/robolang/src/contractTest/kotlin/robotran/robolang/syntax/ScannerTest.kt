@@ -5,6 +5,7 @@ import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.Vocabulary
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNull
@@ -35,7 +36,7 @@ class ScannerTest {
 
     @Test
     fun `a letter that only looks like one of a keyword is not`() {
-        assertNull(Keyword.of("bac\u212Award"))
+        assertNull(Vocabulary.ENGLISH.keyword("bac\u212Award"))
     }
 
     @Test

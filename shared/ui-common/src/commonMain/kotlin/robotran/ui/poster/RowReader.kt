@@ -5,6 +5,8 @@ import robotran.blockediting.BlockProgram
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.inEnglish
+import robotran.robolang.words.written
 import robotran.ui.code.BlockLooks
 import robotran.workshop.blocks.BlockRow
 
@@ -14,7 +16,8 @@ internal class RowReader(private val program: BlockProgram, private val looks: B
         val block = row.block
         val pieces = when (row) {
             is BlockRow.Empty -> emptyList()
-            is BlockRow.End -> listOf(PosterPiece("end", isSocket = false)) + noteOf(row.line)
+            is BlockRow.End -> listOf(PosterPiece(program.vocabulary.written("end"), isSocket = false)) +
+                noteOf(row.line)
             is BlockRow.Branch -> piecesOf(row.line) + noteOf(row.line)
 
             is BlockRow.First -> when (block) {
@@ -45,8 +48,9 @@ internal class RowReader(private val program: BlockProgram, private val looks: B
     /** The unit of [value], unless the next word is that unit, such as `seconds`. */
     private fun unitOf(value: PhrasePart.Value, next: PhrasePart?): String? {
         val unit = value.use.unit ?: return null
-        val word = next?.let { textOf(it.span) }?.lowercase() ?: return unit
-        return unit.takeIf { it.removeSuffix("s") != word.removeSuffix("s") }
+        val words = program.vocabulary
+        val word = next?.let { words.inEnglish(textOf(it.span)) }?.lowercase() ?: return words.written(unit)
+        return words.written(unit).takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
     }
 
     private fun noteOf(line: OutlineLine?): List<PosterPiece> =

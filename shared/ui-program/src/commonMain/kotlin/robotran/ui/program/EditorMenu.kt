@@ -13,6 +13,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.ProgramLanguage
 import robotran.programs.support
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.tags.ProgramTags
@@ -33,6 +35,7 @@ internal fun EditorMenu(
     places: ToolPlaces,
     onTranslation: (Boolean, ProgramLanguage) -> Unit,
     onSend: () -> Unit,
+    onWords: (Vocabulary) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val shown = state.translationKind
@@ -66,6 +69,12 @@ internal fun EditorMenu(
                     onTranslation(kind != shown || !state.translationShown, kind)
                 }
             }
+            if (state.program.language.support.hasBlocks) {
+                OtherWords(state.draft.text) {
+                    open = false
+                    onWords(it)
+                }
+            }
             if (sends || translations.isNotEmpty()) HorizontalDivider()
             for ((index, group) in toolsFor(state, hasFind = !places.hasFind).withIndex()) {
                 if (index > 0) HorizontalDivider()
@@ -81,6 +90,16 @@ internal fun EditorMenu(
                 }
             }
         }
+    }
+}
+
+/** The languages whose words [program] can be written in, apart from those that it has. */
+@Composable
+private fun OtherWords(program: String, onChoose: (Vocabulary) -> Unit) {
+    val now = remember(program) { vocabularyOf(program) }
+    for (vocabulary in Vocabulary.all.filter { it !== now }) {
+        val language = vocabulary.language
+        MenuItem(EditorTexts.inWords(spoken, language.ownName), ProgramTags.words(language)) { onChoose(vocabulary) }
     }
 }
 

@@ -14,6 +14,7 @@ import androidx.compose.ui.Modifier
 import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.projects.ProgramView
+import robotran.robolang.words.Vocabulary
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.EditorTexts
@@ -29,6 +30,7 @@ internal fun EditorTools(
     onTranslation: (Boolean, ProgramLanguage) -> Unit,
     onView: (ProgramView) -> Unit,
     onSend: () -> Unit,
+    onWords: (Vocabulary) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val support = state.program.language.support
@@ -62,7 +64,7 @@ internal fun EditorTools(
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (places.send != SendPlace.MENU) SendButton(send, places.send == SendPlace.WORDS, onSend)
-            EditorMenu(state, places, onTranslation, onSend, onCommand)
+            EditorMenu(state, places, onTranslation, onSend, onWords, onCommand)
         }
     }
 }

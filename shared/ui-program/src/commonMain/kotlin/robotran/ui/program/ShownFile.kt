@@ -86,6 +86,7 @@ private fun Tools(file: OpenFile, state: ProgramsState, matches: List<SourceSpan
         { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
         { onEvent(BlockEvent.ViewChosen(it)) },
         { onEvent(if (state.brick.receivesPrograms) SendEvent.Requested else DocumentEvent.KitRequested) },
+        { onEvent(ProgramEvent.WordsChosen(it)) },
         file::perform,
     )
     if (file.find.isOpen) {

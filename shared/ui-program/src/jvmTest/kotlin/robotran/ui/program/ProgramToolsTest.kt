@@ -9,8 +9,10 @@ import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performTextInput
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.Program
+import robotran.robolang.words.Vocabulary
 import robotran.ui.program.editor.EditorCommand
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.screen.onPhone
@@ -19,6 +21,7 @@ import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.state.NoteKind
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.text
 import kotlin.test.Test
@@ -128,5 +131,29 @@ class ProgramToolsTest {
         onNodeWithTag(ProgramTags.TRANSLATION_KEEP).performClick()
         pass(300)
         assertEquals(ProgramLanguage.JAVA, workshop.state.program.language)
+    }
+
+    @Test
+    fun `the menu writes the program in the words of another language, and undo takes that back`() =
+        onTablet { workshop ->
+            workshop.write("repeat 4 times\n  forward 20\nend")
+            pass(100)
+            onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
+            pass(100)
+            onNodeWithTag(ProgramTags.words(Language.GERMAN)).performClick()
+            pass(1_000)
+            assertEquals("wiederhole 4 mal\n  vorwärts 20\nende", workshop.text)
+            assertEquals(0, onAllNodesWithTag(ProgramTags.note(NoteKind.ERROR)).fetchSemanticsNodes().size)
+            onNodeWithTag(ProgramTags.UNDO).performClick()
+            assertEquals("repeat 4 times\n  forward 20\nend", workshop.text)
+        }
+
+    @Test
+    fun `names that are words of the other language are told, and the program stays`() = onTablet { workshop ->
+        workshop.write("var ende = 5\nshow ende")
+        workshop.handle(ProgramEvent.WordsChosen(Vocabulary.of(Language.GERMAN)))
+        pass(100)
+        assertEquals("var ende = 5\nshow ende", workshop.text)
+        assertEquals(Notice.NamesInTheWay(Language.GERMAN, listOf("ende")), workshop.state.notice)
     }
 }

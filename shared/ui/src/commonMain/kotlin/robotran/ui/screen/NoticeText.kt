@@ -26,6 +26,7 @@ fun noticeText(notice: Notice): String = when (notice) {
     Notice.Unexpected -> DocumentTexts.unexpected(spoken)
     is Notice.ProgramTooLong -> tooLong(notice)
     Notice.FixOutdated -> ScreenTexts.programFixGone(spoken)
+    is Notice.NamesInTheWay -> ScreenTexts.programNamesInTheWay(spoken, notice.language.ownName, notice.names)
     Notice.NoSlotForTask -> LearningTexts.worldNoRoom(spoken)
     Notice.NoSlotForExample -> LearningTexts.helpNoRoom(spoken)
     is Notice.NoSlotForProgram -> DocumentTexts.noRoom(spoken, notice.program, notice.maxPrograms)

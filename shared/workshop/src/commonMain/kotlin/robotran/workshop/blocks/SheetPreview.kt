@@ -6,6 +6,8 @@ import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.ValueUse
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.inEnglish
 import robotran.world.geometry.Pose
 import kotlin.math.round
 
@@ -45,14 +47,23 @@ sealed interface SheetPreview {
 fun BlocksState.sheetPreview(pose: Pose): SheetPreview? {
     val open = sheet as? BlockDialog.Part ?: return null
     val part = program.partAt(open.span) as? PhrasePart.Value ?: return null
-    return previewOf(part, program.text, program.lineAt(open.span.start), pose)
+    return previewOf(part, program.text, program.lineAt(open.span.start), pose, program.vocabulary)
 }
 
-/** The same for the number [part] of [line] in the text [source]. */
-fun previewOf(part: PhrasePart.Value, source: String, line: OutlineLine, pose: Pose): SheetPreview? {
+/** The same for the number [part] of [line] in the text [source], in the words of [vocabulary]. */
+fun previewOf(
+    part: PhrasePart.Value,
+    source: String,
+    line: OutlineLine,
+    pose: Pose,
+    vocabulary: Vocabulary,
+): SheetPreview? {
     val text = part.span.textIn(source)
     val number = text.takeIf { NUMBER.matches(it) }?.toDoubleOrNull() ?: return null
-    val isReverse = line.parts.any { it is PhrasePart.Choice && it.span.textIn(source).lowercase() in REVERSE }
+    val isReverse = line.parts.any {
+        it is PhrasePart.Choice &&
+            vocabulary.inEnglish(it.span.textIn(source)).lowercase() in REVERSE
+    }
     val signed = if (isReverse) -number else number
     return when {
         part.use == ValueUse.DISTANCE && line.form == LineForm.MOVE -> SheetPreview.Way(pose, text, signed, isReverse)

@@ -3,6 +3,7 @@ package robotran.workshop.event
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.programs.Program
+import robotran.robolang.words.Vocabulary
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
 
@@ -22,6 +23,9 @@ sealed interface ProgramEvent : WorkshopEvent {
 
     /** Formats the current file. */
     data object Formatted : ProgramEvent
+
+    /** Writes the current program, one in Robolang, in the words of [vocabulary]. */
+    data class WordsChosen(val vocabulary: Vocabulary) : ProgramEvent
 
     /** Opens the search in the current file. The editor confirms with [SearchOpened]. */
     data object SearchRequested : ProgramEvent

@@ -5,6 +5,9 @@ import robotran.language.source.Diagnostic
 import robotran.programs.Program
 import robotran.programs.support
 import robotran.projects.ProjectLimits
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
 import robotran.textediting.EditKind
 import robotran.textediting.editBetween
 import robotran.textediting.text.TextDocument
@@ -47,6 +50,7 @@ internal class ProgramEditing(
             ProgramEvent.Undone -> robot.editorState.undone()?.let { rememberUndo(robot, it, isRedo = false) }
             ProgramEvent.Redone -> robot.editorState.redone()?.let { rememberUndo(robot, it, isRedo = true) }
             ProgramEvent.Formatted -> format(robot)
+            is ProgramEvent.WordsChosen -> changeWords(robot, event.vocabulary)
             is ProgramEvent.BreakpointToggled -> remember(robot, robot.editorState.withBreakpointToggled(event.line))
             is BlockEvent -> editBlocks(robot, event)
             is ProgramEvent.FixApplied -> write(robot, fixes.apply(robot, event.diagnostic))
@@ -126,6 +130,14 @@ internal class ProgramEditing(
             laidOut.withCaret(laidOut.lines.offset(minOf(line, laidOut.lines.count - 1), column)),
             EditKind.OTHER,
         )
+    }
+
+    private fun changeWords(robot: RobotPrograms, vocabulary: Vocabulary) {
+        if (!robot.entry.program.language.support.hasBlocks) return
+        when (val result = changeWords(robot.editorState.draft.text, vocabulary)) {
+            is ChangedWords.Success -> write(robot, robot.editorState.draft.changedTo(result.text), EditKind.OTHER)
+            is ChangedWords.NamesInTheWay -> notices.show(Notice.NamesInTheWay(vocabulary.language, result.names))
+        }
     }
 
     /** Called when the programs were compiled or compilation failed; runs the actions in [robot] that waited for it. */

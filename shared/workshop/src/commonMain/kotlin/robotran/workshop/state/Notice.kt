@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.language.Language
 import robotran.world.RobotDescription
 import robotran.world.robot.DraftError
 
@@ -31,6 +32,9 @@ sealed interface Notice {
 
     /** The program has changed at the position of a fix. */
     data object FixOutdated : Notice
+
+    /** The program has [names] that are words of Robolang in [language]. */
+    data class NamesInTheWay(val language: Language, val names: List<String>) : Notice
 
     /** The brick has no slot left for an example. */
     data object NoSlotForExample : Notice

@@ -66,7 +66,12 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
             when (row) {
                 is BlockRow.First -> FirstLine(row, scope, inked)
                 is BlockRow.Branch -> LineParts(row.line, scope, inked)
-                is BlockRow.End -> BlockWords(row.line?.let(scope::wordsOf) ?: "end", scope, inked, onLine())
+                is BlockRow.End -> BlockWords(
+                    row.line?.let(scope::wordsOf) ?: scope.written("end"),
+                    scope,
+                    inked,
+                    onLine(),
+                )
                 is BlockRow.Empty -> BlockWords(BlockTexts.empty(spoken), scope, inked, onLine())
             }
             if (row !is BlockRow.First) row.line?.comment?.let { NoteTag(scope.textOf(it), scope, onLine()) }

@@ -141,7 +141,8 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
             scope.textOf(load.span) to scope.looks.of(group)
         }
 
-        is DragPayload.New -> load.block.template.substringBefore('\n') to scope.looks.of(load.block.group)
+        is DragPayload.New -> scope.written(load.block.template.substringBefore('\n')) to
+            scope.looks.of(load.block.group)
     }
     val shape = RoundedCornerShape(BlockSizes.CORNER)
     Text(

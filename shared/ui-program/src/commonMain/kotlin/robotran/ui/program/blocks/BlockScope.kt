@@ -12,6 +12,8 @@ import robotran.brick.sensors.SensorKind
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.inEnglish
+import robotran.robolang.words.written
 import robotran.ui.code.BlockLooks
 import robotran.uikit.*
 import robotran.workshop.blocks.BlockDialog
@@ -57,6 +59,12 @@ internal data class BlockScope(
     /** The line in words, without its comment. */
     fun wordsOf(line: OutlineLine): String =
         textOf(SourceSpan(line.span.start, line.comment?.start ?: line.span.end)).trim()
+
+    /** [english], a piece of a program, in the words of this one. */
+    fun written(english: String): String = state.program.vocabulary.written(english)
+
+    /** [text] of this program in the words of English. */
+    fun inEnglish(text: String): String = state.program.vocabulary.inEnglish(text)
 
     fun edit(edit: BlockEdit) = onEvent(BlockEvent.Edited(edit))
 

@@ -28,7 +28,7 @@ internal fun BlockScope.doNow(load: DragPayload) = onEvent(BlockEvent.SnippetReq
 @Composable
 internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
     if (!block.canBeTried) return
-    val words = BlockTexts.doNowThis(spoken, block.template)
+    val words = BlockTexts.doNowThis(spoken, scope.written(block.template))
     val colours = LocalRobotranColours.current
     Box(
         Modifier

@@ -62,8 +62,8 @@ internal fun BlockWords(label: String, scope: BlockScope, look: BlockLook, modif
 /** The unit of [value], unless the next word is that unit, such as `seconds`. */
 private fun unitOf(value: PhrasePart.Value, next: PhrasePart?, scope: BlockScope): String? {
     val unit = value.use.unit ?: return null
-    val word = next?.let { scope.textOf(it) }?.lowercase() ?: return unit
-    return unit.takeIf { it.removeSuffix("s") != word.removeSuffix("s") }
+    val word = next?.let { scope.inEnglish(scope.textOf(it)) }?.lowercase() ?: return scope.written(unit)
+    return scope.written(unit).takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
 }
 
 /** The place of a word or socket: at the middle of its line, or at the top beside a value that takes several lines. */

@@ -1,5 +1,6 @@
 package robotran.ui.program.tags
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.projects.ProgramView
 import robotran.robolang.words.BlockGroup
@@ -158,6 +159,8 @@ object ProgramTags {
     fun socket(start: Int, end: Int) = "socket-$start-$end"
 
     fun take(block: String) = "take-$block"
+
+    fun words(language: Language) = "words-${language.tag}"
 
     fun tool(command: Enum<*>) = "tool-${command.name.lowercase()}"
 

@@ -15,11 +15,15 @@ import robotran.uikit.*
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun ChoiceDialog(part: PhrasePart.Choice, scope: BlockScope, onClose: () -> Unit) {
-    val now = scope.textOf(part)
+    val now = scope.inEnglish(scope.textOf(part))
     BlockDialogFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
-                DialogButton(option, ProgramTags.choice(index), isChosen = option.equals(now, ignoreCase = true)) {
+                DialogButton(
+                    scope.written(option),
+                    ProgramTags.choice(index),
+                    isChosen = option.equals(now, ignoreCase = true),
+                ) {
                     scope.put(option)
                     onClose()
                 }

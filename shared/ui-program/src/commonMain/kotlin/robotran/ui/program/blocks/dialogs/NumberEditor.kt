@@ -87,7 +87,7 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
             },
         Arrangement.spacedBy(8.dp),
     ) {
-        val unit = part.use.unit.orEmpty()
+        val unit = scope.written(part.use.unit.orEmpty())
         val isOver = LocalSheetPlace.current == SheetPlace.OVER
         NumberBeside(isOver, { room, width ->
             Stepper(typed.text ?: scope.textOf(part), unit, room, { step(-scale.step) }, { step(scale.step) }) {
@@ -215,7 +215,7 @@ private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Uni
 /** Whether the line turns the robot to the left, so that the dial shows the angle to that side. */
 private fun isLeft(part: PhrasePart.Value, scope: BlockScope): Boolean =
     scope.state.program.lineAt(part.span.start).parts.any {
-        it is PhrasePart.Choice && scope.textOf(it).equals("left", ignoreCase = true)
+        it is PhrasePart.Choice && scope.inEnglish(scope.textOf(it)).equals("left", ignoreCase = true)
     }
 
 private val DEFAULT_SCALE = NumberScale(0.0, 100.0, 1.0)

@@ -28,8 +28,8 @@ import robotran.uikit.*
 
 /** A block of the palette as it will look in the program: with room inside if it has an `end`, round if it is a value. */
 @Composable
-internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook) {
-    val lines = block.template.split('\n')
+internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook, written: (english: String) -> String) {
+    val lines = written(block.template).split('\n')
     if (block.isValue) {
         val shape = RoundedCornerShape(VALUE_CORNER)
         Line(lines.first(), block, look, Modifier.background(look.fill, shape).border(2.dp, look.edge, shape))
@@ -60,7 +60,7 @@ private fun Line(label: String, block: PaletteBlock?, look: BlockLook, modifier:
     Alignment.CenterVertically,
 ) {
     if (block != null) {
-        val sign = block.form?.let { BlockSigns.of(it, label) } ?: GroupSigns.of(block.group)
+        val sign = block.form?.let { BlockSigns.of(it, block.template) } ?: GroupSigns.of(block.group)
         IconView(sign, look.ink, size = 20.dp)
     }
     Text(label, Modifier.clearAndSetSemantics { }, TextStyles.body.medium, color = look.ink)

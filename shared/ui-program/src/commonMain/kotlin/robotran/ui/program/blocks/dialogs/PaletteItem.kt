@@ -39,7 +39,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             WordHelp.of(reader, blockLanguage, it, scope.brick)?.sentence
         }.orEmpty()
     }
-    val spoken = BlockTexts.addThis(spoken, block.template.replace("\n", ", "), sentence)
+    val spoken = BlockTexts.addThis(spoken, scope.written(block.template).replace("\n", ", "), sentence)
     Column(
         Modifier
             .fillMaxWidth()
@@ -52,7 +52,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .named(spoken),
         Arrangement.spacedBy(2.dp),
     ) {
-        PaletteBlockView(block, look)
+        PaletteBlockView(block, look, scope::written)
         if (sentence.isNotEmpty()) {
             Text(
                 sentence,

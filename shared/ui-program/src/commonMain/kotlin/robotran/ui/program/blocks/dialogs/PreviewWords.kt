@@ -15,7 +15,15 @@ import kotlin.math.abs
 @Composable
 internal fun previewWords(part: PhrasePart.Value, scope: BlockScope): String? {
     val program = scope.state.program
-    return when (val preview = previewOf(part, program.text, program.lineAt(part.span.start), ANYWHERE)) {
+    return when (
+        val preview = previewOf(
+            part,
+            program.text,
+            program.lineAt(part.span.start),
+            ANYWHERE,
+            program.vocabulary,
+        )
+    ) {
         null -> null
 
         is SheetPreview.Way ->

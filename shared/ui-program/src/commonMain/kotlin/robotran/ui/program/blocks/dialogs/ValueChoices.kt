@@ -24,7 +24,7 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
         Choices(names, ProgramTags.VALUE_NAME, onChoose)
     }
     DialogHeading(BlockTexts.values(spoken))
-    Choices(program.offeredValues(part, scope.sensors, scope.brick), ProgramTags.VALUE, onChoose)
+    Choices(program.offeredValues(part, scope.sensors, scope.brick).map(scope::written), ProgramTags.VALUE, onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */

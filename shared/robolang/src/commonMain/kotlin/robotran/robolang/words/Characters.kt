@@ -1,4 +1,4 @@
-package robotran.robolang.syntax
+package robotran.robolang.words
 
 /*
  * Character classes of the scanner. They do not use the platforms' tables, which belong to different versions of
