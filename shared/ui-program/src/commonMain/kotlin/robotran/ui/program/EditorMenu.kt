@@ -93,11 +93,11 @@ internal fun EditorMenu(
     }
 }
 
-/** The languages whose words [program] can be written in, apart from those that it has. */
+/** English and the language of the app, in whose words [program] can be written, apart from those that it has. */
 @Composable
 private fun OtherWords(program: String, onChoose: (Vocabulary) -> Unit) {
     val now = remember(program) { vocabularyOf(program) }
-    for (vocabulary in Vocabulary.all.filter { it !== now }) {
+    for (vocabulary in setOf(Vocabulary.of(LocalLanguage.current), Vocabulary.ENGLISH) - now) {
         val language = vocabulary.language
         MenuItem(EditorTexts.inWords(spoken, language.ownName), ProgramTags.words(language)) { onChoose(vocabulary) }
     }

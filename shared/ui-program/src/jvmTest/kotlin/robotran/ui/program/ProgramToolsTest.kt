@@ -20,9 +20,11 @@ import robotran.ui.screen.onTablet
 import robotran.ui.screen.pass
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.ScreenEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.state.NoteKind
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
+import robotran.workshop.state.Settings
 import robotran.workshop.text
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -136,6 +138,7 @@ class ProgramToolsTest {
     @Test
     fun `the menu writes the program in the words of another language, and undo takes that back`() =
         onTablet { workshop ->
+            workshop.handle(SettingsEvent.SettingsChanged(Settings(language = Language.GERMAN)))
             workshop.write("repeat 4 times\n  forward 20\nend")
             pass(100)
             onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
