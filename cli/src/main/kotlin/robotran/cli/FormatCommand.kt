@@ -33,7 +33,7 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
     private val files by argument("FILE", help = "programs in Robolang (.robo) or NQC (.nqc)").multiple(required = true)
     private val onlyChecks by option("--check", help = "changes nothing and tells which files would change").flag()
 
-    private val words by option("--words", metavar = "LANGUAGE", help = "writes Robolang in the words of en, es or de")
+    private val words by option("--words", help = "writes Robolang in the words of this language")
         .choice(Vocabulary.all.associateBy { it.language.tag })
 
     private val spoken by LanguageOption()
@@ -62,22 +62,21 @@ internal class FormatCommand(private val console: Console) : CoreCliktCommand("f
     }
 
     private fun format(name: String, file: TextFile.Success): ExitCode =
-        when (val result = formatRobolang(file.text, RobolangMessages.of(spoken.language))) {
-            is FormatResult.Success -> inWords(name, file, result.text)
+        when (val result = words?.let { changeWords(file.text, it) } ?: ChangedWords.Success(file.text)) {
+            is ChangedWords.Success -> format(name, file, result.text)
 
-            is FormatResult.Failure -> {
-                result.diagnostics.forEach { console.complain(lineOf(name, it)) }
+            is ChangedWords.NamesInTheWay -> {
+                console.complain(sentences.namesInTheWay(name, result.names))
                 ExitCode.PROGRAM_FAILED
             }
         }
 
-    private fun inWords(name: String, file: TextFile.Success, formatted: String): ExitCode =
-        when (val result = words?.let { changeWords(formatted, it) }) {
-            null -> settle(name, file, formatted)
-            is ChangedWords.Success -> settle(name, file, result.text)
+    private fun format(name: String, file: TextFile.Success, text: String): ExitCode =
+        when (val result = formatRobolang(text, RobolangMessages.of(spoken.language))) {
+            is FormatResult.Success -> settle(name, file, result.text)
 
-            is ChangedWords.NamesInTheWay -> {
-                console.complain(sentences.namesInTheWay(name, result.names))
+            is FormatResult.Failure -> {
+                result.diagnostics.forEach { console.complain(lineOf(name, it)) }
                 ExitCode.PROGRAM_FAILED
             }
         }

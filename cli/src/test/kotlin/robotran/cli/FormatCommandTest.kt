@@ -57,6 +57,13 @@ class FormatCommandTest : CommandTest() {
     }
 
     @Test
+    fun `in its new words a program is laid out, too`() {
+        val program = folder.resolve("aligned.robo").also { it.writeText("forward 20  // on\nbeep        // done\n") }
+        assertEquals(0, format("$program", "--words", "de"))
+        assertEquals(0, format("--check", "$program"), program.readText())
+    }
+
+    @Test
     fun `a name that is a word of the other language is told, and the program stays`() {
         val program = folder.resolve("names.robo").also { it.writeText("var ende = 5\nshow ende\n") }
         assertEquals(1, format("$program", "--words", "de"))

@@ -29,7 +29,7 @@ class BlockProgram internal constructor(
 
     /** [english], a piece of a program, in the words of this one. */
     internal fun inWords(english: String): String =
-        vocabulary.written(english, outline.names.mapTo(mutableSetOf()) { it.key })
+        vocabulary.written(english) { word -> outline.names.any { it.key == word } }
 
     /** All blocks, each before those inside it. */
     val all: List<Block> by lazy { buildList { addAllOf(blocks) } }

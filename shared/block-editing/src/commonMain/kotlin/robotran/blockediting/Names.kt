@@ -14,8 +14,8 @@ import robotran.robolang.words.written
 import robotran.textediting.TextEdit
 
 /**
- * Whether Robolang in [vocabulary] allows [text] as a name. It also allows its newer words, but lines that already use such a word
- * would say something else then, so blocks offer none of them.
+ * Whether Robolang in [vocabulary] allows [text] as a name. It also allows its newer words, but lines that already use
+ * such a word would say something else then, so blocks offer none of them.
  */
 fun isName(text: String, vocabulary: Vocabulary = Vocabulary.ENGLISH): Boolean {
     if (RobolangWords.isNewerWord(text, vocabulary)) return false

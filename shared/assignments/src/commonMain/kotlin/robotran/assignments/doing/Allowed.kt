@@ -48,7 +48,9 @@ fun forbiddenLanguages(assignment: Assignment, programs: List<ProjectProgram>): 
         programs.map { it.language }.distinct() - assignment.languages.toSet()
     }
 
-/** The words of each line of [program], in their usual English spelling. A word that the program uses as a name is none. */
+/**
+ * The words of each line of [program], in their usual English spelling. A word that the program uses as a name is none.
+ */
 internal fun wordsOfLines(program: String): List<Set<String>> {
     val text = program.removePrefix(BYTE_ORDER_MARK)
     val vocabulary = vocabularyOf(text)

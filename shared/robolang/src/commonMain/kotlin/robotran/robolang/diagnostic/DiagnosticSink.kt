@@ -65,9 +65,11 @@ internal class DiagnosticSink(val messages: RobolangMessages, private val file: 
         message: String,
         fix: SourceFix?,
     ) {
-        val own = declaredNames + wordsOf(text)
-        val told = if (vocabulary === Vocabulary.ENGLISH) message else vocabulary.quoted(message, own)
-        val written = fix?.let { SourceFix(it.range, vocabulary.written(it.replacement, declaredNames)) }
+        val typed = if (vocabulary === Vocabulary.ENGLISH) emptySet() else wordsOf(text)
+        val told = vocabulary.quoted(message) { it in typed || it in declaredNames }
+        val written = fix?.let {
+            SourceFix(it.range, vocabulary.written(it.replacement) { name -> name in declaredNames })
+        }
         diagnostics += Diagnostic(severity, file, range, told, written, text, code)
     }
 

@@ -2,21 +2,21 @@ package robotran.robolang.words
 
 /**
  * [english], a piece of a program in the words of English, in these words. What is no word of English stays: names, also
- * those in [names], texts, comments, and what is in these words already.
+ * those for which [isName] holds, texts, comments, and what is in these words already.
  *
- * @param names in lower case.
+ * @param isName is asked for words in lower case.
  */
-fun Vocabulary.written(english: String, names: Set<String> = emptySet()): String =
-    piece(english, Vocabulary.ENGLISH, this, names)
+fun Vocabulary.written(english: String, isName: (String) -> Boolean = { false }): String =
+    piece(english, Vocabulary.ENGLISH, this, isName)
 
 /** [text], a piece of a program in these words, in those of English. */
-fun Vocabulary.inEnglish(text: String): String = piece(text, this, Vocabulary.ENGLISH, names = emptySet())
+fun Vocabulary.inEnglish(text: String): String = piece(text, this, Vocabulary.ENGLISH) { false }
 
-private fun piece(text: String, from: Vocabulary, to: Vocabulary, names: Set<String>): String {
+private fun piece(text: String, from: Vocabulary, to: Vocabulary, isName: (String) -> Boolean): String {
     if (from === to) return text
     val pieces = PIECE.findAll(text).toList()
     val first = from.keyword(pieces.firstOrNull()?.value.orEmpty())
-    val keywords = pieces.map { if (lowercaseKeyword(it.value) in names) null else from.keyword(it.value, first) }
+    val keywords = pieces.map { if (isName(lowercaseKeyword(it.value))) null else from.keyword(it.value, first) }
     return buildString {
         var position = 0
         pieces.forEachIndexed { index, piece ->
@@ -34,15 +34,24 @@ private fun piece(text: String, from: Vocabulary, to: Vocabulary, names: Set<Str
 
 private fun endsInOne(text: String): Boolean = text == "1" || text.endsWith(" 1")
 
-/** [sentence] with the code that it quotes in these words. Names that are in [names] stay. */
-internal fun Vocabulary.quoted(sentence: String, names: Set<String>): String {
+/** [sentence] with the code that it quotes in these words. See [written]. */
+internal fun Vocabulary.quoted(sentence: String, isName: (String) -> Boolean): String {
+    if (this === Vocabulary.ENGLISH) return sentence
     val pieces = sentence.split('"')
     if (pieces.size % 2 == 0) return sentence
-    return pieces.mapIndexed { index, piece -> if (index % 2 == 1) written(piece, names) else piece }.joinToString("\"")
+    return pieces.mapIndexed { index, piece ->
+        if (index % 2 ==
+            1
+        ) {
+            written(piece, isName)
+        } else {
+            piece
+        }
+    }.joinToString("\"")
 }
 
 /** The words of [text] in lower case. */
-internal fun wordsOf(text: String): List<String> = WORD.findAll(text).map { lowercaseKeyword(it.value) }.toList()
+internal fun wordsOf(text: String): Set<String> = WORD.findAll(text).map { lowercaseKeyword(it.value) }.toSet()
 
 /** [unit] in these words, as it agrees with [number]; [unit] as it is if it is none in these words. */
 fun Vocabulary.agreeing(unit: String, number: String): String {

@@ -24,8 +24,8 @@ import robotran.workshop.state.LearningPage
 import robotran.workshop.state.TutorialState
 
 /**
- * The way through the lessons in one row: back, what is seldom needed in a menu, begin or go to the program, next. What a pupil does next is
- * yellow: begin, or once the task is [done] the next lesson.
+ * The way through the lessons in one row: back, what is seldom needed in a menu, begin or go to the program, next. What a
+ * pupil does next is yellow: begin, or once the task is [done] the next lesson.
  */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable

@@ -12,7 +12,6 @@ import robotran.learning.Lesson
 import robotran.learning.LessonPlace
 import robotran.learning.Lessons
 import robotran.learning.WorldGallery
-import robotran.learning.drawing.RunDrawing
 import robotran.programs.Program
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.GoalProgress
@@ -152,7 +151,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         if (!outcome.isSolved) {
             if (state.isReached) state = state.copy(solved = null, elsewhere = null)
         } else if (!state.isReached && !isSolutionRun) {
-            reached(PassedRun(outcome.finished ?: 0, RunDrawing.of(session)), program, run.ended)
+            reached(PassedRun(outcome.finished ?: 0, session), program, run.ended)
         }
     }
 

@@ -5,6 +5,7 @@ import robotran.learning.Lesson
 import robotran.learning.LessonPlace
 import robotran.learning.drawing.RunDrawing
 import robotran.programs.Program
+import robotran.simulation.state.SessionState
 
 /** Where one program has reached the goals of a lesson. Another program, or one that is changed, begins anew. */
 internal data class PassedPlaces(
@@ -20,5 +21,8 @@ internal data class PassedPlaces(
         runs.takeIf { lesson === this.lesson && program.files == files }.orEmpty()
 }
 
-/** A run of [milliseconds] that has reached the goals, and what it has left on the sheet. */
-internal class PassedRun(val milliseconds: Long, val drawing: RunDrawing)
+/** A run of [milliseconds] that has reached the goals in the state [session]. */
+internal class PassedRun(val milliseconds: Long, private val session: SessionState) {
+    /** What it has left on the sheet. */
+    val drawing: RunDrawing get() = RunDrawing.of(session)
+}

@@ -1,0 +1,70 @@
+// A pupil whose app is in German builds in German blocks: by touch, from a fresh profile, and from a link.
+import assert from 'node:assert/strict';
+import { areBlocks, builderWith, fingerOn } from '../blocks.mjs';
+import { linkTo } from '../link.mjs';
+import { photograph } from '../page.mjs';
+import { onPage } from '../set-up.mjs';
+import { test } from '../tried-again.mjs';
+import { appears, disappears, programText, reports, tap, words, writeProgram } from '../words.mjs';
+
+const GERMAN_TABLET = { width: 1180, height: 820, hasTouch: true, locale: 'de-DE' };
+
+/** Shows the program in blocks. */
+async function inBlocks(page) {
+  await appears(page, 'view-switch');
+  if ((await words(page, 'block-pane').count()) > 0) return;
+  await tap(page, 'view-switch');
+  await tap(page, 'view-blocks');
+  await appears(page, 'block-pane');
+}
+
+/** Chooses the words of a language, by its tag, in the menu of the program. */
+async function chooseWords(page, language) {
+  await tap(page, 'editor-more');
+  await appears(page, `words-${language}`);
+  await tap(page, `words-${language}`);
+  await disappears(page, `words-${language}`);
+}
+
+test('blocks are built in German words by touch, run, and go back to English', () =>
+  onPage(GERMAN_TABLET, async ({ page, troubles }) => {
+    await writeProgram(page, 'repeat 4 times\n  forward 20\n  turn left 90\nend');
+    await inBlocks(page);
+    await chooseWords(page, 'de');
+    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe links 90']);
+    const builder = builderWith(page, fingerOn(page));
+    await builder.choose(/^drehe/, /^links/, /^rechts/);
+    await builder.goTo(/^drehe/);
+    await builder.add(['control', 'wait']);
+    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe rechts 90', 'warte 1 sekunde']);
+    await photograph(page, 'words-german');
+    await tap(page, 'run');
+    await reports(page, (now) => now.status === 'ended');
+    await chooseWords(page, 'en');
+    await areBlocks(page, ['repeat 4 times', 'forward 20', 'turn right 90', 'wait 1 second']);
+    assert.deepEqual(troubles, []);
+  }));
+
+test('a link with a program in German words opens it, on a world of its own, and it runs', async () => {
+  const program = 'wiederhole 2 mal\n  vorwärts 5\nende\nwenn nicht linker fühler\n  piepse\nende\n';
+  const world = {
+    format: 'robotran-world',
+    version: 2,
+    title: 'Ein Zimmer',
+    paper: { width: 120, height: 80 },
+    robots: [{ start: { x: 40, y: 30, heading: 90 } }],
+  };
+  const project = {
+    format: 'robotran-project',
+    version: 1,
+    name: 'Zimmer',
+    world,
+    robots: [{ name: 'yellow', programs: [{ name: 'fahrt.robo', text: program }] }],
+  };
+  await onPage({ ...GERMAN_TABLET, address: linkTo('p', project) }, async ({ page, troubles }) => {
+    assert.equal(await programText(page), program);
+    await tap(page, 'run');
+    await reports(page, (now) => now.status === 'ended');
+    assert.deepEqual(troubles, []);
+  });
+});
