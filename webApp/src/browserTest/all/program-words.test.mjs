@@ -1,11 +1,11 @@
 // A pupil whose app is in German builds in German blocks: by touch, from a fresh profile, and from a link.
 import assert from 'node:assert/strict';
-import { areBlocks, builderWith, fingerOn } from '../blocks.mjs';
+import { areBlocks, blockSaying, builderWith, fingerOn } from '../blocks.mjs';
 import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, disappears, programText, reports, tap, words, writeProgram } from '../words.mjs';
+import { appears, disappears, reports, tap, words, writeProgram } from '../words.mjs';
 
 const GERMAN_TABLET = { width: 1180, height: 820, hasTouch: true, locale: 'de-DE' };
 
@@ -31,22 +31,22 @@ test('blocks are built in German words by touch, run, and go back to English', (
     await writeProgram(page, 'repeat 4 times\n  forward 20\n  turn left 90\nend');
     await inBlocks(page);
     await chooseWords(page, 'de');
-    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe links 90']);
+    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe links 90', 'Ende von wiederhole']);
     const builder = builderWith(page, fingerOn(page));
     await builder.choose(/^drehe/, /^links/, /^rechts/);
     await builder.goTo(/^drehe/);
     await builder.add(['control', 'wait']);
-    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe rechts 90', 'warte 1 sekunde']);
+    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe rechts 90', 'warte 1 sekunde', 'Ende von wiederhole']);
     await photograph(page, 'words-german');
     await tap(page, 'run');
     await reports(page, (now) => now.status === 'ended');
     await chooseWords(page, 'en');
-    await areBlocks(page, ['repeat 4 times', 'forward 20', 'turn right 90', 'wait 1 second']);
+    await areBlocks(page, ['repeat 4 times', 'forward 20', 'turn right 90', 'wait 1 second', 'Ende von repeat']);
     assert.deepEqual(troubles, []);
   }));
 
 test('a link with a program in German words opens it, on a world of its own, and it runs', async () => {
-  const program = 'wiederhole 2 mal\n  vorwärts 5\nende\nwenn nicht linker fühler\n  piepse\nende\n';
+  const text = ['wiederhole 2 mal', '  vorwärts 5', 'ende', 'wenn nicht linker fühler', '  piepse', 'ende'];
   const world = {
     format: 'robotran-world',
     version: 2,
@@ -57,12 +57,13 @@ test('a link with a program in German words opens it, on a world of its own, and
   const project = {
     format: 'robotran-project',
     version: 1,
-    name: 'Zimmer',
     world,
-    robots: [{ name: 'yellow', programs: [{ name: 'fahrt.robo', text: program }] }],
+    robots: [{ name: 'yellow', programs: [{ name: 'fahrt.robo', language: 'robolang', view: 'blocks', text }] }],
   };
   await onPage({ ...GERMAN_TABLET, address: linkTo('p', project) }, async ({ page, troubles }) => {
-    assert.equal(await programText(page), program);
+    await appears(page, 'block-pane');
+    await blockSaying(page, /^wenn nicht linker fühler/);
+    await photograph(page, 'words-german-link');
     await tap(page, 'run');
     await reports(page, (now) => now.status === 'ended');
     assert.deepEqual(troubles, []);
