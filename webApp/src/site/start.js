@@ -68,6 +68,52 @@
       chosen: 'Ausgewählt. Es geht los, sobald alles da ist.',
       details: 'Einzelheiten',
     },
+    fr: {
+      loading: 'Robotran se prépare.',
+      starting: 'Tout est là. Robotran démarre.',
+      oldBrowser:
+        'Ce navigateur est trop ancien pour Robotran. Prends un Chrome, Edge, Firefox ou Safari plus récent.',
+      noDrawing:
+        'Ce navigateur ne peut pas dessiner Robotran, parce que WebGL y est désactivé ou absent. Active WebGL ou prends un autre navigateur.',
+      notFetched: "Une partie de Robotran n'a pas pu être chargée. Le réseau est peut-être coupé, ou il la bloque.",
+      noNetwork: "Il n'y a toujours pas de réseau. Réessaie un peu plus tard.",
+      notStarted: "Robotran n'a pas pu démarrer.",
+      rest: 'Un instant : le reste de Robotran est encore en route.',
+      again: 'Réessayer',
+      title: 'Bienvenue dans Robotran',
+      greeting: 'Tu écris un programme, et un robot le dessine sur une feuille.',
+      views: 'Comment veux-tu construire tes programmes ?',
+      blocks: 'Blocs',
+      text: 'Texte',
+      square: 'Lancer le carré',
+      tutorial: 'Commencer les leçons',
+      worlds: 'Choisir un monde',
+      chosen: "C'est choisi. Ça commence dès que tout est là.",
+      details: 'Détails',
+    },
+    pt: {
+      loading: 'O Robotran está se preparando.',
+      starting: 'Está tudo aqui. O Robotran vai começar.',
+      oldBrowser:
+        'Este navegador é antigo demais para o Robotran. Use um Chrome, Edge, Firefox ou Safari mais novo.',
+      noDrawing:
+        'Este navegador não consegue desenhar o Robotran, porque o WebGL está desligado ou falta nele. Permita o WebGL ou use outro navegador.',
+      notFetched: 'Não foi possível carregar uma parte do Robotran. Talvez não haja rede, ou a rede a bloqueie.',
+      noNetwork: 'Ainda não há rede. Tente de novo um pouco mais tarde.',
+      notStarted: 'O Robotran não conseguiu começar.',
+      rest: 'Um momento: o resto do Robotran ainda está a caminho.',
+      again: 'Tentar de novo',
+      title: 'Boas-vindas ao Robotran',
+      greeting: 'Você escreve um programa, e um robô o desenha em uma folha de papel.',
+      views: 'Como você quer montar programas?',
+      blocks: 'Blocos',
+      text: 'Texto',
+      square: 'Executar o quadrado',
+      tutorial: 'Começar as lições',
+      worlds: 'Escolher um mundo',
+      chosen: 'Escolhido. Começa assim que tudo estiver aqui.',
+      details: 'Detalhes',
+    },
   };
   const ATTEMPTS = 3;
   const MOST_DETAILS = 4000;
