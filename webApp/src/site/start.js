@@ -71,8 +71,7 @@
     fr: {
       loading: 'Robotran se prépare.',
       starting: 'Tout est là. Robotran démarre.',
-      oldBrowser:
-        'Ce navigateur est trop ancien pour Robotran. Prends un Chrome, Edge, Firefox ou Safari plus récent.',
+      oldBrowser: 'Ce navigateur est trop ancien pour Robotran. Prends un Chrome, Edge, Firefox ou Safari plus récent.',
       noDrawing:
         'Ce navigateur ne peut pas dessiner Robotran, parce que WebGL y est désactivé ou absent. Active WebGL ou prends un autre navigateur.',
       notFetched: "Une partie de Robotran n'a pas pu être chargée. Le réseau est peut-être coupé, ou il la bloque.",
@@ -81,7 +80,7 @@
       rest: 'Un instant : le reste de Robotran est encore en route.',
       again: 'Réessayer',
       title: 'Bienvenue dans Robotran',
-      greeting: 'Tu écris un programme, et un robot le dessine sur une feuille.',
+      greeting: 'Tu écris un programme, et un robot le dessine sur une feuille de papier.',
       views: 'Comment veux-tu construire tes programmes ?',
       blocks: 'Blocs',
       text: 'Texte',
@@ -94,8 +93,7 @@
     pt: {
       loading: 'O Robotran está se preparando.',
       starting: 'Está tudo aqui. O Robotran vai começar.',
-      oldBrowser:
-        'Este navegador é antigo demais para o Robotran. Use um Chrome, Edge, Firefox ou Safari mais novo.',
+      oldBrowser: 'Este navegador é antigo demais para o Robotran. Use um Chrome, Edge, Firefox ou Safari mais novo.',
       noDrawing:
         'Este navegador não consegue desenhar o Robotran, porque o WebGL está desligado ou falta nele. Permita o WebGL ou use outro navegador.',
       notFetched: 'Não foi possível carregar uma parte do Robotran. Talvez não haja rede, ou a rede a bloqueie.',
@@ -105,7 +103,7 @@
       again: 'Tentar de novo',
       title: 'Boas-vindas ao Robotran',
       greeting: 'Você escreve um programa, e um robô o desenha em uma folha de papel.',
-      views: 'Como você quer montar programas?',
+      views: 'Como você quer montar seus programas?',
       blocks: 'Blocos',
       text: 'Texto',
       square: 'Executar o quadrado',
