@@ -12,89 +12,89 @@ package robotran.robolang.words
  * line: see [WITHIN_FOR].
  */
 internal const val KEYWORD_TABLE = """
-en                        | es                            | de
-forward                   | adelante                      | vorwärts
-backward                  | atrás                         | rückwärts
-turn                      | gira                          | drehe
-start                     | arranca                       | starte
-stop                      | detente                       | stopp
-power                     | potencia                      | kraft
-motor                     | motor                         | motor
-pen                       | lápiz                         | stift
-wait                      | espera                        | warte
-reset                     | reinicia                      | nulle
-beep                      | pita                          | piepse
-buzz                      | zumba                         | brumme
-play                      | toca                          | spiele
-show                      | muestra                       | zeige
-clear                     | borra                         | lösche
-repeat                    | repite                        | wiederhole
-for                       | durante; para first           | für
-break                     | sal                           | verlasse
-continue                  | continúa                      | weiter
-if                        | si                            | wenn
-else                      | sino                          | sonst
-var                       | sea                           | variable
-const                     | constante                     | konstante
-procedure                 | procedimiento                 | prozedur
-function                  | función                       | funktion
-return                    | devuelve                      | zurück
-whenever                  | cuando                        | sobald
-halt                      | termina                       | schluss
-robot                     | robot                         | roboter
-end                       | fin                           | ende
-left                      | izquierda                     | links; linker before bumper
-right                     | derecha                       | rechts; rechter before bumper
-down                      | abajo                         | runter
-up                        | arriba                        | hoch
-turning                   | girando                       | drehend
-float                     | libre                         | frei
-screen                    | pantalla                      | anzeige
-times, time               | veces, vez                    | mal
-forever                   | siempre                       | endlos
-while                     | mientras                      | solange
-until                     | hasta                         | bis
-from                      | desde                         | von
-to                        | hasta                         | bis
-step                      | paso                          | schritt
-each                      | cada                          | jedes
-in                        | en                            | in
-on                        | en                            | an
-facing                    | mirando                       | schaut
-cm                        | cm                            | cm
-degrees, degree           | grados, grado                 | grad
-seconds, second           | segundos, segundo             | sekunden, sekunde
-milliseconds, millisecond | milisegundos, milisegundo     | millisekunden, millisekunde
-bumper                    | parachoques                   | fühler
-light                     | luz                           | licht
-sensor                    | sensor                        | sensor
-button                    | botón                         | taste
-run                       | run                           | run
-view                      | view                          | view
-prgm                      | prgm                          | prgm
-timer                     | cronómetro                    | uhr
-battery                   | batería                       | batterie
-true                      | verdadero                     | wahr
-false                     | falso                         | falsch
-and                       | y                             | und
-or                        | o                             | oder
-not                       | no                            | nicht
-mod                       | mod                           | mod
-brick                     | ladrillo                      | stein
-rcx                       | rcx                           | rcx
-nxt                       | nxt                           | nxt
-sonar                     | sonar                         | sonar
-sound                     | sonido                        | geräusch
-distance                  | distancia                     | abstand
-colour, color             | color                         | farbe
-loudness                  | volumen                       | lautstärke
-turned                    | girado                        | gedreht
-black                     | negro                         | schwarz
-blue                      | azul                          | blau
-green                     | verde                         | grün
-yellow                    | amarillo                      | gelb
-red                       | rojo                          | rot
-white                     | blanco                        | weiß
-enter                     | enter                         | enter
-escape                    | escape                        | escape
+en                        | es                        | de                            | fr                          | pt
+forward                   | adelante                  | vorwärts                      | avant; avance first         | frente; ande first
+backward                  | atrás                     | rückwärts                     | arrière; recule first       | trás; recue first
+turn                      | gira                      | drehe                         | tourne                      | gire
+start                     | arranca                   | starte                        | démarre                     | comece
+stop                      | detente                   | stopp                         | arrête                      | pare
+power                     | potencia                  | kraft                         | puissance                   | potência
+motor                     | motor                     | motor                         | moteur                      | motor
+pen                       | lápiz                     | stift                         | stylo                       | caneta
+wait                      | espera                    | warte                         | attends                     | espere
+reset                     | reinicia                  | nulle                         | réinitialise                | zere
+beep                      | pita                      | piepse                        | bipe                        | apite
+buzz                      | zumba                     | brumme                        | bourdonne                   | zumbe
+play                      | toca                      | spiele                        | joue                        | toque
+show                      | muestra                   | zeige                         | affiche                     | mostre
+clear                     | borra                     | lösche                        | efface                      | limpe
+repeat                    | repite                    | wiederhole                    | répète                      | repita
+for                       | durante; para first       | für                           | pendant; pour first         | por; para first
+break                     | sal                       | verlasse                      | sors                        | saia
+continue                  | continúa                  | weiter                        | continue                    | continue
+if                        | si                        | wenn                          | si                          | se
+else                      | sino                      | sonst                         | sinon                       | senão
+var                       | sea                       | variable                      | variable                    | variável
+const                     | constante                 | konstante                     | constante                   | constante
+procedure                 | procedimiento             | prozedur                      | procédure                   | procedimento
+function                  | función                   | funktion                      | fonction                    | função
+return                    | devuelve                  | zurück                        | renvoie                     | devolva
+whenever                  | cuando                    | sobald                        | quand                       | quando
+halt                      | termina                   | schluss                       | termine                     | encerre
+robot                     | robot                     | roboter                       | robot                       | robô
+end                       | fin                       | ende                          | fin                         | fim
+left                      | izquierda                 | links; linker before bumper   | gauche                      | esquerda
+right                     | derecha                   | rechts; rechter before bumper | droite                      | direita
+down                      | abajo                     | runter                        | bas                         | baixo
+up                        | arriba                    | hoch                          | haut                        | cima
+turning                   | girando                   | drehend                       | tournant                    | girando
+float                     | libre                     | frei                          | libre                       | livre
+screen                    | pantalla                  | anzeige                       | écran                       | tela
+times, time               | veces, vez                | mal                           | fois                        | vezes, vez
+forever                   | siempre                   | endlos                        | toujours                    | sempre
+while                     | mientras                  | solange                       | tantque                     | enquanto
+until                     | hasta                     | bis                           | jusque                      | até
+from                      | desde                     | von                           | de                          | de
+to                        | hasta                     | bis                           | à                           | até
+step                      | paso                      | schritt                       | pas                         | passo
+each                      | cada                      | jedes                         | chaque                      | cada
+in                        | en                        | in                            | dans                        | em
+on                        | en                        | an                            | sur                         | em
+facing                    | mirando                   | schaut                        | vers                        | voltado
+cm                        | cm                        | cm                            | cm                          | cm
+degrees, degree           | grados, grado             | grad                          | degrés, degré               | graus, grau
+seconds, second           | segundos, segundo         | sekunden, sekunde             | secondes, seconde           | segundos, segundo
+milliseconds, millisecond | milisegundos, milisegundo | millisekunden, millisekunde   | millisecondes, milliseconde | milissegundos, milissegundo
+bumper                    | parachoques               | fühler                        | contact                     | contato
+light                     | luz                       | licht                         | lumière                     | luz
+sensor                    | sensor                    | sensor                        | capteur                     | sensor
+button                    | botón                     | taste                         | bouton                      | botão
+run                       | run                       | run                           | run                         | run
+view                      | view                      | view                          | view                        | view
+prgm                      | prgm                      | prgm                          | prgm                        | prgm
+timer                     | cronómetro                | uhr                           | chrono                      | cronômetro
+battery                   | batería                   | batterie                      | batterie                    | bateria
+true                      | verdadero                 | wahr                          | vrai                        | verdadeiro
+false                     | falso                     | falsch                        | faux                        | falso
+and                       | y                         | und                           | et                          | e
+or                        | o                         | oder                          | ou                          | ou
+not                       | no                        | nicht                         | non                         | não
+mod                       | mod                       | mod                           | mod                         | mod
+brick                     | ladrillo                  | stein                         | brique                      | tijolo
+rcx                       | rcx                       | rcx                           | rcx                         | rcx
+nxt                       | nxt                       | nxt                           | nxt                         | nxt
+sonar                     | sonar                     | sonar                         | sonar                       | sonar
+sound                     | sonido                    | geräusch                      | son                         | som
+distance                  | distancia                 | abstand                       | distance                    | distância
+colour, color             | color                     | farbe                         | couleur                     | cor
+loudness                  | volumen                   | lautstärke                    | volume                      | volume
+turned                    | girado                    | gedreht                       | tourné                      | girado
+black                     | negro                     | schwarz                       | noir                        | preto
+blue                      | azul                      | blau                          | bleu                        | azul
+green                     | verde                     | grün                          | vert                        | verde
+yellow                    | amarillo                  | gelb                          | jaune                       | amarelo
+red                       | rojo                      | rot                           | rouge                       | vermelho
+white                     | blanco                    | weiß                          | blanc                       | branco
+enter                     | enter                     | enter                         | enter                       | enter
+escape                    | escape                    | escape                        | escape                      | escape
 """
