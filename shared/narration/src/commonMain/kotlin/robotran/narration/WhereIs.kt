@@ -81,8 +81,8 @@ internal class RobotScene(
     fun others(): List<String> {
         val things = bodies.filter { it.thing.kind == ThingKind.BLOCK || it.thing.kind == ThingKind.ROBOT }
         val near = things.map { body ->
-            val middle = body.outline.bounds.run { Point((left + right) / 2, (bottom + top) / 2) }
-            away(body.thing, middle)
+            val standing = body.robot?.let { session.robots[it].robot.pose.point }
+            away(body.thing, standing ?: body.outline.bounds.run { Point((left + right) / 2, (bottom + top) / 2) })
         }
         val lamps = world.lamps.zip(session.lamps) { lamp, now ->
             if (now.on) away(Thing(ThingKind.LAMP, lamp.name), now.place) else messages.lampOff(lamp.name)
