@@ -14,10 +14,12 @@ import robotran.robolang.words.written
  *
  * @property outline the text, line by line.
  * @property blocks the blocks that are in no other.
+ * @property shown the words that its blocks show, which need not be those that it is written in.
  */
 class BlockProgram internal constructor(
     val outline: ProgramOutline,
     val blocks: List<Block>,
+    val shown: Vocabulary,
     internal val lineIds: IntArray,
     internal val nextId: Int,
     internal val messages: RobolangMessages,

@@ -23,7 +23,7 @@ private fun piece(text: String, from: Vocabulary, to: Vocabulary, isName: (Strin
             val keyword = keywords[index] ?: return@forEachIndexed
             val start = piece.range.first
             val before = text.substring(0, start).trimEnd(' ')
-            val isFirst = (start == 0 && pieces.size > 1) || before.endsWith('\n')
+            val isFirst = (start == 0 && piece.value.length < text.length) || before.endsWith('\n')
             append(text, position, start)
             append(to.text(keyword, WordPlace(isFirst, endsInOne(before), keywords.getOrNull(index + 1))))
             position = piece.range.last + 1
