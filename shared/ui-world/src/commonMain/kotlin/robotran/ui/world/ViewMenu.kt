@@ -64,7 +64,8 @@ internal fun ViewMenu(view: SheetViewState, session: SessionState, onEvent: (Wor
                 }
             }
             HorizontalDivider()
-            for (kind in WordsKind.entries) {
+            // The others are beside what is told, so that the menu stays short.
+            for (kind in if (view.isIn3D) listOf(WordsKind.WHERE) else WordsKind.entries) {
                 MenuItem(kind.label(spoken), WorldTags.ofMenu(kind.tag)) {
                     open = false
                     onEvent(askFor(kind, view, session))

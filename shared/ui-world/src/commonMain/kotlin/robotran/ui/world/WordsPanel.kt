@@ -71,14 +71,13 @@ private class Asked {
     }
 }
 
-/** What is told, below the sheet, so that it covers nothing; a long text scrolls. */
+/** What is told, above the sheet, so that it covers nothing; a long text scrolls. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun WordsPanel(shown: ShownWorld, sentences: List<String>, onEvent: (WorkshopEvent) -> Unit) {
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
     Column(Modifier.fillMaxWidth().background(colours.pane).testTag(WorldTags.WORDS)) {
-        HorizontalDivider()
         Row {
             Column(
                 Modifier
@@ -101,6 +100,7 @@ internal fun WordsPanel(shown: ShownWorld, sentences: List<String>, onEvent: (Wo
                 }
             }
         }
+        HorizontalDivider()
     }
 }
 

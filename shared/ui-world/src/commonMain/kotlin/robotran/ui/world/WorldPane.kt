@@ -77,8 +77,9 @@ fun WorldPane(
     val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
     val sentences = rememberSentences(view.words, shown)
     Column(modifier.fillMaxSize()) {
-        SheetAndControls(shown, marks, sentences, canShow, onEvent, Modifier.weight(1f))
+        // Above the sheet, so that the buttons below it stay where they are.
         if (view.words != null) WordsPanel(shown, sentences, onEvent)
+        SheetAndControls(shown, marks, sentences, canShow, onEvent, Modifier.weight(1f))
     }
 }
 

@@ -45,6 +45,6 @@ sealed interface SheetEvent : WorldEvent {
     /** Puts ruler and protractor onto the sheet, or moves them; null takes them away. */
     data class MeasuringChanged(val measuring: Measuring?) : SheetEvent
 
-    /** Tells [words] below the sheet; null tells nothing any more. */
+    /** Tells [words] above the sheet; null tells nothing any more. */
     data class WordsChanged(val words: SheetWords?) : SheetEvent
 }

@@ -48,7 +48,8 @@ internal class RunTeller(
 private val RunPaneState.isOver: Boolean
     get() {
         if (untouched || isSeeking || inPast) return false
-        val hasEnded = !running && session.robots.any { it.brick.run is RunState.Ended || it.brick.run is RunState.Failed }
+        val hasEnded =
+            !running && session.robots.any { it.brick.run is RunState.Ended || it.brick.run is RunState.Failed }
         val isSnippet = brick.isSnippet
         return if (world.goals.isEmpty() || isSnippet) hasEnded else outcome.finished != null && (isPaused || hasEnded)
     }

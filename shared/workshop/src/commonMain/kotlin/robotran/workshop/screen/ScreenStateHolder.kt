@@ -61,7 +61,8 @@ internal class ScreenStateHolder(
             is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
             ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, is ProgramRoomEvent.Written,
             ProgramRoomEvent.Chosen, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,
-            is ProgramRoomEvent.Compiled, RunRoomEvent.Pressed, is RunRoomEvent.Changed, is RunRoomEvent.PointShown, is RunRoomEvent.Told,
+            is ProgramRoomEvent.Compiled, RunRoomEvent.Pressed, is RunRoomEvent.Changed, is RunRoomEvent.PointShown,
+            is RunRoomEvent.Told,
             is WorldRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
             -> Unit
         }

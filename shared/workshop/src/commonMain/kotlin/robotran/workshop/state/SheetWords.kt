@@ -5,7 +5,7 @@ import robotran.narration.RunStory
 import robotran.simulation.state.SessionState
 import robotran.world.geometry.Point
 
-/** What is told in words below the sheet. */
+/** What is told in words above the sheet. */
 @Immutable
 sealed interface SheetWords {
     /** Where the robot with the index [robot] was when that was asked for, in the state [session]. */
