@@ -1,10 +1,9 @@
 package robotran.ui.world
 
 import androidx.compose.foundation.background
+import androidx.compose.foundation.horizontalScroll
 import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.Column
-import androidx.compose.foundation.layout.ExperimentalLayoutApi
-import androidx.compose.foundation.layout.FlowRow
 import androidx.compose.foundation.layout.Row
 import androidx.compose.foundation.layout.fillMaxWidth
 import androidx.compose.foundation.layout.padding
@@ -72,12 +71,16 @@ private class Asked {
 }
 
 /** What is told, above the sheet, so that it covers nothing; a long text scrolls. */
-@OptIn(ExperimentalLayoutApi::class)
 @Composable
-internal fun WordsPanel(shown: ShownWorld, sentences: List<String>, onEvent: (WorkshopEvent) -> Unit) {
+internal fun WordsPanel(
+    shown: ShownWorld,
+    sentences: List<String>,
+    onEvent: (WorkshopEvent) -> Unit,
+    modifier: Modifier = Modifier,
+) {
     val colours = LocalRobotranColours.current
     val scroll = rememberScrollState()
-    Column(Modifier.fillMaxWidth().background(colours.pane).testTag(WorldTags.WORDS)) {
+    Column(modifier.fillMaxWidth().background(colours.pane).testTag(WorldTags.WORDS)) {
         Row {
             Column(
                 Modifier
@@ -93,7 +96,7 @@ internal fun WordsPanel(shown: ShownWorld, sentences: List<String>, onEvent: (Wo
                 onEvent(SheetEvent.WordsChanged(null))
             }
         }
-        FlowRow(Modifier.padding(horizontal = 4.dp)) {
+        Row(Modifier.horizontalScroll(rememberScrollState()).padding(horizontal = 4.dp)) {
             for (kind in WordsKind.entries) {
                 Button(kind.label(spoken), kind.tag, ButtonKind.SMALL_LINK) {
                     onEvent(askFor(kind, shown.view, shown.session))
@@ -109,7 +112,7 @@ internal fun WordsPanel(shown: ShownWorld, sentences: List<String>, onEvent: (Wo
  * under a finger.
  */
 private fun Modifier.ofHeight(isSteady: Boolean) = layout { measurable, constraints ->
-    val most = minOf(STEADY.roundToPx(), constraints.maxHeight / SHARE)
+    val most = minOf((STEADY * fontScale).roundToPx(), constraints.maxHeight / SHARE)
     val least = if (isSteady) most else 0
     val limit = if (isSteady) most else constraints.maxHeight / SHARE
     val placeable = measurable.measure(constraints.copy(minHeight = least, maxHeight = limit))

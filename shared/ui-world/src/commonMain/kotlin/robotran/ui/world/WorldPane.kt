@@ -1,6 +1,7 @@
 package robotran.ui.world
 
 import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
@@ -76,31 +77,21 @@ fun WorldPane(
 ) {
     val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
     val sentences = rememberSentences(view.words, shown)
-    Column(modifier.fillMaxSize()) {
-        // Above the sheet, so that the buttons below it stay where they are.
-        if (view.words != null) WordsPanel(shown, sentences, onEvent)
-        SheetAndControls(shown, marks, sentences, canShow, onEvent, Modifier.weight(1f))
-    }
-}
-
-@Composable
-private fun SheetAndControls(
-    shown: ShownWorld,
-    marks: WorldMarks,
-    sentences: List<String>,
-    canShow: Boolean,
-    onEvent: (WorkshopEvent) -> Unit,
-    modifier: Modifier,
-) {
-    val world = shown.world
-    val view = shown.view
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
         val room = SheetRoom.of(world, maxWidth, maxHeight, view.tellsRuns)
-        if (view.isIn3D) {
-            TouchableSpace(shown, marks, room.aside, inputs, onEvent)
-        } else {
-            TouchableSheet(shown, marks, sentences, room.aside, inputs, onEvent)
+        Column(Modifier.fillMaxSize()) {
+            // Beside the buttons, which stay where they are.
+            if (view.words != null) {
+                WordsPanel(shown, sentences, onEvent, Modifier.padding(start = room.aside.left))
+            }
+            Box(Modifier.weight(1f)) {
+                if (view.isIn3D) {
+                    TouchableSpace(shown, marks, room.aside, inputs, onEvent)
+                } else {
+                    TouchableSheet(shown, marks, sentences, room.aside, inputs, onEvent)
+                }
+            }
         }
         SheetControls(
             shown,
@@ -111,7 +102,7 @@ private fun SheetAndControls(
             onEvent,
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
-        BumpAnnouncement(world, shown.session)
+        BumpAnnouncement(world, session)
         WordsAnnouncement(view.words, sentences)
     }
 }
