@@ -35,18 +35,12 @@ private fun piece(text: String, from: Vocabulary, to: Vocabulary, isName: (Strin
 private fun endsInOne(text: String): Boolean = text == "1" || text.endsWith(" 1")
 
 /** [sentence] with the code that it quotes in these words. See [written]. */
-internal fun Vocabulary.quoted(sentence: String, isName: (String) -> Boolean): String {
+fun Vocabulary.quoted(sentence: String, isName: (String) -> Boolean = { false }): String {
     if (this === Vocabulary.ENGLISH) return sentence
     val pieces = sentence.split('"')
     if (pieces.size % 2 == 0) return sentence
     return pieces.mapIndexed { index, piece ->
-        if (index % 2 ==
-            1
-        ) {
-            written(piece, isName)
-        } else {
-            piece
-        }
+        if (index % 2 == 1) written(piece, isName) else piece
     }.joinToString("\"")
 }
 

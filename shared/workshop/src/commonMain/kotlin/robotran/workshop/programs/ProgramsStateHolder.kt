@@ -259,6 +259,7 @@ class ProgramsStateHolder private constructor(
             isTranslated = entry.isTranslated,
             searchRequested = searchRequested,
             otherBrick = otherBrickOf(robot),
+            words = preferences.words,
         )
     }
 }
