@@ -88,14 +88,14 @@ internal fun ExploringCross(place: Point, spot: String, view: SheetTransform, on
     )
 }
 
-/** The cross at [place]: light within dark, so that it is seen on any ground. */
-internal fun DrawScope.drawExploringCross(place: Point, view: SheetTransform) {
+/** The cross at [place] in this [colour], with a light casing, so that it is seen on any ground. */
+internal fun DrawScope.drawExploringCross(place: Point, view: SheetTransform, colour: Color) {
     val middle = view.toPixels(place)
     val arm = ARM.toPx()
-    for ((colour, width) in listOf(Color.White to CASING.toPx(), CROSS to LINE.toPx())) {
-        drawLine(colour, middle - Offset(arm, 0f), middle + Offset(arm, 0f), width, StrokeCap.Round)
-        drawLine(colour, middle - Offset(0f, arm), middle + Offset(0f, arm), width, StrokeCap.Round)
-        drawCircle(colour, arm / 2, middle, style = Stroke(width))
+    for ((paint, width) in listOf(RobotranColours.CASING to CASING.toPx(), colour to LINE.toPx())) {
+        drawLine(paint, middle - Offset(arm, 0f), middle + Offset(arm, 0f), width, StrokeCap.Round)
+        drawLine(paint, middle - Offset(0f, arm), middle + Offset(0f, arm), width, StrokeCap.Round)
+        drawCircle(paint, arm / 2, middle, style = Stroke(width))
     }
 }
 
@@ -115,7 +115,6 @@ private val EXPLORER_MOVES = listOf(
 /** In centimetres. */
 private const val LONG_STEP = 5.0
 private const val FINE_STEP = 1.0
-private val CROSS = Color(0xFFB00020)
 private val ARM = 18.dp
 private val CASING = 6.dp
 private val LINE = 3.dp

@@ -163,7 +163,7 @@ private fun TouchableSheet(
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }
-            cross?.let { drawExploringCross(it, sheet) }
+            cross?.let { drawExploringCross(it, sheet, ring) }
         },
     ) { sheet ->
         val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
