@@ -18,21 +18,23 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
+import robotran.simulation.state.SessionState
 import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
 
 /**
- * A button that opens the list of how the sheet is looked at: from where, and with which of its layers.
- *
- * @param robot the robot that a camera follows.
+ * A button that opens the list of how the sheet is looked at: from where, with which of its layers, and in words. A
+ * camera follows the selected robot, or else the pupil's own.
  */
 @Composable
-internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
+internal fun ViewMenu(view: SheetViewState, session: SessionState, onEvent: (WorkshopEvent) -> Unit) {
+    val robot = robotToFollow(view)
     var open by remember { mutableStateOf(false) }
     Box {
         IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), WorldTags.SHEET_SHOW, IconButtonKind.FLOATING) {
@@ -59,6 +61,14 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
                 val on = layer in view.shown
                 SwitchItem(layer.words(spoken), WorldTags.layer(layer), on) {
                     onEvent(SheetEvent.LayerSwitched(layer, !on))
+                }
+            }
+            HorizontalDivider()
+            // The others are beside what is told, so that the menu stays short.
+            for (kind in if (view.isIn3D) listOf(WordsKind.WHERE) else WordsKind.entries) {
+                MenuItem(kind.label(spoken), WorldTags.ofMenu(kind.tag)) {
+                    open = false
+                    onEvent(askFor(kind, view, session))
                 }
             }
         }

@@ -54,6 +54,7 @@ object ScreenTags {
     const val SOLVED_WORLDS = "solved-worlds"
     const val SOUND_SETTING = "sound-setting"
     const val TEXT_SIZE = "text-size"
+    const val TELL_RUNS = "tell-runs"
     const val THEME = "theme"
     const val WORLDS = "worlds"
 
