@@ -33,6 +33,7 @@ class RunSound(private val world: World, private val robot: Int) {
      */
     fun observe(state: SessionState): List<RunTone> {
         val last = before
+        if (last?.milliseconds == state.milliseconds) return emptyList()
         before = state
         if (last == null || state.milliseconds - last.milliseconds !in 1..LOOK_MILLISECONDS) {
             forget(state)

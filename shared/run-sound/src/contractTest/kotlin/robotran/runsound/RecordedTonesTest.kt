@@ -19,6 +19,7 @@ class RecordedTonesTest {
     }
 
     private companion object {
-        const val DRIVE = "pen down\nforward 8\nbackward 2\nturn left 20\nturn right 20\nbeep\nstart forward\nwait 2 seconds"
+        const val DRIVE =
+            "pen down\nforward 8\nbackward 2\nturn left 20\nturn right 20\nbeep\nstart forward\nwait 2 seconds"
     }
 }

@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.compositionLocalOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -21,10 +22,15 @@ import androidx.compose.ui.unit.dp
 import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
+import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+
+/** Whether runs are heard; null where that cannot be switched. */
+val LocalHearsRun = compositionLocalOf<Boolean?> { null }
 
 /**
  * A button that opens the list of how the sheet is looked at: from where, and with which of its layers.
@@ -32,7 +38,7 @@ import robotran.workshop.state.SheetViewState
  * @param robot the robot that a camera follows.
  */
 @Composable
-internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) -> Unit) {
+internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (WorkshopEvent) -> Unit) {
     var open by remember { mutableStateOf(false) }
     Box {
         IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), WorldTags.SHEET_SHOW, IconButtonKind.FLOATING) {
@@ -59,6 +65,13 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (SheetEvent) ->
                 val on = layer in view.shown
                 SwitchItem(layer.words(spoken), WorldTags.layer(layer), on) {
                     onEvent(SheetEvent.LayerSwitched(layer, !on))
+                }
+            }
+            LocalHearsRun.current?.let { hears ->
+                HorizontalDivider()
+                SwitchItem(SheetTexts.hearRun(spoken), WorldTags.HEAR_RUN, hears) {
+                    open = false
+                    onEvent(RunEvent.HearingSwitched)
                 }
             }
         }

@@ -37,6 +37,7 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
+import robotran.ui.world.LocalHearsRun
 import robotran.ui.worldedit.WorldEditPane
 import robotran.uikit.*
 import robotran.workshop.event.RunEvent
@@ -73,7 +74,10 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             ProvideForPrograms(state, onEvent) {
-                CompositionLocalProvider(LocalBrickKind provides state.part { run.brick.kind }) {
+                CompositionLocalProvider(
+                    LocalBrickKind provides state.part { run.brick.kind },
+                    LocalHearsRun provides state.part { settings.hearsRun },
+                ) {
                     Panes(state, layout, form, onEvent, runBar)
                 }
             }

@@ -8,7 +8,7 @@ sealed interface SettingsEvent : WorkshopEvent {
     /** Changes the settings to [settings] and stores them. */
     data class SettingsChanged(val settings: Settings) : SettingsEvent
 
-    /** Turns the brick's sound on or off. */
+    /** Turns all sound on or off. */
     data class SoundSwitched(val on: Boolean) : SettingsEvent
 
     /** Gives the program this part of windows of this [form]; null for as much as Robotran would. */

@@ -15,6 +15,7 @@ import robotran.workshop.service.Services
 import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.Settings
 
 /** The room in which programs run. Publishes each change of the run. */
 internal class RunRoom(
@@ -27,7 +28,7 @@ internal class RunRoom(
     val state: RunPaneState get() = run.state
 
     init {
-        run.setSound(services.preferences.settings.soundOn)
+        hear(services.preferences.settings)
     }
 
     fun on(event: RoomEvent) {
@@ -43,7 +44,7 @@ internal class RunRoom(
             }
 
             is ProgramRoomEvent.SnippetRequested -> run.runSnippet(event.snippet)
-            is WindowRoomEvent.SettingsChanged -> run.setSound(event.settings.soundOn)
+            is WindowRoomEvent.SettingsChanged -> hear(event.settings)
 
             is WindowRoomEvent.LanguageChanged -> {
                 run.programsCompiled(programs.compileStatus)
@@ -58,6 +59,8 @@ internal class RunRoom(
             -> Unit
         }
     }
+
+    private fun hear(settings: Settings) = run.setSound(settings.soundOn, isHeard = settings.hearsRun)
 
     fun handle(event: RunEvent) {
         val wasRunning = state.running

@@ -15,6 +15,7 @@ import robotran.projects.ProgramView
  * @property isIn3D whether worlds are shown in perspective: as chosen last.
  * @property cameraKind from where they are then seen: as chosen last.
  * @property lessMotion whether animations are reduced; null for as the system is told.
+ * @property hearsRun whether what a robot does can be heard, for those who cannot see the sheet.
  * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
@@ -26,6 +27,7 @@ data class Settings(
     val textScale: Float = 1f,
     val codeSize: Float = DEFAULT_CODE_SIZE,
     val soundOn: Boolean = true,
+    val hearsRun: Boolean = false,
     val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean? = null,
     val isIn3D: Boolean = false,
