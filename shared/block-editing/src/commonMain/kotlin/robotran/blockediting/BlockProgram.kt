@@ -7,6 +7,7 @@ import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.ProgramOutline
 import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
 import robotran.robolang.words.written
 
 /**
@@ -14,18 +15,23 @@ import robotran.robolang.words.written
  *
  * @property outline the text, line by line.
  * @property blocks the blocks that are in no other.
+ * @property shown the words that its blocks show, which need not be those that it is written in.
  */
 class BlockProgram internal constructor(
     val outline: ProgramOutline,
     val blocks: List<Block>,
+    val shown: Vocabulary,
     internal val lineIds: IntArray,
     internal val nextId: Int,
     internal val messages: RobolangMessages,
 ) {
     val text: String get() = outline.source
 
-    /** The words that it is written in. */
-    val vocabulary: Vocabulary get() = outline.parsed?.vocabulary ?: Vocabulary.ENGLISH
+    /** The words that it is written in; those that its blocks show as long as nothing in it tells. */
+    val vocabulary: Vocabulary by lazy {
+        val read = outline.parsed?.vocabulary ?: Vocabulary.ENGLISH
+        if (read === Vocabulary.ENGLISH && shown !== read) vocabularyOf(text, unsure = shown) else read
+    }
 
     /** [english], a piece of a program, in the words of this one. */
     internal fun inWords(english: String): String =

@@ -5,15 +5,21 @@ import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.ProgramOutline
 import robotran.robolang.outline.outlineRobolang
+import robotran.robolang.words.Vocabulary
 
 /**
  * Reads a Robolang text as blocks, in time linear in its length. Never throws for any [text].
  *
  * @param messages the mistakes in the pupil's language.
  * @param previous the program before the text was changed, so that blocks keep their ids.
+ * @param shown the words that blocks show; null for those of [previous], or else of the text.
  */
-fun blocksOf(text: String, messages: RobolangMessages, previous: BlockProgram? = null): BlockProgram =
-    blocksOf(outlineRobolang(text, messages), messages, previous)
+fun blocksOf(
+    text: String,
+    messages: RobolangMessages,
+    previous: BlockProgram? = null,
+    shown: Vocabulary? = null,
+): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous, shown)
 
 /** Reads [text] as blocks that belong to [program]: written in its words, or in those of English. */
 internal fun fragmentOf(program: BlockProgram, text: String): BlockProgram {
@@ -21,11 +27,17 @@ internal fun fragmentOf(program: BlockProgram, text: String): BlockProgram {
     return blocksOf(outlineRobolang(written, program.messages, program.vocabulary), program.messages, previous = null)
 }
 
-internal fun blocksOf(outline: ProgramOutline, messages: RobolangMessages, previous: BlockProgram?): BlockProgram {
+internal fun blocksOf(
+    outline: ProgramOutline,
+    messages: RobolangMessages,
+    previous: BlockProgram?,
+    shown: Vocabulary? = null,
+): BlockProgram {
     val count = linesOfBlocks(outline)
     val ids = if (previous == null) LineIds(IntArray(count) { it }, count) else carriedIds(previous, outline, count)
     val blocks = BlockReader(outline.lines.subList(0, count), ids.ofLines).read()
-    return BlockProgram(outline, blocks, ids.ofLines, ids.next, messages)
+    val words = shown ?: previous?.shown ?: outline.parsed?.vocabulary ?: Vocabulary.ENGLISH
+    return BlockProgram(outline, blocks, words, ids.ofLines, ids.next, messages)
 }
 
 /** The text of a program, put together from its blocks. It is the text that the program was made of. */

@@ -1,10 +1,13 @@
 package robotran.blockediting
 
+import robotran.blockediting.shown.keywordPlaces
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
 import robotran.robolang.words.LineForm
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.inEnglish
 import robotran.textediting.TextEdit
 
 /** The forms between which a line can change, in groups. */
@@ -40,12 +43,26 @@ internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): Blo
 }
 
 private fun filledIn(template: String, line: OutlineLine, program: BlockProgram): String = buildString {
+    val words = program.vocabulary
     val left = line.parts.toMutableList()
+    val parts = outlineRobolang(template, program.messages, words).lines.first().parts
+    val places = keywordPlaces(template, parts, words, words)
     var position = 0
-    for (part in outlineRobolang(template, program.messages, program.vocabulary).lines.first().parts) {
+    for (part in parts) {
         append(template, position, part.span.start)
         val same = left.firstOrNull { isAlike(it, part) }
-        if (same == null) append(part.span.textIn(template)) else append(same.span.textIn(program.text))
+        val old = same?.span?.textIn(program.text)
+        append(
+            when {
+                old == null -> part.span.textIn(template)
+
+                // A word may be another one at another place.
+                same is PhrasePart.Choice && words !== Vocabulary.ENGLISH ->
+                    places.option(part.span, words.inEnglish(old))
+
+                else -> old
+            },
+        )
         left -= setOfNotNull(same)
         position = part.span.end
     }

@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.blockediting.shown.keywordPlaces
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.outline.outlineRobolang
@@ -73,7 +74,9 @@ internal class PartEdits(private val program: BlockProgram) {
     private fun choice(part: PhrasePart.Choice, text: String): BlockEditResult {
         val option = part.options.firstOrNull { it.equals(text, ignoreCase = true) }
             ?: return refused(BlockEditError.NoChoice(part.options))
-        return sameForm(part.span, program.inWords(option)) { it is PhrasePart.Choice }
+        val parts = program.lineAt(part.span.start).parts
+        val places = keywordPlaces(program.text, parts, program.vocabulary, program.vocabulary)
+        return sameForm(part.span, places.option(part.span, option)) { it is PhrasePart.Choice }
             ?: refused(BlockEditError.NoChoice(part.options))
     }
 

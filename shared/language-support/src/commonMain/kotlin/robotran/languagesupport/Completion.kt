@@ -1,5 +1,7 @@
 package robotran.languagesupport
 
+import robotran.language.Language
+
 /**
  * One entry of the completion list.
  *
@@ -44,6 +46,9 @@ data class CompletionList(val start: Int, val items: List<Completion>)
 
 /** Provides one line of help for a word of a language. */
 fun interface CompletionHelp {
+    /** The language whose words a new program has. */
+    val words: Language get() = Language.ENGLISH
+
     /** A sentence about [word] in the pupil's language; null if there is none. */
     fun of(word: String): String?
 }

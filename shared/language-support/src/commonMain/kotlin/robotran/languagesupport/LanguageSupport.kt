@@ -1,6 +1,7 @@
 package robotran.languagesupport
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 
 /** What Robotran asks of a programming language. The module of each language has one implementation. */
@@ -34,8 +35,17 @@ interface LanguageSupport {
     /** Whether lines of a compiled program name their file even if the program has only one. */
     val namesFileOfLines: Boolean get() = false
 
-    /** [program] in the words that help, hints and solutions have, where a language of programs has words in several. */
-    fun inUsualWords(program: String): String = program
+    /**
+     * [program] in the words of [language], where programs can be written in those of several languages of people; laid
+     * out as before. As it is if it cannot be.
+     */
+    fun inWords(program: String, language: Language): String = program
+
+    /** [piece], a few words of a program in the usual words, in those of [language]. */
+    fun pieceInWords(piece: String, language: Language): String = piece
+
+    /** [program] in the words in which help, hints and solutions are written. */
+    fun inUsualWords(program: String): String = inWords(program, Language.ENGLISH)
 
     /** The [word] of [program] in those words. */
     fun usualWord(word: String, program: String): String = word

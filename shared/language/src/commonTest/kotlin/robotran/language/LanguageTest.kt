@@ -11,11 +11,12 @@ class LanguageTest {
         assertEquals(Language.GERMAN, Language.of("de-AT"))
         assertEquals(Language.SPANISH, Language.of("es_MX.UTF-8"))
         assertEquals(Language.ENGLISH, Language.of("EN"))
+        assertEquals(Language.PORTUGUESE, Language.of("pt-BR"))
     }
 
     @Test
     fun `a locale of another language asks for none`() {
-        listOf("", "fr", "C.UTF-8", "POSIX", "eng", "deu_DE").forEach { assertNull(Language.of(it), it) }
+        listOf("", "nl", "C.UTF-8", "POSIX", "eng", "deu_DE").forEach { assertNull(Language.of(it), it) }
     }
 
     @Test
@@ -34,5 +35,5 @@ class LanguageTest {
 
     @Test
     fun `a measured number has a comma where people write one`() =
-        assertEquals(listOf("1.5", "1,5", "1,5"), Language.entries.map { it.decimal("1.5") })
+        assertEquals(listOf("1.5", "1,5", "1,5", "1,5", "1,5"), Language.entries.map { it.decimal("1.5") })
 }

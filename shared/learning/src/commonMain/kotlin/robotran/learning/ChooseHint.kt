@@ -5,6 +5,7 @@ import robotran.learning.hint.Attempt
 import robotran.learning.hint.HintCondition
 import robotran.learning.hint.HintMatch
 import robotran.learning.hint.commonConditions
+import robotran.programs.support
 
 /** How much a hint gives away. */
 enum class HintStage { NUDGE, PART, SOLUTION }
@@ -27,32 +28,39 @@ data class Hint(
  * The first hint for [attempt] at the task of [lesson]. If the program is as it was given, the hint says so; if it has
  * reached the goals in the lesson's other place, what it lacks for this one. Otherwise the hints of the lesson (`## When ...`) are tried, in their order in its text, then those that all lessons share, in
  * the order of [commonConditions]. If none fits, it is the lesson's nudge. Null if the attempt has solved the task.
+ *
+ * @param words the language whose words program text in the hint has.
  */
-fun chooseHint(lesson: Lesson, attempt: Attempt, language: Language): Hint? {
+fun chooseHint(lesson: Lesson, attempt: Attempt, language: Language, words: Language = Language.ENGLISH): Hint? {
     if (attempt.isSolved) return null
     val common = sharedHints(language).map { HintForViews(it, it) }
     val whens = lesson.text(language).whens
     val own = whens.zip(lesson.text(language, inBlocks = true).whens, ::HintForViews)
+    val code = lesson.programLanguage.support
     val (again, others) = (own + common.drop(1)).partition { it.text.condition.phrase == HintCondition.AGAIN }
     return (common.take(1) + again + others).firstNotNullOfOrNull { hint ->
-        hint.text.condition.match(attempt)?.let { hintOf(hint, it) }
-    } ?: stagedHint(lesson, HintStage.NUDGE, language)
+        hint.text.condition.match(attempt)?.let { match -> hintOf(hint, match) { code.markedInWords(it, words) } }
+    } ?: stagedHint(lesson, HintStage.NUDGE, language, words)
 }
 
 /** The hint of [lesson] that does not depend on a try. */
-fun stagedHint(lesson: Lesson, stage: HintStage, language: Language): Hint {
+fun stagedHint(lesson: Lesson, stage: HintStage, language: Language, words: Language = Language.ENGLISH): Hint {
     fun LessonText.hint() = when (stage) {
         HintStage.NUDGE -> nudge
         HintStage.PART -> part
         HintStage.SOLUTION -> solution
     }
-    return Hint(stage, lesson.text(language).hint(), lesson.text(language, inBlocks = true).hint())
+    return Hint(
+        stage,
+        lesson.text(language, words = words).hint(),
+        lesson.text(language, inBlocks = true, words).hint(),
+    )
 }
 
 private class HintForViews(val text: ConditionalHint, val blocks: ConditionalHint)
 
-private fun hintOf(hint: HintForViews, match: HintMatch): Hint {
-    fun ConditionalHint.filled() = text.replace(WORD, match.word.orEmpty())
+private fun hintOf(hint: HintForViews, match: HintMatch, written: (String) -> String): Hint {
+    fun ConditionalHint.filled() = written(text.replace(WORD, match.word.orEmpty()))
     return Hint(HintStage.NUDGE, hint.text.filled(), hint.blocks.filled(), hint.text.condition, match.line)
 }
 

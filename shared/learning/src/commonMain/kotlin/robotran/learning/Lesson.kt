@@ -48,18 +48,31 @@ class Lesson internal constructor(
 
     private val texts by lazy { Language.entries.associateWith { read(it, false) } }
     private val textsForBlocks by lazy { Language.entries.associateWith { read(it, true) } }
+    private val textsInWords = HashMap<Triple<Language, Boolean, Language>, LessonText>()
 
-    /** What the lesson says; to a pupil who sees programs in blocks, if [inBlocks]. */
-    fun text(language: Language, inBlocks: Boolean = false): LessonText =
-        (if (inBlocks) textsForBlocks else texts).getValue(language)
+    /**
+     * What the lesson says; to a pupil who sees programs in blocks, if [inBlocks].
+     *
+     * @param words the language whose words its program text has.
+     */
+    fun text(language: Language, inBlocks: Boolean = false, words: Language = Language.ENGLISH): LessonText {
+        val written = (if (inBlocks) textsForBlocks else texts).getValue(language)
+        if (words == Language.ENGLISH) return written
+        return textsInWords.getOrPut(Triple(language, inBlocks, words)) {
+            written.inWords(programLanguage.support, words)
+        }
+    }
 
     /** The places in which a program must reach the goals. */
     val places: List<LessonPlace> get() = LessonPlace.entries.filter { worldAt(it) != null }
 
-    /** The world of the lesson, with title, task and goals in [language]. Fails if the lesson lacks the [place]. */
-    fun world(language: Language, place: LessonPlace = LessonPlace.FIRST): World {
+    /**
+     * The world of the lesson, with title, task and goals in [language], and program text in [words]. Fails if the lesson
+     * lacks the [place].
+     */
+    fun world(language: Language, place: LessonPlace = LessonPlace.FIRST, words: Language = Language.ENGLISH): World {
         val world = checkNotNull(worldAt(place)) { "$name has one place." }
-        val text = text(language)
+        val text = text(language, words = words)
         return world.withGoalsSaid(text(Language.ENGLISH).goals, text.goals)
             .copy(title = text.title, task = withoutBackticks(text.task))
     }
@@ -99,13 +112,15 @@ class Lesson internal constructor(
      *
      * @param files the pupil's own version of [program], such as [solution]; the first file may have any name, whose
      * extension tells the language.
+     * @param words the language whose words program text in the task has.
      */
     fun project(
         language: Language,
         files: List<SourceFile> = listOf(program),
         place: LessonPlace = LessonPlace.FIRST,
+        words: Language = Language.ENGLISH,
     ): Project {
-        val world = world(language, place)
+        val world = world(language, place, words)
         return Project(
             world,
             listOf(

@@ -1,6 +1,8 @@
 package robotran.learning
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
+import robotran.languagesupport.LanguageSupport
 import robotran.learning.hint.HintCondition
 
 /**
@@ -29,6 +31,21 @@ data class LessonText(
     val again: String? = null,
     val goals: List<String> = emptyList(),
 ) {
+    /** The same with its program text, in the usual words of [code], in those of [words]. */
+    internal fun inWords(code: LanguageSupport, words: Language): LessonText {
+        val written = { text: String -> code.markedInWords(text, words) }
+        return copy(
+            paragraphs = paragraphs.map(written),
+            skill = skill?.let(written),
+            task = written(task),
+            nudge = written(nudge),
+            part = written(part),
+            solution = written(solution),
+            whens = whens.map { it.copy(text = written(it.text)) },
+            again = again?.let(written),
+        )
+    }
+
     internal companion object {
         /**
          * The text of the harder variation of a world with the index [index] in [file], the text of the world: under
@@ -100,6 +117,17 @@ private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<Strin
     val others = (BrickKind.entries - brick).map(::markFor)
     return paragraphs.filterNot { text -> others.any(text::startsWith) }.map { it.removePrefix(markFor(brick)).trim() }
 }
+
+/** [text] with the program text between its backticks in the words of [language]. */
+internal fun LanguageSupport.markedInWords(text: String, language: Language): String = if (language ==
+    Language.ENGLISH
+) {
+    text
+} else {
+    MARKED.replace(text) { "`${pieceInWords(it.groupValues[1], language)}`" }
+}
+
+private val MARKED = Regex("`([^`]*)`")
 
 /** [text] without the backticks around program text. */
 internal fun withoutBackticks(text: String): String = text.replace("`", "")

@@ -3,6 +3,7 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.TextLines
 import robotran.programs.support
 
@@ -14,6 +15,7 @@ import robotran.programs.support
  * @property sentenceLanguage the language of [sentence]: English if there is no translation.
  * @property forms its syntax, in one or more forms.
  * @property example a few whole lines to try it with; null if there is none.
+ * @property title the word as programs of the pupil have it.
  */
 data class WordHelp(
     val word: String,
@@ -21,7 +23,20 @@ data class WordHelp(
     val sentenceLanguage: Language,
     val forms: List<String>,
     val example: String?,
+    val title: String = word,
 ) {
+    /** The same with its program text, in the usual words of [code], in those of [words]. */
+    fun inWords(code: LanguageSupport, words: Language): WordHelp = if (words == Language.ENGLISH) {
+        this
+    } else {
+        copy(
+            sentence = code.markedInWords(sentence, words),
+            forms = forms.map { code.pieceInWords(it, words) },
+            example = example?.let { code.inWords(it, words) },
+            title = code.pieceInWords(word, words),
+        )
+    }
+
     companion object {
         /**
          * Returns the help in [language] on a [word] of [programLanguage] for a [brick], such as `forward` or `Motor.forward`;

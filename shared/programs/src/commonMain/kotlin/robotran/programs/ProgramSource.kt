@@ -1,5 +1,6 @@
 package robotran.programs
 
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.SourceFile
 
@@ -71,6 +72,13 @@ data class Program(
 
     /** The total length of its files. */
     val characters: Int get() = files.sumOf { it.text.length }
+
+    /** The same program in the words of [language]; see [robotran.languagesupport.LanguageSupport.inWords]. */
+    fun inWords(language: Language): Program =
+        copy(files = files.map { it.copy(text = this.language.support.inWords(it.text, language)) })
+
+    /** The same program in the words of those that come with the app, to be compared with them. */
+    fun inUsualWords(): Program = inWords(Language.ENGLISH)
 
     /** The same program with [text] in the file with the index [index]. */
     fun withText(index: Int, text: String): Program =

@@ -4,6 +4,7 @@ import robotran.blockediting.Block
 import robotran.blockediting.BlockId
 import robotran.blockediting.BlockProgram
 import robotran.blockediting.messages.BlockMessages
+import robotran.blockediting.shown.ShownLine
 import robotran.robolang.RobolangWords
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
@@ -86,16 +87,17 @@ fun describe(program: BlockProgram, id: BlockId, slot: Int, messages: BlockMessa
 
 /** Describes a part of a line. */
 fun describe(program: BlockProgram, part: PhrasePart, messages: BlockMessages): PartDescription {
-    val text = part.span.textIn(program.text)
+    val line = ShownLine(program, program.lineAt(part.span.start))
+    val text = line.labelOf(part)
     return when (part) {
         is PhrasePart.Word -> PartDescription(BlockRole.TEXT, text)
         is PhrasePart.Choice -> {
-            val options = part.options.map { program.vocabulary.written(it) }
+            val options = part.options.map { line.optionOf(part, it) }
             PartDescription(BlockRole.MENU, "$text, ${messages.choice(options)}")
         }
 
         is PhrasePart.Value -> {
-            val unit = part.use.unit?.let { " ${program.vocabulary.written(it)}" }.orEmpty()
+            val unit = part.use.unit?.let { " ${program.shown.written(it)}" }.orEmpty()
             PartDescription(BlockRole.INPUT, "$text$unit, ${messages.kind(part.use.kind)}")
         }
 
@@ -144,7 +146,7 @@ internal fun spoken(program: BlockProgram, line: OutlineLine): String {
     if (line.form == null) return written(program, line)
     val last = line.parts.lastOrNull() as? PhrasePart.Value
     val unit = last?.use?.unit?.takeIf { it in RobolangWords.keywords }
-    return written(program, line) + unit?.let { " ${program.vocabulary.written(it)}" }.orEmpty()
+    return ShownLine(program, line).sentence + unit?.let { " ${program.shown.written(it)}" }.orEmpty()
 }
 
 private val SPACES = Regex("\\s+")

@@ -160,6 +160,8 @@ class AssembleTest {
                 "There is no command \"plas\". Did you mean \"plays\"?",
                 "No hay ninguna orden \"plas\". ¿Querías decir \"plays\"?",
                 "Einen Befehl \"plas\" gibt es nicht. Meinst du \"plays\"?",
+                "Il n'y a pas de commande \"plas\". Tu voulais dire \"plays\"\u00A0?",
+                "Não existe o comando \"plas\". Você quis dizer \"plays\"?",
             ),
             sentences,
         )

@@ -79,7 +79,7 @@ class LoadingTest {
             click(brick, BrickButton.RUN)
             motors to brick.state.explanation
         }
-        assertEquals(6, explanations.flatMap { it.toList() }.filterNotNull().toSet().size)
+        assertEquals(2 * Language.entries.size, explanations.flatMap { it.toList() }.filterNotNull().toSet().size)
         assertEquals(
             "The program is over, but its motors stay on: LEGO's firmware does not stop them. " +
                 "A program that is to stop ends with the motors off." to

@@ -47,7 +47,9 @@ class MessageTablesTest {
     @Test
     fun `no English sentence is left in another language`() = forEachTranslation { one, english, other ->
         val words = one.markers.fold(english) { text, marker -> text.replace(marker, "") }
-        if (english == other && words.any { it.isLetter() } && one.message.name !in SAME_EVERYWHERE) {
+        if (english == other && words.any { it.isLetter() } && one.message.name !in SAME_EVERYWHERE &&
+            english !in SAME_BY_CHANCE
+        ) {
             listOf("is in English")
         } else {
             emptyList()
@@ -57,10 +59,12 @@ class MessageTablesTest {
     @Test
     fun `no two translations are the same`() {
         val same = said.flatMap { one ->
-            val others = translations.map(one::of).filter { it != one.of(Language.ENGLISH) }
-            others.filter { text -> others.count { it == text } > 1 }.map { "${one.message.name}: $it" }
+            val others = translations.map { it to one.of(it) }.filter { it.second != one.of(Language.ENGLISH) }
+            others.groupBy({ it.second }, { it.first })
+                .filter { (text, languages) -> languages.size > 1 && !(languages == ALIKE && text.length <= SHORT) }
+                .map { (text, languages) -> "${one.message.name} in $languages: $text" }
         }
-        assertEquals(emptyList(), same)
+        assertEquals(emptyList(), same.distinct())
     }
 
     @Test
@@ -128,6 +132,13 @@ class MessageTablesTest {
 
         /** The ROM's own names of its routines. */
         val SAME_EVERYWHERE = setOf("setUp")
+
+        /** What is right in English and in another language. */
+        val SAME_BY_CHANCE = setOf("Use \"if\".", "code")
+
+        /** Languages that share many words, and the longest sentence that they may share, in characters. */
+        val ALIKE = listOf(Language.SPANISH, Language.PORTUGUESE)
+        const val SHORT = 24
 
         val UNWANTED = listOf(
             "!",

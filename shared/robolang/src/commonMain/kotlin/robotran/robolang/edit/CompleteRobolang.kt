@@ -36,7 +36,7 @@ internal fun completeRobolang(request: CompletionRequest): CompletionList? {
     val start = word?.start ?: column
     val typed = text.substring(start, column)
     if (typed.isEmpty() && !request.isExplicit) return null
-    val vocabulary = vocabularyOf(lines.text)
+    val vocabulary = vocabularyOf(lines.text, unsure = Vocabulary.of(help.words))
     val before = tokens.filter { it.end <= start }.map { canonical(text.substring(it.start, it.end), vocabulary) }
     val names = namesIn(lines, code, lineStart + start, vocabulary)
     val header = headerAt(lines, line, vocabulary)

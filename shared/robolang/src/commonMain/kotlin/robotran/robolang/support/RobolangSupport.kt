@@ -1,6 +1,7 @@
 package robotran.robolang.support
 
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.CodeTokenKind
@@ -18,6 +19,7 @@ import robotran.robolang.wording.changeWords
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.inEnglish
 import robotran.robolang.words.vocabularyOf
+import robotran.robolang.words.written
 
 object RobolangSupport : LanguageSupport {
     override val language = ProgramLanguage.ROBOLANG
@@ -26,8 +28,14 @@ object RobolangSupport : LanguageSupport {
     override val measure: ProgramMeasure = RobolangMeasure
     override val hasBlocks = true
 
-    override fun inUsualWords(program: String): String =
-        (changeWords(program, Vocabulary.ENGLISH) as? ChangedWords.Success)?.text ?: program
+    override fun inWords(program: String, language: Language): String {
+        val changed = (changeWords(program, Vocabulary.of(language)) as? ChangedWords.Success)?.text ?: return program
+        // Words have other lengths, so comments beside each other would no longer be below each other.
+        val wasLaidOut = changed != program && code.format(program) == program
+        return if (wasLaidOut) code.format(changed) ?: changed else changed
+    }
+
+    override fun pieceInWords(piece: String, language: Language): String = Vocabulary.of(language).written(piece)
 
     override fun usualWord(word: String, program: String): String = vocabularyOf(program).inEnglish(word)
 

@@ -2,13 +2,15 @@ package robotran.robolang.words
 
 /**
  * The words that the program [source] is written in: those of the language in which most of its lines begin with a
- * command; of several, those that know most of its words; English if none is better. Never throws, and takes time linear
- * in the length of [source].
+ * command; of several, those that know most of its words; if none is better, those [unsure]. Never throws, and takes time
+ * linear in the length of [source].
  */
-fun vocabularyOf(source: String): Vocabulary {
+fun vocabularyOf(source: String, unsure: Vocabulary = Vocabulary.ENGLISH): Vocabulary {
     val lines = source.lineSequence().mapNotNull(::lineOf).toList()
     val best = best(Vocabulary.all) { words -> lines.count { it.isCommandIn(words) } }
-    return best.singleOrNull() ?: best(best) { words -> lines.sumOf { it.wordsIn(words) } }.first()
+    best.singleOrNull()?.let { return it }
+    val closest = best(best) { words -> lines.sumOf { it.wordsIn(words) } }
+    return unsure.takeIf { it in closest } ?: closest.first()
 }
 
 private fun best(vocabularies: List<Vocabulary>, score: (Vocabulary) -> Int): List<Vocabulary> {

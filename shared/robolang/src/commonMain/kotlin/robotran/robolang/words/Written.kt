@@ -23,7 +23,7 @@ private fun piece(text: String, from: Vocabulary, to: Vocabulary, isName: (Strin
             val keyword = keywords[index] ?: return@forEachIndexed
             val start = piece.range.first
             val before = text.substring(0, start).trimEnd(' ')
-            val isFirst = (start == 0 && pieces.size > 1) || before.endsWith('\n')
+            val isFirst = (start == 0 && piece.value.length < text.length) || before.endsWith('\n')
             append(text, position, start)
             append(to.text(keyword, WordPlace(isFirst, endsInOne(before), keywords.getOrNull(index + 1))))
             position = piece.range.last + 1
@@ -35,18 +35,12 @@ private fun piece(text: String, from: Vocabulary, to: Vocabulary, isName: (Strin
 private fun endsInOne(text: String): Boolean = text == "1" || text.endsWith(" 1")
 
 /** [sentence] with the code that it quotes in these words. See [written]. */
-internal fun Vocabulary.quoted(sentence: String, isName: (String) -> Boolean): String {
+fun Vocabulary.quoted(sentence: String, isName: (String) -> Boolean = { false }): String {
     if (this === Vocabulary.ENGLISH) return sentence
     val pieces = sentence.split('"')
     if (pieces.size % 2 == 0) return sentence
     return pieces.mapIndexed { index, piece ->
-        if (index % 2 ==
-            1
-        ) {
-            written(piece, isName)
-        } else {
-            piece
-        }
+        if (index % 2 == 1) written(piece, isName) else piece
     }.joinToString("\"")
 }
 

@@ -2,6 +2,8 @@ package robotran.ui.poster
 
 import robotran.blockediting.Block
 import robotran.blockediting.BlockProgram
+import robotran.blockediting.shown.ShownLine
+import robotran.blockediting.shown.ShownPiece
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
@@ -16,7 +18,7 @@ internal class RowReader(private val program: BlockProgram, private val looks: B
         val block = row.block
         val pieces = when (row) {
             is BlockRow.Empty -> emptyList()
-            is BlockRow.End -> listOf(PosterPiece(program.vocabulary.written("end"), isSocket = false)) +
+            is BlockRow.End -> listOf(PosterPiece(program.shown.written("end"), isSocket = false)) +
                 noteOf(row.line)
             is BlockRow.Branch -> piecesOf(row.line) + noteOf(row.line)
 
@@ -36,21 +38,24 @@ internal class RowReader(private val program: BlockProgram, private val looks: B
         is BlockRow.Empty -> null
     }
 
-    private fun piecesOf(line: OutlineLine): List<PosterPiece> = line.parts.mapIndexed { index, part ->
-        if (part is PhrasePart.Word) {
-            PosterPiece(textOf(part.span), isSocket = false)
-        } else {
-            val unit = (part as? PhrasePart.Value)?.let { unitOf(it, line.parts.getOrNull(index + 1)) }
-            PosterPiece(listOfNotNull(textOf(part.span), unit).joinToString(" "), isSocket = true)
+    private fun piecesOf(line: OutlineLine): List<PosterPiece> {
+        val shown = ShownLine(program, line)
+        return shown.pieces.map { piece ->
+            val part = when (piece) {
+                is ShownPiece.Words -> return@map PosterPiece(piece.text, isSocket = false)
+                is ShownPiece.Part -> piece.part
+            }
+            val unit = (part as? PhrasePart.Value)?.let { unitOf(it, line.parts.getOrNull(piece.index + 1)) }
+            PosterPiece(listOfNotNull(shown.labelOf(part), unit).joinToString(" "), isSocket = part !is PhrasePart.Word)
         }
     }
 
     /** The unit of [value], unless the next word is that unit, such as `seconds`. */
     private fun unitOf(value: PhrasePart.Value, next: PhrasePart?): String? {
         val unit = value.use.unit ?: return null
-        val words = program.vocabulary
-        val word = next?.let { words.inEnglish(textOf(it.span)) }?.lowercase() ?: return words.written(unit)
-        return words.written(unit).takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
+        val shown = program.shown.written(unit)
+        val word = next?.let { program.vocabulary.inEnglish(textOf(it.span)) }?.lowercase() ?: return shown
+        return shown.takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
     }
 
     private fun noteOf(line: OutlineLine?): List<PosterPiece> =

@@ -32,7 +32,9 @@ import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
+import robotran.blockediting.BlockEditError
 import robotran.blockediting.messages.BlockMessages
+import robotran.robolang.words.quoted
 import robotran.ui.code.rememberBlockLooks
 import robotran.ui.program.blocks.AddBar
 import robotran.ui.program.blocks.AddRail
@@ -102,7 +104,7 @@ internal fun BlocksPane(
                 Blocks(programs, lines, file, scope, dragging, maxOf(ROOM_BELOW, covered), onEvent)
                 if (blocks.list.rows.isEmpty()) FirstBlockHint(room.hasGroups)
                 Column(Modifier.align(Alignment.BottomCenter).fillMaxWidth()) {
-                    if (blocks.sheet == null) WorldEditError(scope)
+                    if (blocks.sheet == null) EditError(scope)
                     when {
                         blocks.sheet != null || dragging.isCarrying -> Unit
                         blocks.isChoosing -> ChoosingBar(scope)
@@ -118,7 +120,7 @@ internal fun BlocksPane(
             LocalSheetPicture.current?.invoke(minOf(above, MAX_PICTURE), place)
         }
         // A sheet covers the lower end.
-        if (blocks.sheet != null) WorldEditError(scope)
+        if (blocks.sheet != null) EditError(scope)
         SaidAloud(blocks.said)
     }
 }
@@ -218,8 +220,10 @@ private fun Blocks(
 }
 
 @Composable
-private fun WorldEditError(scope: BlockScope) {
-    scope.state.error?.let { EditErrorBar(scope.messages.editError(it), scope) }
+private fun EditError(scope: BlockScope) {
+    val error = scope.state.error ?: return
+    val typed = (error as? BlockEditError.NoName)?.name?.lowercase()
+    EditErrorBar(scope.state.program.shown.quoted(scope.messages.editError(error)) { it == typed }, scope)
 }
 
 /**

@@ -11,6 +11,7 @@ import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.programs.support
 import robotran.robolang.words.Vocabulary
@@ -36,6 +37,7 @@ internal fun EditorMenu(
     onTranslation: (Boolean, ProgramLanguage) -> Unit,
     onSend: () -> Unit,
     onWords: (Vocabulary) -> Unit,
+    onBlockWords: (inEnglish: Boolean) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val shown = state.translationKind
@@ -69,7 +71,13 @@ internal fun EditorMenu(
                     onTranslation(kind != shown || !state.translationShown, kind)
                 }
             }
-            if (state.program.language.support.hasBlocks) {
+            state.blocks?.takeIf { state.view.hasBlocks }?.let { blocks ->
+                OtherBlockWords(blocks.program.shown.language) {
+                    open = false
+                    onBlockWords(it)
+                }
+            }
+            if (state.program.language.support.hasBlocks && state.view.hasText) {
                 OtherWords(state.draft.text) {
                     open = false
                     onWords(it)
@@ -100,6 +108,16 @@ private fun OtherWords(program: String, onChoose: (Vocabulary) -> Unit) {
     for (vocabulary in setOf(Vocabulary.of(LocalLanguage.current), Vocabulary.ENGLISH) - now) {
         val language = vocabulary.language
         MenuItem(EditorTexts.inWords(spoken, language.ownName), ProgramTags.words(language)) { onChoose(vocabulary) }
+    }
+}
+
+/** English or the language of the app, whichever blocks do not show [now]. */
+@Composable
+private fun OtherBlockWords(now: Language, onChoose: (inEnglish: Boolean) -> Unit) {
+    val other = if (now == Language.ENGLISH) LocalLanguage.current else Language.ENGLISH
+    if (other == now) return
+    MenuItem(EditorTexts.blockWords(spoken, other.ownName), ProgramTags.blockWords(other)) {
+        onChoose(other == Language.ENGLISH)
     }
 }
 

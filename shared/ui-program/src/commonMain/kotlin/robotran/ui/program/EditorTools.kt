@@ -31,6 +31,7 @@ internal fun EditorTools(
     onView: (ProgramView) -> Unit,
     onSend: () -> Unit,
     onWords: (Vocabulary) -> Unit,
+    onBlockWords: (inEnglish: Boolean) -> Unit,
     onCommand: (EditorCommand.Plain) -> Unit,
 ) {
     val support = state.program.language.support
@@ -64,7 +65,7 @@ internal fun EditorTools(
                 Spacer(Modifier.width(ToolSizes.GAP))
             }
             if (places.send != SendPlace.MENU) SendButton(send, places.send == SendPlace.WORDS, onSend)
-            EditorMenu(state, places, onTranslation, onSend, onWords, onCommand)
+            EditorMenu(state, places, onTranslation, onSend, onWords, onBlockWords, onCommand)
         }
     }
 }

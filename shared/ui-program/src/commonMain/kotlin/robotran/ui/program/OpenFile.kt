@@ -61,7 +61,7 @@ internal fun rememberOpenFile(
         OpenFile(control, find, focus, actions)
     }
     val brick = state.program.language.support.code.brickOf(state.draft.lines) ?: state.brick
-    file.control.help = rememberWordHelp(state.program.language, brick)
+    file.control.help = rememberWordHelp(state.program.language, brick, state.words)
     file.control.brick = state.brick
     // The commands of the menu work on the text, also while it is shown in blocks only.
     file.control.follow(state.draft)

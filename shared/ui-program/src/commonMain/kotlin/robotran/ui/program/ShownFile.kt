@@ -25,6 +25,7 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
+import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.InlineDiagnostic
@@ -87,6 +88,7 @@ private fun Tools(file: OpenFile, state: ProgramsState, matches: List<SourceSpan
         { onEvent(BlockEvent.ViewChosen(it)) },
         { onEvent(if (state.brick.receivesPrograms) SendEvent.Requested else DocumentEvent.KitRequested) },
         { onEvent(ProgramEvent.WordsChosen(it)) },
+        { onEvent(SettingsEvent.WordsChosen(it)) },
         file::perform,
     )
     if (file.find.isOpen) {

@@ -63,7 +63,7 @@ internal fun HelpPanel(state: LearningState, onEvent: (LearningEvent) -> Unit, m
                 verticalAlignment = Alignment.CenterVertically,
             ) {
                 Text(
-                    state.help.found?.word ?: title,
+                    state.help.found?.title ?: title,
                     Modifier.weight(1f).testTag(LearningTags.HELP_TITLE).heading(),
                     (if (state.help.found == null) codeStyle().copy(fontFamily = FontFamily.Default) else codeStyle())
                         .strong.copy(fontSize = TextSizes.HEADING, lineHeight = LineHeights.HEADING),

@@ -103,8 +103,7 @@ private fun TaskOverText(
     }
 }
 
-private fun taskOf(state: LearningState, tutorial: TutorialState): String =
-    tutorial.current.text(state.language, state.isInBlocks).task
+private fun taskOf(state: LearningState, tutorial: TutorialState): String = state.textOf(tutorial.current).task
 
 @Composable
 private fun Scrolled(tag: String, modifier: Modifier, content: @Composable ColumnScope.() -> Unit) {
@@ -123,7 +122,7 @@ private fun Scrolled(tag: String, modifier: Modifier, content: @Composable Colum
 
 @Composable
 private fun StepTitle(state: LearningState, tutorial: TutorialState) = Text(
-    tutorial.current.text(state.language, state.isInBlocks).title,
+    state.textOf(tutorial.current).title,
     Modifier.testTag(LearningTags.STEP_TITLE).heading(),
     TextStyles.cardTitle.strong,
     color = LocalRobotranColours.current.onPane,
@@ -134,7 +133,7 @@ private fun Paragraphs(state: LearningState, tutorial: TutorialState) = Column(
     Modifier.testTag(LearningTags.EXPLANATION_TEXT),
     Arrangement.spacedBy(Space.SMALL),
 ) {
-    for (paragraph in tutorial.current.text(state.language, state.isInBlocks).paragraphs) MarkedText(paragraph)
+    for (paragraph in state.textOf(tutorial.current).paragraphs) MarkedText(paragraph)
 }
 
 /** From this width on, at default font size, the task is next to the text. */

@@ -90,7 +90,7 @@ fun TutorialStrip(state: LearningState, onEvent: (LearningEvent) -> Unit, modifi
 /** Its first words, in the place of how many lessons are done. */
 @Composable
 private fun FoldedTask(state: LearningState, tutorial: TutorialState) = Text(
-    tutorial.current.text(state.language, state.isInBlocks).task.replace("`", ""),
+    state.textOf(tutorial.current).task.replace("`", ""),
     Modifier.testTag(LearningTags.TUTORIAL_TASK),
     TextStyles.caption,
     color = LocalRobotranColours.current.quiet,

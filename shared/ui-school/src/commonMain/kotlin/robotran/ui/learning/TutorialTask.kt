@@ -46,7 +46,7 @@ internal fun TutorialTask(
     onPlaced: (LayoutCoordinates) -> Unit,
 ) {
     val colours = LocalRobotranColours.current
-    val text = tutorial.current.text(state.language, state.isInBlocks)
+    val text = state.textOf(tutorial.current)
     val bar = if (state.isStepDone) RobotranColours.RUN_GREEN else RobotranColours.YELLOW
     Column(
         Modifier

@@ -34,8 +34,10 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun WordList(state: LearningState, onEvent: (LearningEvent) -> Unit) {
     val code = state.help.programLanguage
-    val words = remember(code, state.language, state.help.brick) {
-        WordHelp.words(code, state.help.brick).mapNotNull { WordHelp.of(state.language, code, it, state.help.brick) }
+    val words = remember(code, state.language, state.words, state.help.brick) {
+        WordHelp.words(code, state.help.brick).mapNotNull { word ->
+            WordHelp.of(state.language, code, word, state.help.brick)?.inWords(code.support, state.words)
+        }
     }
     LazyColumn(Modifier.testTag(LearningTags.HELP_WORDS)) {
         item(key = "languages") { Languages(code, state.help.brick) { onEvent(LearningEvent.WordsRequested(it)) } }
@@ -79,7 +81,7 @@ private fun Word(help: WordHelp, onClick: () -> Unit) {
             .clickable(role = Role.Button, onClick = onClick)
             .padding(horizontal = 20.dp, vertical = 6.dp),
     ) {
-        Text(help.word, style = codeStyle().strong)
+        Text(help.title, style = codeStyle().strong)
         Text(help.sentence, style = TextStyles.compactLines, color = colours.quiet)
     }
 }

@@ -38,6 +38,15 @@ internal fun SettingsPage(
                 settings.language,
                 ScreenTags.LANGUAGE,
             ) { change(settings.copy(language = it)) }
+            val own = LocalLanguage.current
+            if (own != Language.ENGLISH) {
+                ChoiceOfOne(
+                    ScreenTexts.settingsWords(spoken),
+                    listOf(false to own.ownName, true to Language.ENGLISH.ownName),
+                    settings.hasEnglishWords,
+                    ScreenTags.WORDS,
+                ) { onEvent(SettingsEvent.WordsChosen(it)) }
+            }
             ChoiceOfOne(
                 ScreenTexts.settingsTheme(spoken),
                 AppTheme.entries.map { it to it.title(spoken) },

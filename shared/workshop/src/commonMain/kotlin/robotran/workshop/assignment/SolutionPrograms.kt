@@ -3,6 +3,7 @@ package robotran.workshop.assignment
 import robotran.assignments.doing.firstPrograms
 import robotran.language.Language
 import robotran.learning.WorldGallery
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -94,7 +95,9 @@ internal fun solvingProgram(project: Project, ended: EndedAttempt?): ProjectProg
         ?.takeUnless { isOfApp(it) }?.copy(view = null)
 }
 
-internal fun textsOf(program: ProjectProgram): List<String> = program.files.map { it.text.trim() }
+/** The texts of its files, which are the same in whichever words they are written. */
+internal fun textsOf(program: ProjectProgram): List<String> =
+    program.files.map { program.language.support.inUsualWords(it.text).trim() }
 
 internal fun isBlank(program: ProjectProgram): Boolean = program.files.all { it.text.isBlank() }
 

@@ -8,6 +8,9 @@ sealed interface SettingsEvent : WorkshopEvent {
     /** Changes the settings to [settings] and stores them. */
     data class SettingsChanged(val settings: Settings) : SettingsEvent
 
+    /** Gives blocks and programs of the app the words of English, or those of the app language. */
+    data class WordsChosen(val inEnglish: Boolean) : SettingsEvent
+
     /** Turns all sound on or off. */
     data class SoundSwitched(val on: Boolean) : SettingsEvent
 

@@ -31,7 +31,8 @@ internal class HelpFinder(
             ?: shownCode.takeIf { current.shownProgram.isForLegoFirmware }
             ?: ProgramLanguage.default
         val brick = code.support.code.brickOf(TextLines(text)) ?: shownBrick
-        return HelpState(code, wordAt(text, offset), helpOn(preferences.language, code, text, offset, brick), brick)
+        val found = helpOn(preferences.language, code, text, offset, brick)
+        return HelpState(code, wordAt(text, offset), found?.inWords(code.support, preferences.words), brick)
     }
 
     /** The help on [word]; the list of all words for null. */
@@ -40,6 +41,7 @@ internal class HelpFinder(
         word,
         word?.let {
             WordHelp.of(preferences.language, programLanguage, it, brick)
+                ?.inWords(programLanguage.support, preferences.words)
         },
         brick,
     )
@@ -64,7 +66,8 @@ internal class HelpFinder(
      */
     fun addExample(language: ProgramLanguage, name: String, brick: BrickKind): Boolean {
         val itsBrick = if (language.support.hasBlocks) shownBrick else brick
-        val program = Program.of(name, language.examplesFor(itsBrick)[name] ?: return false)
+        val example = language.examplesFor(itsBrick)[name] ?: return false
+        val program = Program.of(name, example).inWords(preferences.words)
         // The unchanged example may already be open.
         return newTabs.choose { it == program } || newTabs.add(program)
     }

@@ -60,7 +60,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
     private var goalsSeen: List<GoalProgress> = emptyList()
     private var isTryOver = false
     private val tutorial = TutorialController(scope, preferences, current, services.editor, switcher, navigator, store)
-    private val hints = HintGiver()
+    private val hints = HintGiver(preferences)
     private val newTabs = NewTabs(current, tabs, navigator, notices)
     private val help = HelpFinder(preferences, current, newTabs)
     private val worldTask = WorldTaskController(preferences, current, newTabs, runControls, hints)
@@ -192,7 +192,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         if (step != null) drawings.keep(step.name, run.drawing)
         val index = step?.let(Lessons::indexOf)
         return SolvedTask(
-            learned = step?.text(preferences.language)?.skill,
+            learned = step?.text(preferences.language, words = preferences.words)?.skill,
             milliseconds = run.milliseconds,
             lines = record.lines,
             bestMilliseconds = before?.milliseconds,
@@ -235,7 +235,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         if (outcome.goals.any { it.status == GoalStatus.PENDING }) return
         changeWorldTask { worldTask.afterTry(it, program, session) }
         tutorial.attemptAt(session, places.hasPassedElsewhere(ended?.program))?.let { attempt ->
-            changeHelp { step, help -> hints.after(attempt, step, help, preferences.language) }
+            changeHelp { step, help -> hints.after(attempt, step, help) }
         }
         refresh()
     }
@@ -278,7 +278,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
 
     /** Updates the state after a possible change of the project or the language. */
     private fun refresh() {
-        if (preferences.language != state.language) {
+        if (preferences.language != state.language || preferences.words != state.words) {
             changeHelp { _, help -> hints.none(help) }
             changeWorldTask(worldTask::withoutHints)
         }
@@ -288,6 +288,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         }
         val now = state.copy(
             language = preferences.language,
+            words = preferences.words,
             tutorial = shown,
             worldTask = worldTask.update(state.worldTask),
             stepsDone = progress.stepsDone,
@@ -322,7 +323,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
 
     /** Adds the square program as a tab, unless it is already open unchanged. */
     private fun putSquare() {
-        val square = firstProgram(preferences.language)
+        val square = firstProgram(preferences.language, preferences.words)
         val index = current.project.pupilPrograms.indexOfFirst { it.isFirst }
         if (index >= 0) tabs.chooseProgram(index) else tabs.addProgram(square, replacing = true)
     }
@@ -362,8 +363,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
         state.worldTask?.let { worldTask.showSolution(it, shown) }
     }
 
-    private fun nextHint(shown: Boolean) =
-        changeHelp { step, help -> hints.next(step, help, shown, preferences.language) }
+    private fun nextHint(shown: Boolean) = changeHelp { step, help -> hints.next(step, help, shown) }
 
     private fun changeTutorial(change: (TutorialState) -> TutorialState) {
         val now = state.tutorial ?: return

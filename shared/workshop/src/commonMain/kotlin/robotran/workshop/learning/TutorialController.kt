@@ -9,6 +9,8 @@ import robotran.learning.Lesson
 import robotran.learning.LessonPlace
 import robotran.learning.Lessons
 import robotran.learning.hint.Attempt
+import robotran.programs.support
+import robotran.projects.Project
 import robotran.simulation.state.SessionState
 import robotran.workshop.service.CurrentProject
 import robotran.workshop.service.Preferences
@@ -52,14 +54,14 @@ internal class TutorialController(
     /** Puts the loaded step's robot with its program into the world of [place]. */
     fun tryAt(place: LessonPlace) {
         val step = loadedStep()?.takeIf { place in it.places } ?: return
-        editor.changeWorld(step.world(preferences.language, place))
+        editor.changeWorld(step.world(preferences.language, place, preferences.words))
     }
 
     /** The tutorial at [step], which is loaded. */
     fun show(step: Lesson): TutorialState {
         store.update { it.copy(step = step.name, tutorialShown = true) }
-        val text = loadedProgram(step)
-        isSolutionLoaded = text == step.solution.text && pupilProgram(step).text != text
+        val text = loadedProgram(step)?.let { usual(step, it) }
+        isSolutionLoaded = text == step.solution.text && usual(step, pupilProgram(step).text) != text
         return TutorialState(
             Lessons.indexOf(step),
             help = TaskHelp(solutionShown = isSolutionLoaded),
@@ -116,7 +118,7 @@ internal class TutorialController(
     private fun switchTo(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {
         if (loadedStep() != null) return open(step, file, place)
         scope.launch {
-            val project = step.project(preferences.language, listOf(file))
+            val project = projectOf(step, file)
             val result = switcher.beginProject(
                 tutorialProjectName(preferences.language),
                 project,
@@ -132,9 +134,19 @@ internal class TutorialController(
     private fun open(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {
         // Another step may be loaded, which has places of its own.
         val there = place.takeIf { it in step.places } ?: LessonPlace.FIRST
-        editor.openProject(step.project(preferences.language, listOf(file), there))
+        editor.openProject(projectOf(step, file, there))
         isSolutionLoaded = file === step.solution
     }
+
+    /** The project of [step] with [file], which has the words of the app's programs unless it is the pupil's own. */
+    private fun projectOf(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST): Project {
+        val words = preferences.words
+        val isOwn = file !== step.program && file !== step.solution
+        val written = if (isOwn) file else file.copy(text = step.programLanguage.support.inWords(file.text, words))
+        return step.project(preferences.language, listOf(written), place, words)
+    }
+
+    private fun usual(step: Lesson, program: String): String = step.programLanguage.support.inUsualWords(program)
 
     /** Stores the pupil's version of the loaded step's program, unless it is the solution. */
     fun saveProgram() {
@@ -143,7 +155,8 @@ internal class TutorialController(
         val text = loadedProgram(step) ?: return
         store.update {
             val others = it.programs - step.savedName
-            it.copy(programs = if (text == step.program.text) others else others + (step.savedName to text))
+            val isAsGiven = usual(step, text) == step.program.text
+            it.copy(programs = if (isAsGiven) others else others + (step.savedName to text))
         }
     }
 

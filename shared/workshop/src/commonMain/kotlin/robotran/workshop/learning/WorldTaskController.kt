@@ -53,14 +53,13 @@ internal class WorldTaskController(
         return WorldTaskState(
             world,
             task,
-            help.copy(solutionShown = current.shownProgram in solutionsToShow(task)),
+            help.copy(solutionShown = isSolution(current.shownProgram, task)),
             current.project.pupilPrograms.none { it.name == startOf(task).name },
         )
     }
 
     /** The program to begin with, in NQC for who writes that. */
-    private fun startOf(task: Lesson): Program =
-        (if (isInNqc) nqc.start(task) else null) ?: Program.of(task.program.name, task.program.text)
+    private fun startOf(task: Lesson): Program = beginningOf(task, isInNqc).inWords(preferences.words)
 
     /**
      * Shows the pupil's version of the program to begin with, or adds the original, in NQC for who writes that. False if
@@ -73,7 +72,7 @@ internal class WorldTaskController(
 
     /** The [state] with one more hint if [shown], otherwise with none. */
     fun nextHint(state: WorldTaskState, shown: Boolean): WorldTaskState =
-        state.copy(help = hints.next(state.task, state.help, shown, preferences.language))
+        state.copy(help = hints.next(state.task, state.help, shown))
 
     /** The [state] after the run of [program] that ended in [session] and failed. */
     fun afterTry(state: WorldTaskState, program: Program, session: SessionState): WorldTaskState {
@@ -81,7 +80,7 @@ internal class WorldTaskController(
         // Programs in two languages have no lines in common.
         val isComparable = program.language == state.task.programLanguage && program.files.size == 1
         val attempt = if (isComparable) state.task.attempt(program.files.first().text, session) else null
-        return state.copy(help = hints.after(attempt, state.task, state.help, preferences.language))
+        return state.copy(help = hints.after(attempt, state.task, state.help))
     }
 
     /** The [state] without hints. */
@@ -93,11 +92,17 @@ internal class WorldTaskController(
         if (shown) {
             val solution = solutions.firstOrNull { it.language == current.shownProgram.language } ?: solutions.first()
             if (!state.help.solutionShown) nameBefore = current.shownProgram.name
-            if (newTabs.choose { it == solution } || newTabs.addGiven(solution)) runControls.run()
+            val isShown = { program: Program -> program.name == solution.name && program.inUsualWords() == solution }
+            if (newTabs.choose(isShown) || newTabs.addGiven(solution.inWords(preferences.words))) runControls.run()
         } else {
-            newTabs.remove { it in solutions }
+            newTabs.remove { isSolution(it, state.task) }
             newTabs.choose { it.name == nameBefore }
         }
+    }
+
+    private fun isSolution(program: Program, task: Lesson): Boolean {
+        val ofItsName = solutionsToShow(task).filter { it.name == program.name }
+        return ofItsName.isNotEmpty() && program.inUsualWords() in ofItsName
     }
 
     /** The solutions of [task]; one translated to NQC only for who writes that, or has had it shown. */

@@ -122,17 +122,17 @@ internal class AllPrograms(project: Project, services: Services, private val roo
 
             robot.list.programs.none(isMeant) || robot.removeAll(isMeant) -> Unit
 
-            placement.program == null -> robot.beginWith(firstProgram(preferences.language))
+            placement.program == null -> robot.beginWith(firstProgram(preferences.language, preferences.words))
 
             else -> robots = listOf(robotOf(placement, ProjectRobot(placement.name), emptyList())) + robots.drop(1)
         }
     }
 
-    /** Puts the note of the first program into [language], unless the pupil has changed that program. */
+    /** Puts the note of the first program into [language], and its words into those that the pupil prefers, unless the pupil has changed that program. */
     fun translateFirst(language: Language) {
         for (robot in robots) {
             robot.list.programs.forEachIndexed { slot, program ->
-                val translated = firstProgram(language)
+                val translated = firstProgram(language, preferences.words)
                 if (program.isFirst && program != translated) robot.replace(slot, translated)
             }
         }
@@ -194,7 +194,11 @@ internal class AllPrograms(project: Project, services: Services, private val roo
         val saved = project.robots.firstOrNull { it.name == placement.name } ?: ProjectRobot(placement.name)
         val programs = saved.programs.map { it.asPupil() }
         val isAlone = index == 0 && programs.isEmpty() && placement.program == null
-        robotOf(placement, saved, if (isAlone) listOf(firstProgram(preferences.language)) else programs)
+        robotOf(
+            placement,
+            saved,
+            if (isAlone) listOf(firstProgram(preferences.language, preferences.words)) else programs,
+        )
     }
 
     private fun robotOf(placement: RobotPlacement, saved: ProjectRobot, programs: List<Program>) =

@@ -14,6 +14,7 @@ import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.words.Vocabulary
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
@@ -27,13 +28,20 @@ import robotran.workshop.blocks.placeBeyond
 import robotran.workshop.blocks.placeNested
 import robotran.workshop.blocks.stepped
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.service.Preferences
 
-/** This memory with the blocks of its text in [language], if it is shown in blocks. The same if they are current. */
-internal fun FileEditorState.withBlocksRead(language: Language): FileEditorState {
+/**
+ * This memory with the blocks of its text in the language and the words of [preferences], if it is shown in blocks. The
+ * same if they are current.
+ */
+internal fun FileEditorState.withBlocksRead(preferences: Preferences): FileEditorState {
     if (!view.hasBlocks) return this
-    val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, previous = null)), language))
-    if (known.program.text == draft.text && known.language == language) return this
-    val program = read(language, known.program)
+    val language = preferences.language
+    val words = Vocabulary.of(preferences.words)
+    val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, null, words)), language))
+    val isCurrent = known.language == language && known.program.shown === words
+    if (known.program.text == draft.text && isCurrent) return this
+    val program = read(language, known.program, words)
     // The places of parts have moved with the text.
     val state = known.copy(
         list = BlockList(program, known.list.collapsed),
@@ -82,8 +90,8 @@ private fun saidAfter(last: String?, words: String): String = if (words == last)
 /** A no-break space. */
 private const val UNHEARD = '\u00A0'
 
-private fun FileEditorState.read(language: Language, previous: BlockProgram?): BlockProgram =
-    blocksOf(draft.text, RobolangMessages.of(language), previous)
+private fun FileEditorState.read(language: Language, previous: BlockProgram?, words: Vocabulary): BlockProgram =
+    blocksOf(draft.text, RobolangMessages.of(language), previous, words)
 
 /** This memory after [event]. Its blocks must be current. */
 internal fun FileEditorState.after(event: BlockEvent): FileEditorState {

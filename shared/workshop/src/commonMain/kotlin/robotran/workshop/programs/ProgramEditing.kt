@@ -111,11 +111,10 @@ internal class ProgramEditing(
         remember(robot, after)
     }
 
-    private fun remember(robot: RobotPrograms, editorState: FileEditorState) =
-        robot.change(editorState, preferences.language)
+    private fun remember(robot: RobotPrograms, editorState: FileEditorState) = robot.change(editorState, preferences)
 
     private fun rememberUndo(robot: RobotPrograms, editorState: FileEditorState, isRedo: Boolean) {
-        val read = editorState.withBlocksRead(preferences.language)
+        val read = editorState.withBlocksRead(preferences)
         remember(robot, read.tellingUndo(before = robot.editorState, isRedo))
     }
 

@@ -146,7 +146,7 @@ class ProgramsStateHolder private constructor(
 
     /** See [AllPrograms.remove]. */
     internal fun removePrograms(isMeant: (Program) -> Boolean, beginning: Program? = null) {
-        all.remove(isMeant, beginning)
+        all.remove(isMeant, beginning?.inWords(preferences.words))
         changed()
     }
 
@@ -156,10 +156,14 @@ class ProgramsStateHolder private constructor(
         changed()
     }
 
-    /** Compiles all programs again, with diagnostics in [language], in which also the first program's note is. */
+    /**
+     * Compiles all programs again, with diagnostics in [language], in which also the first program's note is. Blocks show
+     * the words that the pupil prefers now.
+     */
     fun setLanguage(language: Language) {
         all.translateFirst(language)
         useCompiler(all.compiler.withLanguage(language))
+        refresh()
     }
 
     /** Compiles all programs again with the Java settings [java]. */
@@ -219,7 +223,7 @@ class ProgramsStateHolder private constructor(
         if (robot.entry.diagnostics.isEmpty()) null else otherBrick.find(robot.entry.program, robot.brick)
 
     private fun refresh() {
-        shown.change(shown.editorState, preferences.language)
+        shown.change(shown.editorState, preferences)
         state = stateNow()
     }
 
@@ -255,6 +259,7 @@ class ProgramsStateHolder private constructor(
             isTranslated = entry.isTranslated,
             searchRequested = searchRequested,
             otherBrick = otherBrickOf(robot),
+            words = preferences.words,
         )
     }
 }

@@ -2,7 +2,6 @@ package robotran.workshop.programs
 
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
-import robotran.language.Language
 import robotran.nxt.storage.NxtFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
@@ -15,6 +14,7 @@ import robotran.projects.lightFacingOf
 import robotran.projects.target
 import robotran.simulation.Breakpoint
 import robotran.simulation.RobotProgramSet
+import robotran.workshop.service.Preferences
 import robotran.workshop.service.asProject
 import robotran.workshop.state.withPlainLineEnds
 import robotran.world.RobotPlacement
@@ -67,9 +67,9 @@ internal class RobotPrograms(
      * Puts [editorState] in the place of that of the shown file; its blocks are read anew if it is shown in blocks and its
      * text has changed. The compiler, which comes next, gets what they have read.
      */
-    fun change(editorState: FileEditorState, language: Language) {
+    fun change(editorState: FileEditorState, preferences: Preferences) {
         val hasBlocks = entry.program.language.support.hasBlocks
-        val read = if (hasBlocks) editorState.withBlocksRead(language) else editorState
+        val read = if (hasBlocks) editorState.withBlocksRead(preferences) else editorState
         if (read !== this.editorState) list.change(shownProgram, entry.with(shownFile, read))
     }
 

@@ -10,6 +10,9 @@ interface Preferences {
     /** The app language, from the settings or the system. */
     val language: Language
 
+    /** The language whose words blocks show and programs of the app have. */
+    val words: Language get() = if (settings.hasEnglishWords) Language.ENGLISH else language
+
     /** Whether animations are reduced: as the pupil has chosen, before that as the system is told. */
     val hasLessMotion: Boolean
 

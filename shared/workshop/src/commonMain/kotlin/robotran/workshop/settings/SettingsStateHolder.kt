@@ -52,6 +52,7 @@ class SettingsStateHolder(
     fun handle(event: SettingsEvent) {
         when (event) {
             is SettingsEvent.SettingsChanged -> change(event.settings)
+            is SettingsEvent.WordsChosen -> change(state.copy(hasEnglishWords = event.inEnglish))
             is SettingsEvent.SoundSwitched -> change(state.copy(soundOn = event.on))
             is SettingsEvent.ProgramShareChosen -> resize(event.form) { copy(programShare = event.share).within() }
             is SettingsEvent.BrickSizeChosen -> resize(event.form) { copy(isBrickWhole = event.isWhole) }
@@ -73,11 +74,11 @@ class SettingsStateHolder(
 
     override fun change(settings: Settings) {
         if (settings == state) return
-        val before = language
+        val before = language to words
         state = settings
         writes.add { platform.store.write(NAME, JSON.encodeToString(Settings.serializer(), settings)) }
         events.publish(WindowRoomEvent.SettingsChanged(settings))
-        if (language != before) events.publish(WindowRoomEvent.LanguageChanged(language))
+        if (language to words != before) events.publish(WindowRoomEvent.LanguageChanged(language))
     }
 
     companion object {

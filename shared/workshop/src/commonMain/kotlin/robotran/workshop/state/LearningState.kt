@@ -8,6 +8,7 @@ import robotran.learning.Hint
 import robotran.learning.HintStage
 import robotran.learning.Lesson
 import robotran.learning.LessonPlace
+import robotran.learning.LessonText
 import robotran.learning.Lessons
 import robotran.learning.Strand
 import robotran.learning.WordHelp
@@ -19,6 +20,7 @@ import robotran.learning.drawing.RunDrawing
  * @property page the page that covers the workshop; null for none. The tutorial does not count: it is shown next to the
  * program.
  * @property language the language of the texts.
+ * @property words the language whose words their program text has.
  * @property tutorial null while it is not shown.
  * @property worldTask the task of the gallery's world that is loaded; null in any other world, and where there is none.
  * @property stepsDone the names of the completed tutorial steps.
@@ -36,6 +38,7 @@ data class LearningState(
     val language: Language,
     val help: HelpState,
     val page: LearningPage? = null,
+    val words: Language = Language.ENGLISH,
     val tutorial: TutorialState? = null,
     val worldTask: WorldTaskState? = null,
     val stepsDone: Set<String> = emptySet(),
@@ -46,6 +49,9 @@ data class LearningState(
     val solved: SolvedTask? = null,
     val elsewhere: LessonPlace? = null,
 ) {
+    /** What [lesson] says to this pupil. */
+    fun textOf(lesson: Lesson): LessonText = lesson.text(language, isInBlocks, words)
+
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step
 

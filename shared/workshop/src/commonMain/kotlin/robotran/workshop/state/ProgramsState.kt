@@ -3,6 +3,7 @@ package robotran.workshop.state
 import androidx.compose.runtime.Immutable
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
+import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.source.Diagnostic
 import robotran.languagesupport.SourceFile
@@ -40,6 +41,7 @@ import robotran.world.RobotPlacement
  * @property searchRequested whether the search in the file should open.
  * @property otherBrick the brick that the current program is for, if the robot has another one and the program was
  *   compiled; null otherwise.
+ * @property words the language whose words a new program has.
  * @property isTranslated whether [translation] belongs to the current program and not to an earlier one without errors.
  */
 @Immutable
@@ -69,6 +71,7 @@ data class ProgramsState(
     val isTranslated: Boolean,
     val searchRequested: Boolean,
     val otherBrick: BrickKind? = null,
+    val words: Language = Language.ENGLISH,
 ) {
     val program: Program get() = programs[shownProgram]
     val file: SourceFile get() = program.files[shownFile]

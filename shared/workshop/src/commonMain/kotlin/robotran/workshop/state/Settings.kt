@@ -9,6 +9,8 @@ import robotran.projects.ProgramView
  * The settings of this machine.
  *
  * @property language the app language; null for the system language.
+ * @property hasEnglishWords whether blocks, and programs that come with the app, have the words of English and not those
+ * of the app language.
  * @property textScale the scale factor of all text, 1..2.
  * @property codeSize the font size of program text in sp, 10..40.
  * @property programView how Robolang programs are shown first: as chosen last.
@@ -23,6 +25,7 @@ import robotran.projects.ProgramView
 @Serializable
 data class Settings(
     val language: Language? = null,
+    val hasEnglishWords: Boolean = false,
     val theme: AppTheme = AppTheme.SYSTEM,
     val textScale: Float = 1f,
     val codeSize: Float = DEFAULT_CODE_SIZE,

@@ -75,7 +75,7 @@ class WorldBeginningTest {
     fun `the first program makes way in any language, and its note follows the language until it is changed`() {
         for (language in Language.entries) {
             speak(language)
-            assertEquals(firstProgram(language).files.single().text, workshop.state.programText)
+            assertEquals(firstProgram(language, language).text, workshop.state.programText)
         }
         choose("maze")
         assertEquals(listOf(startOf("maze").name), tabs)

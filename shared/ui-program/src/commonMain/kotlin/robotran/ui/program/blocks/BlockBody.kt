@@ -67,7 +67,7 @@ internal fun BlockBody(row: BlockRow, scope: BlockScope, marks: RowMarks) {
                 is BlockRow.First -> FirstLine(row, scope, inked)
                 is BlockRow.Branch -> LineParts(row.line, scope, inked)
                 is BlockRow.End -> BlockWords(
-                    row.line?.let(scope::wordsOf) ?: scope.written("end"),
+                    row.line?.let(scope::wordsOf) ?: scope.shown("end"),
                     scope,
                     inked,
                     onLine(),

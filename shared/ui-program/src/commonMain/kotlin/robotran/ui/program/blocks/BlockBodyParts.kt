@@ -54,7 +54,7 @@ private fun signOf(block: Block, scope: BlockScope): Icon? = when (block) {
     is Block.Loose -> GroupSigns.MISTAKE
 
     is Block.Command, is Block.Construct ->
-        block.head.form?.let { BlockSigns.of(it, scope.inEnglish(scope.wordsOf(block.head))) }
+        block.head.form?.let { BlockSigns.of(it, scope.inEnglish(scope.sourceOf(block.head))) }
             ?: block.group?.let { GroupSigns.of(it) }
             ?: GroupSigns.MISTAKE
 }

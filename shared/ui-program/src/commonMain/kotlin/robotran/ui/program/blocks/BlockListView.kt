@@ -41,6 +41,7 @@ import androidx.compose.ui.unit.IntOffset
 import androidx.compose.ui.unit.LayoutDirection
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.BlockId
+import robotran.blockediting.shown.shownIn
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.tags.ProgramTags
 import robotran.uikit.*
@@ -138,10 +139,11 @@ private fun Carried(scope: BlockScope, dragging: BlockDragging) {
 
         is DragPayload.Value -> {
             val group = (scope.state.program.partAt(load.span) as? PhrasePart.Value)?.value?.form?.group ?: return
-            scope.textOf(load.span) to scope.looks.of(group)
+            (scope.state.program.partAt(load.span)?.let(scope::labelOf) ?: scope.textOf(load.span)) to
+                scope.looks.of(group)
         }
 
-        is DragPayload.New -> scope.written(load.block.template.substringBefore('\n')) to
+        is DragPayload.New -> load.block.shownIn(scope.state.program.shown).first() to
             scope.looks.of(load.block.group)
     }
     val shape = RoundedCornerShape(BlockSizes.CORNER)

@@ -7,8 +7,10 @@ import androidx.compose.ui.unit.sp
 import robotran.blockediting.BlockEdit
 import robotran.blockediting.freeName
 import robotran.blockediting.messages.BlockMessages
+import robotran.blockediting.shown.ShownLine
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
+import robotran.language.decimal
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
@@ -56,12 +58,25 @@ internal data class BlockScope(
     /** A name for a new variable that the program does not have yet. */
     fun freeName(): String = state.program.freeName("x")
 
-    /** The line in words, without its comment. */
-    fun wordsOf(line: OutlineLine): String =
+    /** The line of the program, without its comment. */
+    fun sourceOf(line: OutlineLine): String =
         textOf(SourceSpan(line.span.start, line.comment?.start ?: line.span.end)).trim()
 
-    /** [english], a piece of a program, in the words of this one. */
-    fun written(english: String): String = state.program.vocabulary.written(english)
+    /** The line as its block shows it, without its comment. */
+    fun wordsOf(line: OutlineLine): String =
+        if (line.form == null) sourceOf(line) else ShownLine(state.program, line).sentence
+
+    /** What [part] shows: a word, a name, or a whole value. */
+    fun labelOf(part: PhrasePart): String = lineOf(part).labelOf(part)
+
+    /** The line of [part] as its block shows it. */
+    fun lineOf(part: PhrasePart): ShownLine = ShownLine(state.program, state.program.lineAt(part.span.start))
+
+    /** [english], a piece of a program, in the words that blocks show. */
+    fun shown(english: String): String = state.program.shown.written(english)
+
+    /** The number [text] with the decimal sign that blocks show. */
+    fun shownNumber(text: String): String = state.program.shown.language.decimal(text)
 
     /** [text] of this program in the words of English. */
     fun inEnglish(text: String): String = state.program.vocabulary.inEnglish(text)

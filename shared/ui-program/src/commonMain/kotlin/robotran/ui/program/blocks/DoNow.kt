@@ -15,6 +15,7 @@ import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.shown.shownIn
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.texts.BlockTexts
 import robotran.uikit.*
@@ -28,7 +29,7 @@ internal fun BlockScope.doNow(load: DragPayload) = onEvent(BlockEvent.SnippetReq
 @Composable
 internal fun DoNowButton(block: PaletteBlock, scope: BlockScope) {
     if (!block.canBeTried) return
-    val words = BlockTexts.doNowThis(spoken, scope.written(block.template))
+    val words = BlockTexts.doNowThis(spoken, block.shownIn(scope.state.program.shown).joinToString())
     val colours = LocalRobotranColours.current
     Box(
         Modifier

@@ -13,6 +13,8 @@ import androidx.compose.ui.text.font.FontWeight
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.coerceAtLeast
 import androidx.compose.ui.unit.dp
+import robotran.blockediting.shown.ShownLine
+import robotran.blockediting.shown.ShownPiece
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.code.BlockLook
@@ -22,9 +24,16 @@ import robotran.uikit.*
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun FlowRowScope.LineParts(line: OutlineLine, scope: BlockScope, look: BlockLook) {
-    line.parts.forEachIndexed { index, part ->
-        val unit = (part as? PhrasePart.Value)?.let { unitOf(it, line.parts.getOrNull(index + 1), scope) }
-        LinePart(part, scope, look, unit, onLine())
+    for (piece in ShownLine(scope.state.program, line).pieces) {
+        when (piece) {
+            is ShownPiece.Words -> BlockWords(piece.text, scope, look, onLine())
+
+            is ShownPiece.Part -> {
+                val value = piece.part as? PhrasePart.Value
+                val unit = value?.let { unitOf(it, line.parts.getOrNull(piece.index + 1), scope) }
+                LinePart(piece.part, scope, look, unit, onLine())
+            }
+        }
     }
 }
 
@@ -44,7 +53,7 @@ internal fun LinePart(
     depth: Int = 0,
 ) {
     if (part is PhrasePart.Word) {
-        BlockWords(scope.textOf(part), scope, look, modifier)
+        BlockWords(scope.labelOf(part), scope, look, modifier)
     } else {
         Socket(part, scope, look, unit, modifier, depth)
     }
@@ -62,8 +71,8 @@ internal fun BlockWords(label: String, scope: BlockScope, look: BlockLook, modif
 /** The unit of [value], unless the next word is that unit, such as `seconds`. */
 private fun unitOf(value: PhrasePart.Value, next: PhrasePart?, scope: BlockScope): String? {
     val unit = value.use.unit ?: return null
-    val word = next?.let { scope.inEnglish(scope.textOf(it)) }?.lowercase() ?: return scope.written(unit)
-    return scope.written(unit).takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
+    val word = next?.let { scope.inEnglish(scope.textOf(it)) }?.lowercase() ?: return scope.shown(unit)
+    return scope.shown(unit).takeIf { unit.removeSuffix("s") != word.removeSuffix("s") }
 }
 
 /** The place of a word or socket: at the middle of its line, or at the top beside a value that takes several lines. */

@@ -25,6 +25,7 @@ import androidx.compose.ui.text.TextStyle
 import androidx.compose.ui.unit.dp
 import androidx.compose.ui.unit.sp
 import robotran.blockediting.describe.describe
+import robotran.blockediting.shown.ShownPiece
 import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueKind
 import robotran.ui.code.BlockLook
@@ -78,11 +79,16 @@ internal fun Socket(
         Arrangement.spacedBy(SOCKET_INSET, Alignment.CenterVertically),
     ) {
         if (inner.isEmpty()) {
-            Written(scope.textOf(part), scope, look, middle())
+            Written(scope.labelOf(part), scope, look, middle())
             if (part is PhrasePart.Choice) Box(middle()) { IconView(ThinIcons.DOWN, look.socketInk, size = SIGN) }
         } else {
             val inside = own.copy(ink = own.socketInk)
-            for (each in inner) LinePart(each, scope, inside, unit = null, onLine(depth + 1), depth + 1)
+            for (piece in scope.lineOf(part).piecesOf(part as PhrasePart.Value)) {
+                when (piece) {
+                    is ShownPiece.Words -> BlockWords(piece.text, scope, inside, onLine(depth + 1))
+                    is ShownPiece.Part -> LinePart(piece.part, scope, inside, unit = null, onLine(depth + 1), depth + 1)
+                }
+            }
         }
         if (unit != null) {
             val place = if (inner.isEmpty()) middle() else onLine(depth + 1)

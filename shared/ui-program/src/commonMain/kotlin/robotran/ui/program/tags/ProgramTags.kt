@@ -162,6 +162,8 @@ object ProgramTags {
 
     fun words(language: Language) = "words-${language.tag}"
 
+    fun blockWords(language: Language) = "block-words-${language.tag}"
+
     fun tool(command: Enum<*>) = "tool-${command.name.lowercase()}"
 
     fun translation(language: ProgramLanguage) = "translation-${language.name.lowercase()}"

@@ -14,6 +14,7 @@ object ScreenTags {
     const val FULL_PROGRAM = "full-program"
     const val FULL_WORLD = "full-world"
     const val LANGUAGE = "language"
+    const val WORDS = "words"
     const val LEARN = "learn"
     const val LESS_MOTION = "less-motion"
     const val MENU = "menu"

@@ -15,12 +15,13 @@ import robotran.uikit.*
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 internal fun ChoiceDialog(part: PhrasePart.Choice, scope: BlockScope, onClose: () -> Unit) {
+    val line = scope.lineOf(part)
     val now = scope.inEnglish(scope.textOf(part))
     BlockDialogFrame(BlockTexts.choose(spoken), onClose) {
         FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp), verticalArrangement = Arrangement.spacedBy(8.dp)) {
             part.options.forEachIndexed { index, option ->
                 DialogButton(
-                    scope.written(option),
+                    line.optionOf(part, option),
                     ProgramTags.choice(index),
                     isChosen = option.equals(now, ignoreCase = true),
                 ) {

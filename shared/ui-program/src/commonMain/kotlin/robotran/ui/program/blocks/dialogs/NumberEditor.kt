@@ -87,18 +87,22 @@ internal fun NumberEditor(part: PhrasePart.Value, scope: BlockScope, onClose: ()
             },
         Arrangement.spacedBy(8.dp),
     ) {
-        val unit = scope.written(part.use.unit.orEmpty())
+        val unit = scope.shown(part.use.unit.orEmpty())
         val isOver = LocalSheetPlace.current == SheetPlace.OVER
         NumberBeside(isOver, { room, width ->
-            Stepper(typed.text ?: scope.textOf(part), unit, room, { step(-scale.step) }, { step(scale.step) }) {
+            Stepper(typed.text?.let(scope::shownNumber) ?: scope.labelOf(part), unit, room, {
+                step(-scale.step)
+            }, { step(scale.step) }) {
                 if (part.use == ValueUse.ANGLE && !isOver) {
                     AngleDial(now ?: 0.0, isLeft(part, scope), width.coerceAtMost(DIAL), put)
                 } else {
-                    NumberSlider(now ?: scale.min, scale, put)
+                    NumberSlider(now ?: scale.min, scale, scope, put)
                 }
             }
         }) { keyWidth ->
-            NumberPad(keyWidth, isOver, onClose) { sign -> type(typed.with(sign, scope.textOf(part))) }
+            NumberPad(keyWidth, isOver, scope.state.program.shown.language.decimalSign, onClose) { sign ->
+                type(typed.with(sign, scope.textOf(part)))
+            }
         }
     }
 }
@@ -201,12 +205,12 @@ private fun NumberNow(text: String, unit: String, between: String, modifier: Mod
 }
 
 @Composable
-private fun NumberSlider(now: Double, scale: NumberScale, onPut: (Double) -> Unit) {
+private fun NumberSlider(now: Double, scale: NumberScale, scope: BlockScope, onPut: (Double) -> Unit) {
     val label = BlockTexts.number(spoken)
     val range = scale.min.toFloat()..scale.max.toFloat()
     Slider(
         now.toFloat().coerceIn(range),
-        SliderWords(label, written(now), ProgramTags.NUMBER_SLIDER),
+        SliderWords(label, scope.shownNumber(written(now)), ProgramTags.NUMBER_SLIDER),
         Modifier.fillMaxWidth(),
         range,
     ) { onPut(round(it / scale.step) * scale.step) }

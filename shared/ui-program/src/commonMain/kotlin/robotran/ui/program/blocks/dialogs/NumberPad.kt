@@ -19,15 +19,17 @@ import robotran.uikit.*
  * A number pad, so that no on-screen keyboard is needed.
  *
  * @param isLow whether there is room for two rows only.
+ * @param decimalSign what stands on the key of the point.
  * @param onKey receives what [TypedNumber.with] takes.
  */
 @Composable
-internal fun NumberPad(keyWidth: Dp, isLow: Boolean, onDone: () -> Unit, onKey: (Char) -> Unit) =
+internal fun NumberPad(keyWidth: Dp, isLow: Boolean, decimalSign: Char, onDone: () -> Unit, onKey: (Char) -> Unit) =
     Column(verticalArrangement = Arrangement.spacedBy(GAP)) {
         for (row in if (isLow) LOW_ROWS else ROWS) {
             Row(Modifier.height(IntrinsicSize.Min), Arrangement.spacedBy(GAP)) {
                 for (key in row) {
-                    PadKey("$key", ProgramTags.digit(key), keyWidth, spokenFor(key), signOf(key)) {
+                    val label = if (key == POINT) decimalSign else key
+                    PadKey("$label", ProgramTags.digit(key), keyWidth, spokenFor(key, decimalSign), signOf(key)) {
                         onKey(key)
                     }
                 }
@@ -58,9 +60,9 @@ internal fun padWidth(keyWidth: Dp, isLow: Boolean): Dp {
 }
 
 @Composable
-private fun spokenFor(key: Char): String = when (key) {
+private fun spokenFor(key: Char, decimalSign: Char): String = when (key) {
     TypedNumber.ERASE -> BlockTexts.digitErase(spoken)
-    '.' -> BlockTexts.digitPoint(spoken)
+    POINT -> if (decimalSign == POINT) BlockTexts.digitPoint(spoken) else BlockTexts.digitComma(spoken)
     '-' -> BlockTexts.digitSign(spoken)
     else -> "$key"
 }
@@ -72,3 +74,6 @@ private fun signOf(key: Char): Icon? = if (key == TypedNumber.ERASE) ThinIcons.E
 private val ROWS = listOf("123${TypedNumber.ERASE}", "456-", "789.").map { it.toList() }
 private val LOW_ROWS = listOf("12345-${TypedNumber.ERASE}", "67890.").map { it.toList() }
 private val GAP = 4.dp
+
+/** The key of the decimal sign. */
+private const val POINT = '.'

@@ -26,10 +26,12 @@ import robotran.ui.program.blocks.BlockSizes
 import robotran.ui.program.blocks.drawBlock
 import robotran.uikit.*
 
-/** A block of the palette as it will look in the program: with room inside if it has an `end`, round if it is a value. */
+/**
+ * A block of the palette as it will look in the program, with [lines] on it: with room inside if it has an `end`, round if
+ * it is a value.
+ */
 @Composable
-internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook, written: (english: String) -> String) {
-    val lines = written(block.template).split('\n')
+internal fun PaletteBlockView(block: PaletteBlock, look: BlockLook, lines: List<String>) {
     if (block.isValue) {
         val shape = RoundedCornerShape(VALUE_CORNER)
         Line(lines.first(), block, look, Modifier.background(look.fill, shape).border(2.dp, look.edge, shape))

@@ -18,6 +18,7 @@ import androidx.compose.ui.semantics.Role
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.PaletteBlock
+import robotran.blockediting.shown.shownIn
 import robotran.learning.WordHelp
 import robotran.programs.blockLanguage
 import robotran.ui.program.blocks.BlockDragging
@@ -39,7 +40,9 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             WordHelp.of(reader, blockLanguage, it, scope.brick)?.sentence
         }.orEmpty()
     }
-    val spoken = BlockTexts.addThis(spoken, scope.written(block.template).replace("\n", ", "), sentence)
+    val words = scope.state.program.shown
+    val lines = remember(block, words) { block.shownIn(words) }
+    val spoken = BlockTexts.addThis(spoken, lines.joinToString(), sentence)
     Column(
         Modifier
             .fillMaxWidth()
@@ -52,7 +55,7 @@ internal fun PaletteItem(block: PaletteBlock, scope: BlockScope, dragging: Block
             .named(spoken),
         Arrangement.spacedBy(2.dp),
     ) {
-        PaletteBlockView(block, look, scope::written)
+        PaletteBlockView(block, look, lines)
         if (sentence.isNotEmpty()) {
             Text(
                 sentence,

@@ -30,18 +30,18 @@ internal fun previewWords(part: PhrasePart.Value, scope: BlockScope): String? {
             if (preview.centimetres <
                 0
             ) {
-                BlockTexts.previewBack(spoken, written(abs(preview.centimetres)))
+                BlockTexts.previewBack(spoken, scope.shownNumber(written(abs(preview.centimetres))))
             } else {
-                BlockTexts.previewAhead(spoken, written(abs(preview.centimetres)))
+                BlockTexts.previewAhead(spoken, scope.shownNumber(written(abs(preview.centimetres))))
             }
 
         is SheetPreview.Turn ->
             if (preview.degrees <
                 0
             ) {
-                BlockTexts.previewRight(spoken, written(abs(preview.degrees)))
+                BlockTexts.previewRight(spoken, scope.shownNumber(written(abs(preview.degrees))))
             } else {
-                BlockTexts.previewLeft(spoken, written(abs(preview.degrees)))
+                BlockTexts.previewLeft(spoken, scope.shownNumber(written(abs(preview.degrees))))
             }
     }
 }

@@ -8,6 +8,7 @@ import androidx.compose.ui.unit.dp
 import robotran.blockediting.palette.MUSICAL_NOTES
 import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
+import robotran.blockediting.shown.shownValue
 import robotran.robolang.outline.PhrasePart
 import robotran.ui.program.blocks.BlockScope
 import robotran.ui.program.tags.ProgramTags
@@ -24,7 +25,8 @@ internal fun ValueChoices(part: PhrasePart.Value, scope: BlockScope, onChoose: (
         Choices(names, ProgramTags.VALUE_NAME, onChoose)
     }
     DialogHeading(BlockTexts.values(spoken))
-    Choices(program.offeredValues(part, scope.sensors, scope.brick).map(scope::written), ProgramTags.VALUE, onChoose)
+    val values = program.offeredValues(part, scope.sensors, scope.brick)
+    Choices(values.map { program.shownValue(it) to it }, ProgramTags.VALUE, now = null, onChoose)
 }
 
 /** The tones of a keyboard, for `play`. */
