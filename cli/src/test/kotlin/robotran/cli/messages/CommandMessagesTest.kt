@@ -37,7 +37,7 @@ class CommandMessagesTest {
             val described = Language.entries.map { described(message, it, argumentsOf(message)) }
             described.drop(1).any { it == described.first() } || described.map { it.endsWith('.') }.toSet().size > 1
         }
-        assertEquals(emptyList(), wrong.map { it.name })
+        assertEquals(emptyList(), wrong.map { it.name } - SAME_EVERYWHERE)
     }
 
     private fun described(message: Method, language: Language, arguments: List<Any>): String =
@@ -53,5 +53,10 @@ class CommandMessagesTest {
             List::class.java -> listOf("marker$number-a", "marker$number-b")
             else -> error("No argument of type $type is known.")
         }
+    }
+
+    private companion object {
+        /** A number and a title, without words. */
+        val SAME_EVERYWHERE = setOf("numberedLink")
     }
 }
