@@ -56,7 +56,7 @@ class CommandMessagesTest {
     }
 
     private companion object {
-        /** A number and a title, without words. */
+        /** Portuguese says "link", too. */
         val SAME_EVERYWHERE = setOf("numberedLink")
     }
 }
