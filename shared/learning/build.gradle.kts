@@ -6,11 +6,11 @@ plugins {
 }
 
 texts {
-    constant("commonMain", "robotran.learning.wordTexts", "learning/words", "*.md")
-    constant("commonMain", "robotran.learning.lessonTexts", "learning/lessons", "*/*/*")
+    packed("commonMain", "robotran.learning.wordTexts", "learning/words", "*.md")
+    packed("commonMain", "robotran.learning.lessonTexts", "learning/lessons", "*/*/*")
     constant("commonMain", "robotran.learning.commonLessonTexts", "learning/lessons", "*.md")
     constant("commonMain", "robotran.learning.worldLevels", "learning/worlds", "*.md")
-    constant("commonMain", "robotran.learning.worldTaskTexts", "learning/worlds", "*/*")
+    packed("commonMain", "robotran.learning.worldTaskTexts", "learning/worlds", "*/*")
     constant("jvmTest", "robotran.learning.wrongTries", "learning/lessons", "*/*/wrong/*")
     constant("jvmTest", "robotran.learning.wrongTriesInWorlds", "learning/worlds", "*/wrong/*")
     constant("jvmTest", "robotran.learning.catalogues", "shared", "*/src/commonMain/messages/*.md")

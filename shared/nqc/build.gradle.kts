@@ -4,7 +4,7 @@ plugins {
 }
 
 texts {
-    constant("commonMain", "robotran.nqc.api.apiTexts", "shared/nqc/src/api", "**/*")
+    packed("commonMain", "robotran.nqc.api.apiTexts", "shared/nqc/src/api", "**/*")
     constant("commonTest", "robotran.nqc.vectorFiles", "shared/nqc/src/commonTest/resources/vectors", "*")
     constant("commonTest", "robotran.nqc.documents", "docs", "nqc.md")
     blocks("commonTest", "robotran.nqc.documentedPrograms", "docs", "nqc.md", "nqc")

@@ -1,6 +1,5 @@
 package robotran.blockediting
 
-import robotran.blockediting.shown.keywordPlaces
 import robotran.language.source.SourceSpan
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart

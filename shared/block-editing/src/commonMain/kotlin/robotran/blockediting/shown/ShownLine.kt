@@ -1,11 +1,10 @@
 package robotran.blockediting.shown
 
 import robotran.blockediting.BlockProgram
+import robotran.blockediting.keywordPlaces
 import robotran.language.decimal
 import robotran.robolang.outline.OutlineLine
 import robotran.robolang.outline.PhrasePart
-import robotran.robolang.words.KeywordPlaces
-import robotran.robolang.words.Vocabulary
 
 /** What stands on a block: words that belong to it, or a part of its line, with a label of its own. */
 sealed interface ShownPiece {
@@ -83,11 +82,3 @@ class ShownLine(private val program: BlockProgram, private val line: OutlineLine
         val NUMBER = Regex("-?\\d+(\\.\\d+)?")
     }
 }
-
-/** The words of a line of [text] with [parts], which has the words [from], in the words [to]. */
-internal fun keywordPlaces(text: String, parts: List<PhrasePart>, from: Vocabulary, to: Vocabulary) =
-    KeywordPlaces(text, leavesOf(parts).map { it.span }, from, to)
-
-/** The parts that have no others inside, in the order of the text. */
-private fun leavesOf(parts: List<PhrasePart>): List<PhrasePart> =
-    parts.flatMap { if (it is PhrasePart.Value) leavesOf(it.value.parts) else listOf(it) }

@@ -117,10 +117,21 @@ class StringsTest {
         const val BUTTON = 24
         const val BUTTON_ROOM = 1.6
         const val SENTENCE_ROOM = 1.4
-        const val FEW = 4
+        const val FEW = 5
 
-        /** Phrases that say different things in different places. */
-        val SEVERAL_MEANINGS = setOf<String>()
+        /** Phrases that are said of different things, in other cases or numbers, or on a small button. */
+        val SEVERAL_MEANINGS = setOf(
+            "a block",
+            "a robot",
+            "bring it back",
+            "cannot be used",
+            "move down",
+            "move up",
+            "partly solved",
+            "try it",
+            "turn left",
+            "turn right",
+        )
         val ARGUMENT = Regex("""\{\w+\}""")
         val UNWANTED = listOf(
             "!",
@@ -150,6 +161,13 @@ class StringsTest {
             "Link",
             "Motor",
             "Name",
+            "Links",
+            "Note",
+            "Solution",
+            "Port",
+            "Angle",
+            "Centre",
+            "Menu",
             "Pause",
             "Robot",
             "Seed",

@@ -33,6 +33,10 @@ abstract class GenerateTexts : DefaultTask() {
     @get:Optional
     abstract val fence: Property<String>
 
+    /** Whether the texts are packed, and unpacked when one of them is first read. */
+    @get:Input
+    abstract val packed: Property<Boolean>
+
     @get:OutputDirectory
     abstract val outputFolder: DirectoryProperty
 
@@ -42,7 +46,9 @@ abstract class GenerateTexts : DefaultTask() {
         files.visit { if (!it.isDirectory) found += textsIn(it.path, it.file.readText()) }
         val folder = outputFolder.get().asFile
         folder.deleteRecursively()
-        for ((name, source) in TextSources(qualifiedName.get()).files(found)) {
+        val name = qualifiedName.get()
+        val sources = if (packed.get()) PackedTextSources(name).files(found) else TextSources(name).files(found)
+        for ((name, source) in sources) {
             folder.resolve(name).apply { parentFile.mkdirs() }.writeText(source)
         }
     }

@@ -49,21 +49,25 @@ class TextSources(qualifiedName: String) {
         }
     }
 
-    private fun literal(text: String): String = buildString {
-        append('"')
-        for (character in text) {
-            when (character) {
-                '"', '\\', '$' -> append('\\').append(character)
-                in ' '..'~' -> append(character)
-                else -> append("\\u").append("%04x".format(character.code))
-            }
-        }
-        append('"')
-    }
-
     private companion object {
-        const val HEADER = "// Generated from text files of the tree.\n"
         const val TEXTS_IN_A_FILE = 40
-        const val CHARACTERS_IN_A_PIECE = 4000
     }
 }
+
+/** [text] as Kotlin writes it in a program. */
+internal fun literal(text: String): String = buildString {
+    append('"')
+    for (character in text) {
+        when (character) {
+            '"', '\\', '$' -> append('\\').append(character)
+            in ' '..'~' -> append(character)
+            else -> append("\\u").append("%04x".format(character.code))
+        }
+    }
+    append('"')
+}
+
+internal const val HEADER = "// Generated from text files of the tree.\n"
+
+/** Class files hold no longer constants than 65,535 bytes, of which a character may take three. */
+internal const val CHARACTERS_IN_A_PIECE = 4000

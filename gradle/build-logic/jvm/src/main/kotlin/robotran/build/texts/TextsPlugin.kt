@@ -21,12 +21,26 @@ open class TextsExtension(private val project: Project) {
         generate(sourceSet, qualifiedName, folder, pattern, fence = null)
 
     /**
+     * The same, packed: for large texts that the web page needs seldom, in a module that may use `shared/language`, which
+     * unpacks them. Files whose names end in the tag of a language, such as `text.de.md`, are apart from the others.
+     */
+    fun packed(sourceSet: String, qualifiedName: String, folder: String, pattern: String) =
+        generate(sourceSet, qualifiedName, folder, pattern, fence = null, isPacked = true)
+
+    /**
      * Generates the constant [qualifiedName] in [sourceSet] from the Markdown blocks marked [fence], by file and line.
      */
     fun blocks(sourceSet: String, qualifiedName: String, folder: String, pattern: String, fence: String) =
         generate(sourceSet, qualifiedName, folder, pattern, fence)
 
-    private fun generate(sourceSet: String, qualifiedName: String, folder: String, pattern: String, fence: String?) {
+    private fun generate(
+        sourceSet: String,
+        qualifiedName: String,
+        folder: String,
+        pattern: String,
+        fence: String?,
+        isPacked: Boolean = false,
+    ) {
         val name = qualifiedName.substringAfterLast('.')
         val task =
             project.tasks.register("generate" + name.replaceFirstChar(Char::uppercase), GenerateTexts::class.java) {
@@ -37,6 +51,7 @@ open class TextsExtension(private val project: Project) {
                 )
                 it.qualifiedName.set(qualifiedName)
                 it.fence.set(fence)
+                it.packed.set(isPacked)
                 it.outputFolder.set(project.layout.buildDirectory.dir("generated/texts/$name"))
             }
         project.extensions.getByType(
