@@ -121,6 +121,9 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** All events of the known run, including those after [time]; the same list until that changes. */
     val marks: List<TimelineMark> get() = shown.timeline
 
+    /** The known run in states at equal intervals, a bounded number of them. */
+    val history: List<SessionState> get() = shown.history
+
     /** The sounds of the [watched] robot's brick up to the time of [session]. */
     val sounds: SoundTrack get() = session.sounds
 

@@ -11,6 +11,9 @@ internal class RunRecord(world: World) {
     private val ending = RunEndDetector(world)
     val chart = ChartTrack(world.robots.map { it.description })
     val calls = RomCallTrack(world.robots.size)
+
+    /** States at equal intervals, the longer the run the further apart. */
+    val history: List<SessionState> get() = states.all
     val timeline: List<TimelineMark> get() = marks.marks
 
     /** The end of the recorded run, in milliseconds. */

@@ -9,6 +9,9 @@ internal class StateTrack {
     /** Milliseconds between two recorded states. */
     private var step = RunRecord.LOOK_MILLISECONDS
 
+    /** All of them, from the first on, at most [CAPACITY]. */
+    val all: List<SessionState> get() = kept.toList()
+
     fun record(state: SessionState) {
         if (state.milliseconds % step != 0L) return
         kept += state

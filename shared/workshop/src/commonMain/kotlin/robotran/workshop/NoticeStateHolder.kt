@@ -63,7 +63,8 @@ internal class NoticeStateHolder(
             is RunRoomEvent.Started, is ProgramRoomEvent.SnippetRequested, WorldRoomEvent.Edited -> projectUsed()
             is ProjectRoomEvent.RunSettingsChanged, ProjectRoomEvent.AssignmentChanged, ProgramRoomEvent.Chosen,
             ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun, is ProgramRoomEvent.Compiled,
-            is RunRoomEvent.PointShown, is WorldRoomEvent.EditorRequested, WorldRoomEvent.EditorOpening,
+            is RunRoomEvent.PointShown, is RunRoomEvent.Told,
+            is WorldRoomEvent.EditorRequested, WorldRoomEvent.EditorOpening,
             is WorldRoomEvent.EditorClosed, is WorldRoomEvent.RobotOpened, is SchoolRoomEvent, is WindowRoomEvent,
             -> Unit
         }

@@ -21,7 +21,6 @@ import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.measuring.measuringFrom
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
-import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetViewState
 import robotran.workshop.state.SpaceCamera
 import robotran.world.World
@@ -54,7 +53,15 @@ internal fun SheetControls(
         IconButton(SheetIcons.WHOLE, SheetTexts.whole(spoken), WorldTags.SHEET_WHOLE, IconButtonKind.FLOATING) {
             onEvent(SheetEvent.WholeSheetRequested)
         }
-        ViewMenu(view, robotToFollow(view), onEvent)
+        ViewMenu(view, shown.session, onEvent)
+        if (view.tellsRuns) {
+            IconButton(
+                SheetIcons.WORDS,
+                SheetTexts.whereAmI(spoken),
+                WorldTags.ofControls(WorldTags.WHERE_AM_I),
+                IconButtonKind.FLOATING,
+            ) { onEvent(askFor(WordsKind.WHERE, view, shown.session)) }
+        }
         val isMeasuring = view.measuring != null
         IconSwitch(SheetIcons.MEASURE, SheetTexts.measure(spoken), WorldTags.SHEET_MEASURE, isMeasuring) {
             val ruler = if (isMeasuring) null else measuringFrom(world, shown.session, robotToFollow(view))
@@ -119,17 +126,14 @@ private fun ZoomButtons(canGoFurther: Boolean, canGoNearer: Boolean, zoom: (Doub
     }
 }
 
-/** The selected robot, or else the pupil's own. */
-private fun robotToFollow(view: SheetViewState): Int =
-    view.chosen?.takeIf { it.kind == SheetElementKind.ROBOT }?.number ?: 0
-
 /** Whether a sheet of [width] by [height] has room for zoom buttons, which two fingers can replace. */
 internal fun hasZoomButtons(width: Dp, height: Dp): Boolean =
     width >= MIN_WIDTH_FOR_ZOOM && height >= MIN_HEIGHT_FOR_ZOOM
 
 /** The number of columns of the buttons of [world] beside a sheet of this [height]. */
-internal fun sheetButtonColumns(world: World, withZoom: Boolean, height: Dp): Int {
-    val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + if (noticesSurroundings(world)) 1 else 0
+internal fun sheetButtonColumns(world: World, withZoom: Boolean, withWords: Boolean, height: Dp): Int {
+    val optional = listOf(noticesSurroundings(world), withWords).count { it }
+    val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + optional
     val inColumn = ((height - GAP) / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
     return (buttons + inColumn - 1) / inColumn
 }

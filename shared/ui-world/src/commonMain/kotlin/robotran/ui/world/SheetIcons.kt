@@ -42,5 +42,8 @@ internal object SheetIcons {
     /** A set square with ticks: ruler and protractor. */
     val MEASURE = Icon.strokes("M4 4V20H20L4 4", "M4 9H6", "M4 13H6", "M9 18V20", "M13 18V20", "M8.5 13.5V15.5H10.5")
 
+    /** A bubble with lines: where the robot is, in words. */
+    val WORDS = Icon.strokes("M4 5H20V16H12L7 20V16H4V5", "M8 9H16", "M8 12H13")
+
     val TICK = Icon.strokes("M5 12L10 17L19 7")
 }

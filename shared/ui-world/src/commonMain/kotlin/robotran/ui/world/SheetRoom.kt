@@ -15,10 +15,11 @@ import robotran.world.World
  */
 class SheetRoom private constructor(val isUpright: Boolean, val aside: DpRect, val scale: Dp) {
     companion object {
-        fun of(world: World, width: Dp, height: Dp): SheetRoom {
+        /** @param withWords whether there is a button that tells where the robot is. */
+        fun of(world: World, width: Dp, height: Dp, withWords: Boolean = false): SheetRoom {
             val paper = world.paper
             val isUpright = width / height > (paper.width / paper.height).toFloat()
-            val columns = sheetButtonColumns(world, hasZoomButtons(width, height), height)
+            val columns = sheetButtonColumns(world, hasZoomButtons(width, height), withWords, height)
             val edge = SHEET_BUTTON_STEP * (if (isUpright) columns else 1) + GAP
             val aside = if (isUpright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
             val margin = marginOf(paper) * 2

@@ -11,6 +11,7 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.stateDescription
 import androidx.compose.ui.text.rememberTextMeasurer
@@ -61,6 +62,7 @@ internal fun TouchableSpace(
     val announced = rememberAnnounced(session)
     val description = describeWorld(world, announced)
     val camera = view.cameraKind.words(spoken)
+    val asking = askingActions(view, session, onEvent)
     SpaceCanvas(
         shown,
         { onEvent(SheetEvent.SpaceCameraMoved(it)) },
@@ -68,6 +70,7 @@ internal fun TouchableSpace(
         Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {
             contentDescription = description
             stateDescription = camera
+            customActions = asking
         },
         hand,
         onGround = { projection ->

@@ -19,6 +19,7 @@ import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.semantics.toggleableState
 import androidx.compose.ui.state.ToggleableState
 import androidx.compose.ui.unit.dp
+import robotran.simulation.state.SessionState
 import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
@@ -33,12 +34,12 @@ import robotran.workshop.state.SheetViewState
 val LocalHearsRun = compositionLocalOf<Boolean?> { null }
 
 /**
- * A button that opens the list of how the sheet is looked at: from where, and with which of its layers.
- *
- * @param robot the robot that a camera follows.
+ * A button that opens the list of how the sheet is looked at: from where, with which of its layers, and in words. A
+ * camera follows the selected robot, or else the pupil's own.
  */
 @Composable
-internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (WorkshopEvent) -> Unit) {
+internal fun ViewMenu(view: SheetViewState, session: SessionState, onEvent: (WorkshopEvent) -> Unit) {
+    val robot = robotToFollow(view)
     var open by remember { mutableStateOf(false) }
     Box {
         IconButton(SheetIcons.LAYERS, SheetTexts.show(spoken), WorldTags.SHEET_SHOW, IconButtonKind.FLOATING) {
@@ -67,8 +68,15 @@ internal fun ViewMenu(view: SheetViewState, robot: Int, onEvent: (WorkshopEvent)
                     onEvent(SheetEvent.LayerSwitched(layer, !on))
                 }
             }
+            HorizontalDivider()
+            // The others are beside what is told, so that the menu stays short.
+            for (kind in if (view.isIn3D) listOf(WordsKind.WHERE) else WordsKind.entries) {
+                MenuItem(kind.label(spoken), WorldTags.ofMenu(kind.tag)) {
+                    open = false
+                    onEvent(askFor(kind, view, session))
+                }
+            }
             LocalHearsRun.current?.let { hears ->
-                HorizontalDivider()
                 SwitchItem(SheetTexts.hearRun(spoken), WorldTags.HEAR_RUN, hears) {
                     open = false
                     onEvent(RunEvent.HearingSwitched)

@@ -1,16 +1,20 @@
 package robotran.ui.world
 
 import androidx.compose.foundation.focusable
+import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.BoxWithConstraints
+import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
+import androidx.compose.ui.semantics.customActions
 import androidx.compose.ui.semantics.semantics
 import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.DpRect
@@ -36,6 +40,7 @@ import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.SheetWords
 import robotran.workshop.state.ShortfallMark
 import robotran.workshop.state.strayedRobots
 import robotran.world.World
@@ -71,13 +76,22 @@ fun WorldPane(
     canShow: Boolean = true,
 ) {
     val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
+    val sentences = rememberSentences(view.words, shown)
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
     BoxWithConstraints(modifier.fillMaxSize()) {
-        val room = SheetRoom.of(world, maxWidth, maxHeight)
-        if (view.isIn3D) {
-            TouchableSpace(shown, marks, room.aside, inputs, onEvent)
-        } else {
-            TouchableSheet(shown, marks, room.aside, inputs, onEvent)
+        val room = SheetRoom.of(world, maxWidth, maxHeight, view.tellsRuns)
+        Column(Modifier.fillMaxSize()) {
+            // Beside the buttons, which stay where they are.
+            if (view.words != null) {
+                WordsPanel(shown, sentences, onEvent, Modifier.padding(start = room.aside.left))
+            }
+            Box(Modifier.weight(1f)) {
+                if (view.isIn3D) {
+                    TouchableSpace(shown, marks, room.aside, inputs, onEvent)
+                } else {
+                    TouchableSheet(shown, marks, sentences, room.aside, inputs, onEvent)
+                }
+            }
         }
         SheetControls(
             shown,
@@ -89,6 +103,7 @@ fun WorldPane(
             Modifier.align(Alignment.BottomStart).padding(start = MARGIN, bottom = 8.dp, end = 8.dp),
         )
         BumpAnnouncement(world, session)
+        WordsAnnouncement(view.words, sentences)
     }
 }
 
@@ -96,6 +111,7 @@ fun WorldPane(
 private fun TouchableSheet(
     shown: ShownWorld,
     marks: WorldMarks,
+    sentences: List<String>,
     aside: DpRect,
     inputs: FrameThrottledInput,
     onEvent: (WorkshopEvent) -> Unit,
@@ -104,6 +120,8 @@ private fun TouchableSheet(
     val session = shown.session
     val view = shown.view
     val preview = marks.preview
+    val cross = (view.words as? SheetWords.Explored)?.place
+    val explorer = rememberExplorer(world, onEvent)
     val labels = rememberTextMeasurer()
     val strayed = remember(world, session) { strayedRobots(world, session) }
     val now = rememberUpdatedState(session to view.chosen)
@@ -121,15 +139,23 @@ private fun TouchableSheet(
     val ring = LocalRobotranColours.current.focus
     val announced = rememberAnnounced(session)
     val description = describeWorld(world, announced)
+    val asking = askingActions(view, session, onEvent)
     SheetCanvas(
         shown,
         cameraNow(view, session),
         { camera, pushed -> onEvent(SheetEvent.CameraMoved(camera, pushed)) },
         Modifier.fillMaxSize().testTag(WorldTags.WORLD).focusRing(0.dp).focusable().semantics {
             contentDescription = description
+            customActions = asking
         },
         aside,
-        if (measuring == null) hand else ruler,
+        if (cross != null) {
+            explorer
+        } else if (measuring == null) {
+            hand
+        } else {
+            ruler
+        },
         overlay = { sheet ->
             if (marks.isSolved) drawDrawingFrame(session, world.paper, sheet)
             if (SheetLayer.GOALS in view.shown) drawShortfalls(marks.shortfalls, sheet, labels)
@@ -137,15 +163,27 @@ private fun TouchableSheet(
             view.chosen?.let { drawChosen(it, world, session, sheet, ring) }
             if (measuring != null && measuringLabels != null) drawMeasuring(measuring, measuringLabels, sheet, labels)
             preview?.let { drawPreview(it, sheet, labels) }
+            cross?.let { drawExploringCross(it, sheet, ring) }
         },
     ) { sheet ->
         val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
         ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
+        if (cross != null) {
+            ExploringCross(cross, sentences.joinToString(" "), sheet) { place ->
+                onEvent(SheetEvent.WordsChanged(place?.let { SheetWords.Explored(explorable(it, world)) }))
+            }
+        }
         if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)
         if (preview != null) {
             PreviewHandle(preview, previewEnd(preview, sheet), sheet::toCentimetres) { onEvent(BlockEvent.Put("$it")) }
         }
     }
+}
+
+@Composable
+private fun rememberExplorer(world: World, onEvent: (WorkshopEvent) -> Unit): ExploringTouch {
+    val send by rememberUpdatedState(onEvent)
+    return remember(world) { ExploringTouch(world) { send(SheetEvent.WordsChanged(SheetWords.Explored(it))) } }
 }
 
 /** Centred on the followed robot. */

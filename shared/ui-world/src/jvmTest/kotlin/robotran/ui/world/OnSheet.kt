@@ -5,6 +5,7 @@ import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsNodeInteraction
+import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
 import kotlinx.coroutines.runBlocking
 import robotran.projects.Project
@@ -69,7 +70,9 @@ internal class SheetOnScreen(private val test: ComposeUiTest, val workshop: Work
     val view: SheetTransform
         get() {
             val size = sheet.fetchSemanticsNode().size
-            val upright = size.width.toFloat() / size.height > workshop.state.world.paper.run { width / height }
+            val told = test.onAllNodesWithTag(WorldTags.WORDS).fetchSemanticsNodes().sumOf { it.size.height }
+            val upright =
+                size.width.toFloat() / (size.height + told) > workshop.state.world.paper.run { width / height }
             val width = size.width.toFloat()
             val height = size.height.toFloat()
             val window = if (upright) Rect(64f, 0f, width, height) else Rect(0f, 0f, width, height - 64f)

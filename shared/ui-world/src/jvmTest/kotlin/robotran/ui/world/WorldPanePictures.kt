@@ -28,6 +28,7 @@ import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetElementKind
 import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SheetWords
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -81,6 +82,19 @@ class WorldPanePictures {
             chosen(0),
             Settings(Language.GERMAN, textScale = 2f),
         )
+    }
+
+    @Test
+    fun `what is told above the sheet`() {
+        val tells = Settings(tellsRuns = true)
+        val explored = listOf(SheetEvent.WordsChanged(SheetWords.Explored(Point(60.0, 31.0))))
+        photograph("words-tablet", handyWorld, 1280, 800, dark = false, listOf(RunEvent.StoryRequested), tells)
+        photograph("words-explored", handyWorld, 1280, 800, dark = true, explored, tells)
+        photograph("words-phone", handyWorld, 411, 891, dark = false, listOf(RunEvent.StoryRequested), tells)
+        val large = tells.copy(language = Language.GERMAN, textScale = 2f)
+        photograph("words-phone-german-large", handyWorld, 411, 891, dark = false, explored, large)
+        val french = tells.copy(language = Language.FRENCH)
+        photograph("words-french", handyWorld, 411, 891, dark = false, listOf(RunEvent.StoryRequested), french)
     }
 
     @Test

@@ -10,6 +10,7 @@ import robotran.workshop.event.RobotEditEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.Pane
@@ -41,6 +42,7 @@ fun pageBackEvents(state: WorkshopState): List<WorkshopEvent> = buildList {
  * Back leaves the app.
  */
 internal fun paneBackEvents(state: WorkshopState, isWide: Boolean): List<WorkshopEvent> = buildList {
+    if (state.sheet.words != null) add(SheetEvent.WordsChanged(null))
     if (!isWide) {
         if (state.learning.tutorial?.isFolded == false) add(LearningEvent.TutorialFolded(true))
         if (state.pane != Pane.WORLD) add(ScreenEvent.PaneChosen(Pane.WORLD))

@@ -15,4 +15,7 @@ internal fun <T> WorkshopState.part(read: WorkshopState.() -> T): T = remember(t
 
 /** [RunAnnouncer] in a scope of its own, which each frame of a run composes. */
 @Composable
-internal fun RunAnnouncements(state: WorkshopState) = RunAnnouncer(state.run)
+internal fun RunAnnouncements(state: WorkshopState) {
+    // A run that is told in words needs no other ones.
+    if (!state.settings.tellsRuns) RunAnnouncer(state.run)
+}

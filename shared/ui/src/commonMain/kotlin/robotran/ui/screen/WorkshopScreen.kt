@@ -8,12 +8,15 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.widthIn
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.CompositionLocalProvider
+import androidx.compose.runtime.SideEffect
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
 import androidx.compose.runtime.setValue
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.input.key.KeyEvent
+import androidx.compose.ui.input.key.onKeyEvent
 import androidx.compose.ui.input.key.onPreviewKeyEvent
 import androidx.compose.ui.layout.onSizeChanged
 import androidx.compose.ui.platform.LocalDensity
@@ -38,27 +41,34 @@ import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
 import robotran.ui.world.LocalHearsRun
+import robotran.ui.world.escapedWords
+import robotran.ui.world.wordsShortcut
 import robotran.ui.worldedit.WorldEditPane
 import robotran.uikit.*
+import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.Notice
+import robotran.workshop.state.Pane
 import robotran.workshop.state.WindowForm
 import robotran.workshop.state.WorkshopState
 
 /** The main screen: panes side by side or stacked if there is room, otherwise one at a time. Pages cover it. */
 @Composable
 fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
+    var isNarrow by remember { mutableStateOf(false) }
     BoxWithConstraints(
         modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
             val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }
-            wanted?.let(onEvent) != null
-        },
+            wanted?.let(onEvent) != null || askForWords(event, state, isNarrow, onEvent)
+        }.onKeyEvent { event -> escapedWords(event, state.sheet)?.let(onEvent) != null },
     ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)
         val layout = ScreenLayout.of(maxWidth, maxHeight + LocalKeyboardHeight.current, scale)
+        SideEffect { isNarrow = layout == ScreenLayout.NARROW }
         val ofPanes = paneBackEvents(state, isWide = layout != ScreenLayout.NARROW)
         BackGesture(ofPanes.size) { ofPanes.firstOrNull()?.let(onEvent) }
         val isBroad = maxWidth >= BROAD_WIDTH * scale && maxHeight >= BROAD_HEIGHT
@@ -69,8 +79,7 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
                 SoundSwitch(state.soundOn, { onEvent(SettingsEvent.SoundSwitched(it)) })
             }
         }
-        val isCovered = state.settingsShown || state.making != null || state.handIns != null ||
-            state.course.page != null || state.learning.page?.coversAll == true
+        val isCovered = state.isCovered
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             ProvideForPrograms(state, onEvent) {
@@ -155,6 +164,30 @@ private val BELOW_BAR = 64.dp
 
 /** Leaves the palette and the tabs of the world editor on a tablet free. */
 private val NOTICE_WIDTH = 560.dp
+
+/** Whether a page covers the panes. */
+private val WorkshopState.isCovered: Boolean
+    get() = settingsShown || making != null || handIns != null || course.page != null ||
+        learning.page?.coversAll == true
+
+/**
+ * Tells in words what the key asks for, where the sheet is or, if something else has its room, will be. Returns whether
+ * the key does so.
+ */
+private fun askForWords(
+    event: KeyEvent,
+    state: WorkshopState,
+    isNarrow: Boolean,
+    onEvent: (WorkshopEvent) -> Unit,
+): Boolean {
+    val wanted = wordsShortcut(event, state.sheet, state.session) ?: return false
+    if (!state.isDesk || state.isCovered) return false
+    if (isNarrow && state.learning.tutorial?.isFolded == false) onEvent(LearningEvent.TutorialFolded(true))
+    if (isNarrow) onEvent(ScreenEvent.PaneChosen(Pane.WORLD))
+    if (!isNarrow && state.fullPane != null && state.fullPane != Pane.WORLD) onEvent(ScreenEvent.PaneFilled(null))
+    onEvent(wanted)
+    return true
+}
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
 private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null

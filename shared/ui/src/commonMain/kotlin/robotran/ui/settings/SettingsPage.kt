@@ -76,6 +76,9 @@ internal fun SettingsPage(
             SwitchRow(ScreenTexts.settingsLessMotion(spoken), LocalLessMotion.current, ScreenTags.LESS_MOTION) {
                 change(settings.copy(lessMotion = it))
             }
+            SwitchRow(ScreenTexts.settingsTellRuns(spoken), settings.tellsRuns, ScreenTags.TELL_RUNS) {
+                change(settings.copy(tellsRuns = it))
+            }
             if (asksForSite) SiteField(settings.site, siteRequested) { change(settings.copy(site = it)) }
         }
     }

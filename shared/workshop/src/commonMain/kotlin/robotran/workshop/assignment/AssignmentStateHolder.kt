@@ -81,7 +81,7 @@ class AssignmentStateHolder(private val services: Services, physics: PhysicsEngi
             ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, ProgramRoomEvent.Chosen,
             ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun, is ProgramRoomEvent.Compiled,
             is ProgramRoomEvent.SnippetRequested, RunRoomEvent.Pressed, is RunRoomEvent.Started,
-            is RunRoomEvent.PointShown, WorldRoomEvent.Edited, is WorldRoomEvent.EditorRequested,
+            is RunRoomEvent.PointShown, is RunRoomEvent.Told, WorldRoomEvent.Edited, is WorldRoomEvent.EditorRequested,
             WorldRoomEvent.EditorOpening, is WorldRoomEvent.RobotOpened, is SchoolRoomEvent, is WindowRoomEvent,
             -> Unit
         }

@@ -46,6 +46,9 @@ sealed interface RunEvent : WorkshopEvent {
     /** Shows the moment and the place of what was missing for a goal. */
     data class ShortfallShown(val shortfall: GoalShortfall) : RunEvent
 
+    /** Tells what happened in the run so far, and from now on in each run of this project when it ends. */
+    data object StoryRequested : RunEvent
+
     /** Shows the internals of the robot with this index. */
     data class DebuggedRobotChosen(val robot: Int) : RunEvent
 

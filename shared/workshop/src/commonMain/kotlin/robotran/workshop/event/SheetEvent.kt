@@ -5,6 +5,7 @@ import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetElement
 import robotran.workshop.state.SheetLayer
+import robotran.workshop.state.SheetWords
 import robotran.workshop.state.SpaceCamera
 import robotran.world.geometry.Point
 
@@ -43,4 +44,7 @@ sealed interface SheetEvent : WorldEvent {
 
     /** Puts ruler and protractor onto the sheet, or moves them; null takes them away. */
     data class MeasuringChanged(val measuring: Measuring?) : SheetEvent
+
+    /** Tells [words] above the sheet; null tells nothing any more. */
+    data class WordsChanged(val words: SheetWords?) : SheetEvent
 }

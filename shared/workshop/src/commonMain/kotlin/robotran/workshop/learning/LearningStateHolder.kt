@@ -102,7 +102,7 @@ class LearningStateHolder(private val services: Services, private val switcher: 
             is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged, ProjectRoomEvent.AssignmentChanged,
             ProjectRoomEvent.Touched, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,
             is ProgramRoomEvent.Compiled, is ProgramRoomEvent.SnippetRequested, RunRoomEvent.Pressed,
-            is RunRoomEvent.Started, is RunRoomEvent.PointShown, WorldRoomEvent.Edited,
+            is RunRoomEvent.Started, is RunRoomEvent.PointShown, is RunRoomEvent.Told, WorldRoomEvent.Edited,
             is WorldRoomEvent.EditorRequested, is WorldRoomEvent.EditorClosed, is WorldRoomEvent.RobotOpened,
             is WindowRoomEvent.SettingsChanged, is SchoolRoomEvent,
             -> Unit

@@ -26,6 +26,7 @@ internal class RunRoom(
 ) : RunControls {
     val run = RunStateHolder(project.worldToRun, physics, programs, services, project.inputs)
     val state: RunPaneState get() = run.state
+    private val teller = RunTeller(services, { state }, run::story)
 
     init {
         hear(services.preferences.settings)
@@ -33,7 +34,11 @@ internal class RunRoom(
 
     fun on(event: RoomEvent) {
         when (event) {
-            is ProjectRoomEvent.Opened -> run.changeWorld(event.project.worldToRun, event.project.inputs)
+            is ProjectRoomEvent.Opened -> {
+                teller.forget()
+                run.changeWorld(event.project.worldToRun, event.project.inputs)
+            }
+
             is ProjectRoomEvent.WorldChanged -> run.changeWorld(event.project.worldToRun)
             is ProjectRoomEvent.RunSettingsChanged -> run.changeWorld(event.project.worldToRun)
             is ProgramRoomEvent.Written, ProgramRoomEvent.DebuggingChanged -> run.programsChanged()
@@ -69,6 +74,7 @@ internal class RunRoom(
         val byUser = event == RunEvent.RunPressed || (!wasRunning && isStartButton(event))
         if (byUser || (!wasRunning && state.running)) services.publish(RunRoomEvent.Started(byUser))
         publishRun()
+        if (event == RunEvent.StoryRequested) teller.tell()
         if (event is RunEvent.ShortfallShown) {
             event.shortfall.place?.let { services.publish(RunRoomEvent.PointShown(it)) }
         }
@@ -100,5 +106,8 @@ internal class RunRoom(
 
     override fun recordedRun(): RecordedRun = run.recorded()
 
-    private fun publishRun() = services.publish(RunRoomEvent.Changed(state.session, state.outcome, run.endedTry))
+    private fun publishRun() {
+        services.publish(RunRoomEvent.Changed(state.session, state.outcome, run.endedTry))
+        teller.look()
+    }
 }

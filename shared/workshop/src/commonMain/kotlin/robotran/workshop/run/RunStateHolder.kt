@@ -5,6 +5,8 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import robotran.brick.program.StepKind
 import robotran.language.Language
+import robotran.narration.RunStory
+import robotran.narration.storyOf
 import robotran.nxt.storage.NxtFile
 import robotran.projects.ProjectSettings
 import robotran.runcontrol.PlaybackState
@@ -89,6 +91,7 @@ class RunStateHolder(
             RunEvent.HearingSwitched -> switchHearing()
             is RunEvent.SampleRequested -> run.play(event.sample)
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
+            RunEvent.StoryRequested -> navigator.show(Pane.WORLD)
             is RunEvent.DebuggedRobotChosen -> stopLocation.choose(event.robot)
             RunEvent.RecordingPlayed -> starter.playRecording()
             is RunEvent.RunSettingsChanged -> services.editor.changeProjectSettings(event.settings)
@@ -148,6 +151,9 @@ class RunStateHolder(
         player.pauseClock()
         run.silence()
     }
+
+    /** What happened in the known run. */
+    fun story(): RunStory = storyOf(run.world, player.history, player.outcome.goals)
 
     /** The known run, to be repeated elsewhere. */
     fun recorded(): RecordedRun = player.recorded()

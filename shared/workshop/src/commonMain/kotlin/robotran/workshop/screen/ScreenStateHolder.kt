@@ -62,6 +62,7 @@ internal class ScreenStateHolder(
             ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, is ProgramRoomEvent.Written,
             ProgramRoomEvent.Chosen, ProgramRoomEvent.DebuggingChanged, ProgramRoomEvent.CompileBegun,
             is ProgramRoomEvent.Compiled, RunRoomEvent.Pressed, is RunRoomEvent.Changed, is RunRoomEvent.PointShown,
+            is RunRoomEvent.Told,
             is WorldRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
             -> Unit
         }

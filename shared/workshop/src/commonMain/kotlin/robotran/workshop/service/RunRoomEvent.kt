@@ -1,5 +1,6 @@
 package robotran.workshop.service
 
+import robotran.narration.RunStory
 import robotran.runcontrol.RunOutcome
 import robotran.simulation.state.SessionState
 import robotran.workshop.state.EndedAttempt
@@ -19,6 +20,9 @@ sealed interface RunRoomEvent : RoomEvent {
      * @property ended the try that is over, the same object until that changes.
      */
     class Changed(val session: SessionState, val outcome: RunOutcome, val ended: EndedAttempt?) : RunRoomEvent
+
+    /** What happened in the run is told in words. */
+    class Told(val story: RunStory) : RunRoomEvent
 
     /** The user looks at [point] of the sheet, where a goal was missed. */
     data class PointShown(val point: Point) : RunRoomEvent

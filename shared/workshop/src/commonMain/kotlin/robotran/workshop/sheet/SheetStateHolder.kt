@@ -14,6 +14,7 @@ import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.SheetCamera
 import robotran.workshop.state.SheetViewState
+import robotran.workshop.state.SheetWords
 import robotran.workshop.state.SpaceCamera
 
 /** Holds the state of the world's view. Whether it is in 3D, and its kind of camera, are settings of this machine. */
@@ -21,7 +22,9 @@ class SheetStateHolder(private val preferences: Preferences) {
     private var view: SheetViewState by mutableStateOf(SheetViewState())
 
     val state: SheetViewState
-        get() = preferences.settings.let { view.copy(isIn3D = it.isIn3D, cameraKind = it.cameraKind) }
+        get() = preferences.settings.let {
+            view.copy(isIn3D = it.isIn3D, cameraKind = it.cameraKind, tellsRuns = it.tellsRuns)
+        }
 
     fun handle(event: SheetEvent) {
         view = when (event) {
@@ -69,7 +72,7 @@ class SheetStateHolder(private val preferences: Preferences) {
             is SheetEvent.SpaceSwitched -> {
                 preferences.change(preferences.settings.copy(isIn3D = event.on))
                 // Ruler and protractor lie flat on the sheet.
-                if (event.on) state.copy(measuring = null) else state
+                if (event.on) state.copy(measuring = null, words = null) else state
             }
 
             is SheetEvent.CameraKindChosen -> {
@@ -83,8 +86,10 @@ class SheetStateHolder(private val preferences: Preferences) {
                 if (event.measuring != null && state.isIn3D) {
                     preferences.change(preferences.settings.copy(isIn3D = false))
                 }
-                state.copy(measuring = event.measuring)
+                state.copy(measuring = event.measuring, words = state.words.takeUnless { it is SheetWords.Explored })
             }
+
+            is SheetEvent.WordsChanged -> tell(event.words)
         }
     }
 
@@ -92,11 +97,19 @@ class SheetStateHolder(private val preferences: Preferences) {
         when (event) {
             is ProjectRoomEvent.Opened, is ProjectRoomEvent.WorldChanged -> view = SheetViewState(shown = state.shown)
             is RunRoomEvent.PointShown -> handle(SheetEvent.PlaceRequested(event.point))
+            is RunRoomEvent.Told -> view = tell(SheetWords.Told(event.story))
             is ProjectRoomEvent.Leaving, is ProjectRoomEvent.WorldSaved, is ProjectRoomEvent.RunSettingsChanged,
             ProjectRoomEvent.AssignmentChanged, ProjectRoomEvent.Touched, RunRoomEvent.Pressed, is RunRoomEvent.Started,
             is RunRoomEvent.Changed, is ProgramRoomEvent, is WorldRoomEvent, is SchoolRoomEvent, is WindowRoomEvent,
             -> Unit
         }
+    }
+
+    /** The cross of the explorer lies flat on the sheet, and a finger moves either it or the ruler. */
+    private fun tell(words: SheetWords?): SheetViewState {
+        if (words !is SheetWords.Explored) return state.copy(words = words)
+        if (state.isIn3D) preferences.change(preferences.settings.copy(isIn3D = false))
+        return state.copy(words = words, measuring = null)
     }
 
     /** If the whole sheet is visible, following a robot would have no effect, so this zooms in. */

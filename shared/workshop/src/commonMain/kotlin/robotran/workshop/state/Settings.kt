@@ -17,6 +17,7 @@ import robotran.projects.ProgramView
  * @property isIn3D whether worlds are shown in perspective: as chosen last.
  * @property cameraKind from where they are then seen: as chosen last.
  * @property lessMotion whether animations are reduced; null for as the system is told.
+ * @property tellsRuns whether each run is told in words when it ends.
  * @property hearsRun whether what a robot does can be heard, for those who cannot see the sheet.
  * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
@@ -33,6 +34,7 @@ data class Settings(
     val hearsRun: Boolean = false,
     val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean? = null,
+    val tellsRuns: Boolean = false,
     val isIn3D: Boolean = false,
     val cameraKind: CameraKind = CameraKind.ORBIT,
     val site: String = "",

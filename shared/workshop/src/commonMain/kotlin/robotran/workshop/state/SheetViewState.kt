@@ -14,6 +14,8 @@ import robotran.workshop.measuring.Measuring
  * @property spaceCamera where that camera is.
  * @property chosen the selected robot, block or lamp, which has a handle for turning; null for none.
  * @property measuring ruler and protractor on the sheet; null while they are put away.
+ * @property words what is told above the sheet; null for nothing.
+ * @property tellsRuns whether runs are told when they end, and a button tells where the robot is; a setting, too.
  */
 @Immutable
 data class SheetViewState(
@@ -25,4 +27,6 @@ data class SheetViewState(
     val cameraKind: CameraKind = CameraKind.ORBIT,
     val spaceCamera: SpaceCamera = SpaceCamera(),
     val measuring: Measuring? = null,
+    val words: SheetWords? = null,
+    val tellsRuns: Boolean = false,
 )

@@ -20,6 +20,7 @@ object WorldTags {
     const val CHOSEN_NAME = "chosen-name"
     const val CHOSEN_TROUBLE = "chosen-trouble"
     const val DELETE = "delete"
+    const val CLOSE_WORDS = "close-words"
     const val DUPLICATE = "duplicate"
     const val EDIT = "edit"
     const val EDIT_HINTS = "edit-hints"
@@ -31,6 +32,8 @@ object WorldTags {
     const val EDIT_SHEET = "edit-sheet"
     const val EDIT_TO_ASSIGNMENT = "edit-to-assignment"
     const val EDIT_TRY = "edit-try"
+    const val EXPLORE = "explore"
+    const val EXPLORING_CROSS = "exploring-cross"
     const val FORWARD = "forward"
     const val GOAL_CHANGE = "goal-change"
     const val GOAL_DELETE = "goal-delete"
@@ -93,6 +96,10 @@ object WorldTags {
     const val TURN_LEFT = "turn-left"
     const val TURN_RIGHT = "turn-right"
     const val UNGROUP = "ungroup"
+    const val WHAT_HAPPENED = "what-happened"
+    const val WHERE_AM_I = "where-am-i"
+    const val WORDS = "words"
+    const val WORDS_SAID = "words-said"
     const val WORLD = "world"
     const val WORLD_EDIT = "world-edit"
 
@@ -135,6 +142,11 @@ object WorldTags {
     fun thing(kind: SheetElementKind, number: Int) = "thing-${kind.name.lowercase()}-$number"
 
     fun tool(tool: Tool) = "tool-${tool.name.lowercase()}"
+
+    /** The same among the buttons of the sheet, and in the menu of the view. */
+    fun ofControls(tag: String) = "controls-$tag"
+
+    fun ofMenu(tag: String) = "menu-$tag"
 
     fun undo(tag: String) = "$tag-undo"
 }

@@ -56,6 +56,7 @@ object ScreenTags {
     const val HEARING_SETTING = "hearing-setting"
     const val SOUND_SETTING = "sound-setting"
     const val TEXT_SIZE = "text-size"
+    const val TELL_RUNS = "tell-runs"
     const val THEME = "theme"
     const val WORLDS = "worlds"
 
