@@ -7,6 +7,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:simulation"))
+            implementation(project(":shared:narration"))
         }
         commonTest.dependencies {
             implementation(project(":shared:robolang"))

@@ -1,5 +1,6 @@
 package robotran.runsound
 
+import robotran.narration.wayAhead
 import robotran.simulation.state.SessionState
 import robotran.world.World
 import robotran.world.geometry.Direction
@@ -12,7 +13,6 @@ import kotlin.math.abs
 
 /** Tells now and then how far it is to the next thing ahead, and at once that the robot drives on something else. */
 internal class Telling(private val world: World, private val robot: Int) {
-    private val sight = Sight(world, robot)
     private val finder = GroundFinder(world)
     private val sensor = world.robots[robot].description.lineSensor
     private var ground: Ground? = null
@@ -45,8 +45,8 @@ internal class Telling(private val world: World, private val robot: Int) {
     }
 
     fun tone(state: SessionState): RunTone {
-        val ahead = sight.ahead(state)
-        val step = SoundValues.STEPS.indexOfFirst { ahead < it }
+        val ahead = wayAhead(robot, world, state)
+        val step = SoundValues.STEPS.indexOfFirst { ahead != null && ahead < it }
         val timbre = groundAt(state).timbre
         return RunTone(
             state.milliseconds,

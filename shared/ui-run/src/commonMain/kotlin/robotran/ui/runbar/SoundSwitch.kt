@@ -25,7 +25,7 @@ import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.uikit.*
 
-/** Turns the brick's sound on or off: a loudspeaker with waves, or crossed out. */
+/** Turns all sound on or off: a loudspeaker with waves, or crossed out. */
 @Composable
 fun SoundSwitch(on: Boolean, onSwitch: (Boolean) -> Unit, modifier: Modifier = Modifier) {
     val name = RunTexts.sound(spoken)

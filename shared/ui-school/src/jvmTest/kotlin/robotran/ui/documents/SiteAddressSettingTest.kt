@@ -46,7 +46,8 @@ class SiteAddressSettingTest {
             onNodeWithTag(tag).assertDoesNotExist()
         }
         onNodeWithTag(DocumentTags.SHARE_SITE).performClick()
-        pass(200)
+        // The page scrolls to the field at its end.
+        pass(1_000)
         onNodeWithTag(ScreenTags.SITE).assertIsDisplayed().assertIsFocused()
         onNodeWithTag(ScreenTags.SITE).performTextInput("school.example")
         onNodeWithTag(ScreenTags.SITE_WRONG, useUnmergedTree = true).assertTextContains("https://", substring = true)

@@ -33,7 +33,7 @@ internal fun SiteField(site: String, requested: Boolean, onSite: (String) -> Uni
             val address = siteAddress(it)
             if (address != null || it.isBlank()) onSite(address.orEmpty())
         },
-        Modifier.fillMaxWidth().focusRequester(focus).testTag(ScreenTags.SITE),
+        Modifier.fillMaxWidth().broughtIntoSight(requested).focusRequester(focus).testTag(ScreenTags.SITE),
         ScreenTexts.settingsSite(spoken),
         keyboard = KeyboardOptions(keyboardType = KeyboardType.Uri, autoCorrectEnabled = false),
         extras = FieldExtras(isWrong) {
