@@ -24,6 +24,7 @@ kotlin {
             api(project(":shared:simulation"))
             api(project(":shared:run-control"))
             api(project(":shared:narration"))
+            api(project(":shared:run-sound"))
             api(project(":shared:projects"))
             api(project(":shared:learning"))
             api(project(":shared:assignments"))

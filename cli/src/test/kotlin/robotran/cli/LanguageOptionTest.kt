@@ -91,7 +91,10 @@ class LanguageOptionTest : CommandTest() {
 
     @Test
     fun `a language that Robotran does not speak is refused`() {
-        assertEquals(2, execute("check", "--language", "fr", square))
-        assertTrue(console.complaints.single().contains("fr is none of en, es, de"), console.complaints.single())
+        assertEquals(2, execute("check", "--language", "it", square))
+        assertTrue(
+            console.complaints.single().contains("it is none of en, es, de, fr, pt"),
+            console.complaints.single(),
+        )
     }
 }

@@ -36,6 +36,10 @@ internal external class GainNode : AudioNode {
     val gain: AudioParam
 }
 
+internal external class StereoPannerNode : AudioNode {
+    val pan: AudioParam
+}
+
 internal external class AudioParam : JsAny {
     var value: Float
 
@@ -49,6 +53,10 @@ internal external class AudioParam : JsAny {
 /** A context; null if the browser does not support Web Audio. */
 internal fun newAudioContext(): AudioContext? =
     js("globalThis.AudioContext ? new AudioContext({ latencyHint: 'interactive' }) : null")
+
+/** A node that puts sound between the ears; null in a browser without one. */
+internal fun newStereoPanner(context: AudioContext): StereoPannerNode? =
+    js("context.createStereoPanner ? context.createStereoPanner() : null")
 
 /** Calls [action] on every touch, click and key press of the page: browsers allow sound only after one. */
 internal fun onEveryTouch(action: () -> Unit): Unit = js(

@@ -2,8 +2,10 @@
 
 package robotran.web
 
+import robotran.runsound.Timbre
 import robotran.workshop.sound.LoudSpeaker
 import robotran.workshop.sound.PlannedTone
+import kotlin.math.abs
 
 /**
  * The browser's audio output. Browsers block sound until the user touches the page. Until then there is no context and
@@ -55,10 +57,12 @@ internal class WebSpeaker : LoudSpeaker {
 }
 
 /** A [tone] scheduled in [context]. It fades in and out quickly to avoid clicks. */
-private class SoundingTone(context: AudioContext, private val tone: PlannedTone) {
+private class SoundingTone(private val context: AudioContext, private val tone: PlannedTone) {
     private val oscillator = context.createOscillator()
     private val gain = context.createGain()
-    private val loudness = (tone.volume * if (tone.isSoft) SOFT_LOUDNESS else LOUDNESS).toFloat()
+    private val panner = if (tone.pan == 0.0) null else newStereoPanner(context)
+    private val loudness =
+        (tone.volume * (if (tone.timbre == Timbre.SINE) SOFT_LOUDNESS else LOUDNESS) * besidePanner()).toFloat()
 
     /** The end time in milliseconds. */
     var end = tone.end
@@ -66,15 +70,33 @@ private class SoundingTone(context: AudioContext, private val tone: PlannedTone)
 
     init {
         val start = tone.start / MILLISECONDS_PER_SECOND
-        oscillator.type = if (tone.isSoft) "sine" else "square"
+        oscillator.type = when (tone.timbre) {
+            Timbre.SINE -> "sine"
+            Timbre.SQUARE -> "square"
+            Timbre.SAWTOOTH -> "sawtooth"
+        }
         oscillator.frequency.value = tone.hertz.toFloat()
         oscillator.connect(gain)
-        gain.connect(context.destination)
+        connectGain()
         gain.gain.setValueAtTime(0f, start)
         gain.gain.linearRampToValueAtTime(loudness, start + RAMP_SECONDS)
         oscillator.start(start)
         fallAt(end)
     }
+
+    /** A tone in the middle goes straight to the loudspeakers. */
+    private fun connectGain() {
+        if (panner == null) {
+            gain.connect(context.destination)
+        } else {
+            panner.pan.value = tone.pan.toFloat()
+            gain.connect(panner)
+            panner.connect(context.destination)
+        }
+    }
+
+    /** Makes up for a panner, near whose middle both ears hear 3 dB less than without one. */
+    private fun besidePanner(): Double = if (panner == null) 1.0 else ROOT_OF_TWO - (ROOT_OF_TWO - 1) * abs(tone.pan)
 
     /** Stops it at this time if that is earlier than its end. */
     fun endAt(milliseconds: Double) {
@@ -96,6 +118,7 @@ private class SoundingTone(context: AudioContext, private val tone: PlannedTone)
         const val LOUDNESS = 0.2
         const val SOFT_LOUDNESS = 0.25
         const val RAMP_SECONDS = 0.002
+        const val ROOT_OF_TWO = 1.4142135623730951
     }
 }
 

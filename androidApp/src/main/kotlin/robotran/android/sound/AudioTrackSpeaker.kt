@@ -23,7 +23,7 @@ private fun openAudioTrack(): SampleLine? = try {
 private fun newTrack(): AudioTrack {
     val min = AudioTrack.getMinBufferSize(
         ToneWave.SAMPLE_RATE,
-        AudioFormat.CHANNEL_OUT_MONO,
+        AudioFormat.CHANNEL_OUT_STEREO,
         AudioFormat.ENCODING_PCM_16BIT,
     )
     return AudioTrack
@@ -38,7 +38,7 @@ private fun newTrack(): AudioTrack {
             AudioFormat
                 .Builder()
                 .setSampleRate(ToneWave.SAMPLE_RATE)
-                .setChannelMask(AudioFormat.CHANNEL_OUT_MONO)
+                .setChannelMask(AudioFormat.CHANNEL_OUT_STEREO)
                 .setEncoding(AudioFormat.ENCODING_PCM_16BIT)
                 .build(),
         ).setTransferMode(AudioTrack.MODE_STREAM)

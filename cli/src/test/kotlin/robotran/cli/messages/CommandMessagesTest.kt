@@ -32,12 +32,12 @@ class CommandMessagesTest {
     }
 
     @Test
-    fun `no message is the same in two languages, and all end alike`() {
+    fun `no message is in English in another language, and all end alike`() {
         val wrong = messages.filter { message ->
             val described = Language.entries.map { described(message, it, argumentsOf(message)) }
-            described.toSet().size < described.size || described.map { it.endsWith('.') }.toSet().size > 1
+            described.drop(1).any { it == described.first() } || described.map { it.endsWith('.') }.toSet().size > 1
         }
-        assertEquals(emptyList(), wrong.map { it.name })
+        assertEquals(emptyList(), wrong.map { it.name } - SAME_EVERYWHERE)
     }
 
     private fun described(message: Method, language: Language, arguments: List<Any>): String =
@@ -53,5 +53,10 @@ class CommandMessagesTest {
             List::class.java -> listOf("marker$number-a", "marker$number-b")
             else -> error("No argument of type $type is known.")
         }
+    }
+
+    private companion object {
+        /** Portuguese says "link", too. */
+        val SAME_EVERYWHERE = setOf("numberedLink")
     }
 }

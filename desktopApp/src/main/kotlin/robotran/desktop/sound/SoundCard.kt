@@ -13,8 +13,9 @@ import javax.sound.sampled.SourceDataLine
 /** The computer's audio output. The sound card is opened in the background for the first tone. */
 internal fun soundCardSpeaker(): LoudSpeaker = SampleFeeder { openSoundCard(::findLine) }
 
-/** 16-bit mono, little-endian. */
-internal val FORMAT = AudioFormat(ToneWave.SAMPLE_RATE.toFloat(), Short.SIZE_BITS, 1, true, false)
+/** 16-bit stereo, little-endian. */
+internal val FORMAT =
+    AudioFormat(ToneWave.SAMPLE_RATE.toFloat(), Short.SIZE_BITS, ToneWave.CHANNELS, true, false)
 
 /**
  * Opens a line of [FORMAT] to the sound card.

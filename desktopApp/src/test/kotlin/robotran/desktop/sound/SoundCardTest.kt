@@ -53,9 +53,9 @@ class SoundCardTest {
     }
 
     @Test
-    fun `the format is sixteen bits on one channel, the low byte first`() {
+    fun `the format is sixteen bits for each of two ears, the low byte first`() {
         assertEquals(16, FORMAT.sampleSizeInBits)
-        assertEquals(1, FORMAT.channels)
+        assertEquals(2, FORMAT.channels)
         assertTrue(!FORMAT.isBigEndian)
     }
 }

@@ -164,8 +164,18 @@ class PaletteTest {
     }
 
     @Test
-    fun `blocks are found in three languages, with and without accents`() {
+    fun `blocks are found in all languages, with and without accents`() {
         assertEquals("forward 20", found("forw").first())
+        for (word in listOf(
+            "vorwarts",
+            "adelante",
+            "avance",
+            "ande",
+        )) {
+            assertEquals("forward 20", found(word).first(), word)
+        }
+        assertEquals("repeat 4 times\nend", found("boucle").first())
+        assertEquals("wait 1 second", found("esperar").first())
         assertTrue("pen down" in found("lapiz") && "pen down" in found("Stift") && "pen down" in found("dibujar"))
         assertTrue("forward 20" in found("fahren"))
         assertTrue("max(5, 5)" in found("max"))

@@ -41,6 +41,9 @@ interface LanguageSupport {
      */
     fun inWords(program: String, language: Language): String = program
 
+    /** The language of people whose words [program] has. */
+    fun wordsOf(program: String): Language = Language.ENGLISH
+
     /** [piece], a few words of a program in the usual words, in those of [language]. */
     fun pieceInWords(piece: String, language: Language): String = piece
 

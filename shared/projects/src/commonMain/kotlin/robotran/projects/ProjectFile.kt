@@ -84,3 +84,6 @@ internal const val PROJECT_VERSION = 1
 
 /** The member with the lines of a program's file. */
 internal const val TEXT = "text"
+
+/** The field with the language of people whose words a program has. */
+internal const val WORDS = "words"

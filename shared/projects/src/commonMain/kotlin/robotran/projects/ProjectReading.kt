@@ -67,6 +67,8 @@ internal fun programIn(cursor: JsonCursor): ProjectProgram {
         listOf(SourceFile(name, textIn(cursor.member(TEXT))))
     }
     val view = cursor.optional("view")?.textOrNull()?.let(VIEWS::get).takeIf { language.support.hasBlocks }
+    // Reading the program tells; the field is for those who read the file.
+    cursor.optional(WORDS)
     return ProjectProgram(Program(name, language, files), view, unknownOf(cursor))
 }
 

@@ -6,8 +6,10 @@ import kotlinx.serialization.json.JsonPrimitive
 import robotran.brick.controls.BrickButton
 import robotran.json.decimal
 import robotran.json.jsonObject
+import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.programs.JavaSettings
+import robotran.programs.support
 import robotran.simulation.RecordedInput
 import robotran.simulation.SessionInput
 import robotran.world.World
@@ -50,12 +52,17 @@ internal fun elementOf(program: ProjectProgram): JsonObject = jsonObject(program
     text("name", program.name)
     text("language", wordFor(program.language))
     text("view", program.view?.let(::wordFor))
+    text(WORDS, wordsOf(program)?.tag)
     if (program.language.mayHaveFiles) {
         list("files", program.files, ::elementOf)
     } else {
         put(TEXT, linesOf(program.files.single().text))
     }
 }
+
+/** The language whose words the program has; null for English, which all languages of programs have. */
+private fun wordsOf(program: ProjectProgram): Language? =
+    program.language.support.wordsOf(program.files.first().text).takeIf { it != Language.ENGLISH }
 
 private fun elementOf(file: SourceFile) = jsonObject {
     text("name", file.name)

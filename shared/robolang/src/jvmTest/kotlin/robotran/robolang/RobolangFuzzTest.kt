@@ -19,6 +19,7 @@ import robotran.robolang.format.checkFormatting
 import robotran.robolang.format.formatRobolang
 import robotran.robolang.format.treeOf
 import robotran.robolang.fuzz.ProgramWriter
+import robotran.robolang.fuzz.anyText
 import robotran.robolang.fuzz.arbitraryBytes
 import robotran.robolang.fuzz.arbitraryText
 import robotran.robolang.fuzz.checkHarmless
@@ -29,6 +30,10 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.wording.ChangedWords
+import robotran.robolang.wording.changeWords
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.vocabularyOf
 import robotran.robolang.syntax.readNumber
 import kotlin.random.Random
 
@@ -58,6 +63,22 @@ class RobolangFuzzTest :
 
         "a program with something changed is read without harm" {
             checkAll(config(10_000), texts(::spoiltProgram)) { checkHarmless(it) }
+        }
+
+        "any text goes into the words of each language without harm, and a program without slips comes back as it was" {
+            checkAll(config(100_000), texts(::anyText)) { source ->
+                val english = RobolangMessages.of(Language.ENGLISH)
+                val isProgram = vocabularyOf(source) === Vocabulary.ENGLISH &&
+                    formatRobolang(source, english) is FormatResult.Success
+                for (vocabulary in Vocabulary.all) {
+                    val there = changeWords(source, vocabulary) as? ChangedWords.Success ?: continue
+                    val back = changeWords(there.text, vocabularyOf(source))
+                    // A keyword that mixed capitals and small letters comes back in small ones.
+                    if (back is ChangedWords.Success && isProgram && vocabularyOf(there.text) === vocabulary) {
+                        back.text.lowercase() shouldBe source.lowercase()
+                    }
+                }
+            }
         }
 
         "a generated program has no mistakes, and formatted it is the same tree" {

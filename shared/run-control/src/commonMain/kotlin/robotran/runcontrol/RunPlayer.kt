@@ -54,6 +54,12 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     var stop: StopReason? = null
         private set
 
+    /**
+     * Called with the state every 10 ms of virtual time while the run plays or steps, also in its known part; null for
+     * nobody, which costs nothing.
+     */
+    var onLook: ((SessionState) -> Unit)? = null
+
     /** Number of branches started in the past. */
     var branchCount = 0
         private set
@@ -286,6 +292,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         while (cursor.milliseconds < end) {
             val reason = run((minOf(end, nextEvent()) - cursor.milliseconds).toInt())
             recordState()
+            if (onLook != null) look()
             if (reason != null) return stopAt(reason)
             applyDueInputs()
             if (pausesNow) return pause()
@@ -301,7 +308,7 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
     /** The time of the next observation or scheduled input. */
     private fun nextEvent(): Long {
         val now = cursor.milliseconds
-        val observation = if (now < record.end) {
+        val observation = if (now < record.end && onLook == null) {
             record.end
         } else {
             now - now % RunRecord.LOOK_MILLISECONDS + RunRecord.LOOK_MILLISECONDS
@@ -310,6 +317,11 @@ class RunPlayer(private var setup: RunSetup, recording: List<RecordedInput> = em
         val finish = record.finished?.takeIf { it > now } ?: Long.MAX_VALUE
         val step = if (isSmooth) smooth.nextStep(now) else Long.MAX_VALUE
         return minOf(minOf(observation, input), minOf(finish, step)).coerceAtLeast(now + 1)
+    }
+
+    private fun look() {
+        val isDue = cursor.milliseconds % RunRecord.LOOK_MILLISECONDS == 0L && playback !is PlaybackState.Seeking
+        if (isDue) onLook?.invoke(session.state)
     }
 
     /** Records the current state of the run. */

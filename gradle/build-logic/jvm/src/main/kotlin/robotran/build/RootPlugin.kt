@@ -35,8 +35,11 @@ class RootPlugin : Plugin<Project> {
         CodeStyle.register(project)
         project.tasks.register("missingMessages", MissingMessages::class.java) { task ->
             task.group = "help"
-            task.description = "Lists the messages that a language lacks."
+            task.description = "Lists what a language lacks: messages, lessons, tasks of worlds, help on words."
             task.catalogues.from(sources(project, CATALOGUES))
+            task.texts.from(project.fileTree("learning").matching { it.include("**/*.md").exclude("README.md") })
+            task.texts.from(project.fileTree("shared/nqc/src/api"))
+            task.root.set(project.layout.projectDirectory.asFile.path)
             task.languages.set(project.file(Messages.LANGUAGES))
         }
         val moduleMap = registerModuleMapCheck(project)

@@ -2,6 +2,8 @@ package robotran.blockediting.palette
 
 import robotran.blockediting.messages.BlockMessages
 import robotran.language.Language
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.written
 
 /** What the help says about the words of the language. */
 fun interface PaletteHelp {
@@ -48,9 +50,9 @@ private enum class SearchFit {
 }
 
 private class SearchEntry(block: PaletteBlock, help: PaletteHelp) {
-    private val lines = block.template.lines().map(::wordsOf)
+    private val lines = Vocabulary.all.flatMap { it.written(block.template).lines().map(::wordsOf) }
     private val own = lines.flatten()
-    private val synonyms = wordsOf(SYNONYMS[block.id].orEmpty())
+    private val synonyms = Language.entries.flatMap { wordsOf(BlockMessages.of(it).synonyms(block.id)) }
     private val offered = block.words.toList() + block.words.flatMap { word ->
         Language.entries.flatMap { wordsOf(help.sentence(word, it).orEmpty()) }
     }
@@ -83,18 +85,17 @@ private fun wordsOf(text: String): List<String> =
 
 private val BETWEEN_WORDS = Regex("[^\\p{L}\\p{N}]+")
 
-private val ACCENTS = mapOf(
-    'á' to 'a',
-    'ä' to 'a',
-    'é' to 'e',
-    'í' to 'i',
-    'ñ' to 'n',
-    'ó' to 'o',
-    'ö' to 'o',
-    'ú' to 'u',
-    'ü' to 'u',
-    'ß' to 's',
-)
+/** Each letter with those that count as it. */
+private val ACCENTS: Map<Char, Char> = listOf(
+    "aáàâãä",
+    "cç",
+    "eéèêë",
+    "iíîï",
+    "nñ",
+    "oóôõö",
+    "sß",
+    "uúùûü",
+).flatMap { plain -> plain.drop(1).map { it to plain.first() } }.toMap()
 
 /** The length from which words count as alike that differ in their endings only. */
 private const val MIN_STEM = 4

@@ -35,6 +35,8 @@ object RobolangSupport : LanguageSupport {
         return if (wasLaidOut) code.format(changed) ?: changed else changed
     }
 
+    override fun wordsOf(program: String): Language = vocabularyOf(program).language
+
     override fun pieceInWords(piece: String, language: Language): String = Vocabulary.of(language).written(piece)
 
     override fun usualWord(word: String, program: String): String = vocabularyOf(program).inEnglish(word)

@@ -9,7 +9,10 @@ import robotran.robolang.words.WordPlace
 import robotran.robolang.words.lowercaseSpelling
 import robotran.robolang.words.uppercaseSpelling
 
-/** [source] with the keywords of its [lines], apart from [isName], in other words. Nothing else changes. */
+/**
+ * [source] with the keywords of its [lines], apart from [isName], in other words. Nothing else changes, nor does a keyword
+ * at a wrong place that would be read as another one there, such as `in` outside of a `for`.
+ */
 internal fun rewritten(
     source: String,
     lines: List<ScannedLine>,
@@ -24,15 +27,12 @@ internal fun rewritten(
             val keyword = token.keyword?.takeUnless {
                 token.kind != TokenKind.WORD || token.text == "}" || isName(token)
             }
-            if (keyword != null) {
+            val first = line.tokens.first().keyword.takeIf { index > 0 }
+            val written = keyword?.let { to.text(it, placeIn(line.tokens, index), from.rankOf(it, token.text)) }
+            if (written != null && to.keyword(written, first) == keyword) {
                 val span = offsets.span(token.range)
                 append(source, position, span.start)
-                append(
-                    inCaseOf(
-                        token.text,
-                        to.text(keyword, placeIn(line.tokens, index), from.rankOf(keyword, token.text)),
-                    ),
-                )
+                append(inCaseOf(token.text, written))
                 position = span.end
             }
         }

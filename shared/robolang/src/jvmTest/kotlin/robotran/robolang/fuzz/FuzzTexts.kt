@@ -1,10 +1,16 @@
 package robotran.robolang.fuzz
 
 import robotran.robolang.RobolangWords
+import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.written
 import kotlin.random.Random
 
+/** Some words of each other language. */
+private val OTHER_WORDS: List<String> = listOf("forward", "repeat", "4 times", "end", "until", "seconds", "if", "left")
+    .flatMap { english -> Vocabulary.all.drop(1).map { it.written("$english 2").removeSuffix(" 2") } }
+
 /** All words and signs of Robolang, and some that it does not have. */
-private val PIECES: List<String> = RobolangWords.keywords + listOf(
+private val PIECES: List<String> = RobolangWords.keywords + OTHER_WORDS + listOf(
     "A",
     "x",
     "x",

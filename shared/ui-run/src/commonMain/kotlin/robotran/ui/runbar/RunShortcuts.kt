@@ -14,7 +14,7 @@ import robotran.workshop.event.RunEvent
 
 /**
  * The event for a run shortcut with any focus; null for none. Ctrl (on a Mac also Command) with Enter runs, with Shift
- * it stops. F6 pauses. F7 steps into calls, with Ctrl over them, with Shift out. F10 and F11, common in other
+ * it stops. F6 pauses, with Shift it makes the run heard. F7 steps into calls, with Ctrl over them, with Shift out. F10 and F11, common in other
  * debuggers, are used by menus and browsers.
  */
 fun runShortcut(event: KeyEvent): RunEvent? {
@@ -23,7 +23,7 @@ fun runShortcut(event: KeyEvent): RunEvent? {
     val control = event.isCtrlPressed || event.isMetaPressed
     return when (event.key) {
         Key.Enter -> (if (shift) RunEvent.StopPressed else RunEvent.RunPressed).takeIf { control }
-        Key.F6 -> RunEvent.PausePressed.takeIf { !shift && !control }
+        Key.F6 -> (if (shift) RunEvent.HearingSwitched else RunEvent.PausePressed).takeIf { !control }
         Key.F7 -> stepFor(control, shift)?.let(RunEvent::StepPressed)
         else -> null
     }

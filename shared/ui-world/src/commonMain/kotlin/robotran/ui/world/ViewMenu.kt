@@ -6,6 +6,7 @@ import androidx.compose.foundation.layout.Box
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.compositionLocalOf
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
@@ -22,11 +23,15 @@ import robotran.simulation.state.SessionState
 import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
+import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.CameraKind
 import robotran.workshop.state.SheetLayer
 import robotran.workshop.state.SheetViewState
+
+/** Whether runs are heard; null where that cannot be switched. */
+val LocalHearsRun = compositionLocalOf<Boolean?> { null }
 
 /**
  * A button that opens the list of how the sheet is looked at: from where, with which of its layers, and in words. A
@@ -69,6 +74,12 @@ internal fun ViewMenu(view: SheetViewState, session: SessionState, onEvent: (Wor
                 MenuItem(kind.label(spoken), WorldTags.ofMenu(kind.tag)) {
                     open = false
                     onEvent(askFor(kind, view, session))
+                }
+            }
+            LocalHearsRun.current?.let { hears ->
+                SwitchItem(SheetTexts.hearRun(spoken), WorldTags.HEAR_RUN, hears) {
+                    open = false
+                    onEvent(RunEvent.HearingSwitched)
                 }
             }
         }

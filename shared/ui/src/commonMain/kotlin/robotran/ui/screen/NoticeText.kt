@@ -65,6 +65,14 @@ fun noticeText(notice: Notice): String = when (notice) {
     is Notice.RobotKeptAsDraft -> RobotTexts.keptAsDraft(spoken, notice.draft.draft.title, faultOf(notice.draft))
     Notice.EscapeAlone -> NxtTexts.escapeAlone(spoken)
     Notice.NewBranch -> RunTexts.newFuture(spoken)
+    is Notice.RunHeard -> heardText(notice)
+}
+
+@Composable
+private fun heardText(notice: Notice.RunHeard): String = when {
+    notice.isMuted -> RunTexts.hearsButMuted(spoken)
+    notice.on -> RunTexts.hears(spoken)
+    else -> RunTexts.hearsNot(spoken)
 }
 
 /** The label of [action]. */

@@ -40,6 +40,7 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.settings.SettingsPage
+import robotran.ui.world.LocalHearsRun
 import robotran.ui.world.escapedWords
 import robotran.ui.world.wordsShortcut
 import robotran.ui.worldedit.WorldEditPane
@@ -82,7 +83,10 @@ fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modif
         // Hides the covered content from screen readers.
         Box(if (isCovered) Modifier.fillMaxSize().clearAndSetSemantics { } else Modifier.fillMaxSize()) {
             ProvideForPrograms(state, onEvent) {
-                CompositionLocalProvider(LocalBrickKind provides state.part { run.brick.kind }) {
+                CompositionLocalProvider(
+                    LocalBrickKind provides state.part { run.brick.kind },
+                    LocalHearsRun provides state.part { settings.hearsRun },
+                ) {
                     Panes(state, layout, form, onEvent, runBar)
                 }
             }

@@ -13,6 +13,7 @@ import robotran.ui.screen.tags.ScreenTags
 import robotran.ui.screen.texts.ScreenTexts
 import robotran.uikit.*
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.AppTheme
 import robotran.workshop.state.Settings
 import kotlin.math.roundToInt
@@ -23,7 +24,7 @@ internal fun SettingsPage(
     settings: Settings,
     siteRequested: Boolean,
     asksForSite: Boolean,
-    onEvent: (SettingsEvent) -> Unit,
+    onEvent: (WorkshopEvent) -> Unit,
 ) {
     val change = { changed: Settings -> onEvent(SettingsEvent.SettingsChanged(changed)) }
     val scroll = rememberScrollState()
@@ -71,6 +72,7 @@ internal fun SettingsPage(
             SwitchRow(ScreenTexts.settingsSound(spoken), settings.soundOn, ScreenTags.SOUND_SETTING) {
                 change(settings.copy(soundOn = it))
             }
+            HearingSettings(settings, onEvent)
             SwitchRow(ScreenTexts.settingsLessMotion(spoken), LocalLessMotion.current, ScreenTags.LESS_MOTION) {
                 change(settings.copy(lessMotion = it))
             }

@@ -85,6 +85,6 @@ class SampleFeeder(private val openLine: () -> SampleLine?) : LoudSpeaker {
         /** The time after the last sound until the line is closed. */
         const val IDLE_MILLISECONDS = 2_000L
 
-        private const val CHUNK_SAMPLES = ToneWave.SAMPLE_RATE / 200
+        private const val CHUNK_SAMPLES = ToneWave.SAMPLE_RATE / 200 * ToneWave.CHANNELS
     }
 }

@@ -38,6 +38,32 @@ class StringsTest {
     }
 
     @Test
+    fun `no text is much longer than in the other languages`() {
+        val all = others + (Language.ENGLISH to english)
+        val wrong = all.flatMap { (language, texts) ->
+            texts.filterValues { ARGUMENT !in it && '{' !in it }.mapNotNull { (key, text) ->
+                val longest = (all - language).values.mapNotNull { it[key]?.length }.max()
+                val room = if (longest <= BUTTON) longest * BUTTON_ROOM + FEW else longest * SENTENCE_ROOM + FEW
+                if (text.length > room) "$key in $language has ${text.length} letters, others $longest: $text" else null
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    @Test
+    fun `a phrase that stands in several places has one translation`() {
+        val phrases = english.entries.filter { ' ' in it.value && '{' !in it.value }
+            .groupBy({ it.value.lowercase() }, { it.key }).filterValues { it.size > 1 }
+        val wrong = others.flatMap { (language, texts) ->
+            phrases.filterKeys { it !in SEVERAL_MEANINGS }.mapNotNull { (phrase, keys) ->
+                val translated = keys.map { texts.getValue(it).lowercase() }.distinct()
+                if (translated.size > 1) "$phrase in $language: $translated" else null
+            }
+        }
+        assertEquals(emptyList(), wrong)
+    }
+
+    @Test
     fun `a sentence ends with a full stop in every language`() = forEachTranslation { one, other ->
         if (one.endsWith('.') && !other.endsWith('.')) {
             "does not end as \"$one\""
@@ -86,6 +112,15 @@ class StringsTest {
             .flatMap { checkNotNull(File(it, "src/commonMain/messages").listFiles()).asList() }
             .filter { "# object" in it.readText() }
             .associate { it.name to it.readText().split("\n## ").drop(1) }
+
+        /** The longest text of a button, in letters, and how much longer it and a sentence may be in one language. */
+        const val BUTTON = 24
+        const val BUTTON_ROOM = 1.6
+        const val SENTENCE_ROOM = 1.4
+        const val FEW = 4
+
+        /** Phrases that say different things in different places. */
+        val SEVERAL_MEANINGS = setOf<String>()
         val ARGUMENT = Regex("""\{\w+\}""")
         val UNWANTED = listOf(
             "!",

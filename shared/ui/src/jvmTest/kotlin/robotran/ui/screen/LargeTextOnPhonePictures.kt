@@ -26,7 +26,7 @@ import kotlin.test.Test
 class LargeTextOnPhonePictures {
     @Test
     fun `a new project, a task and the workbench can be photographed`() {
-        for (language in listOf(Language.ENGLISH, Language.GERMAN)) {
+        for (language in Language.entries) {
             for (scale in listOf(1f, 2f)) {
                 val workshop = runBlocking { openWorkshop() }
                 workshop.handle(SettingsEvent.SettingsChanged(Settings(textScale = scale, language = language)))

@@ -6,6 +6,7 @@ import robotran.brick.program.StepKind
 import robotran.projects.ProjectSettings
 import robotran.runcontrol.ChartLane
 import robotran.runcontrol.RunSpeed
+import robotran.runsound.SoundSample
 import robotran.simulation.Breakpoint
 import robotran.simulation.SessionInput
 import robotran.simulation.state.GoalShortfall
@@ -35,6 +36,12 @@ sealed interface RunEvent : WorkshopEvent {
 
     /** Shows the run at [milliseconds], in the past or future. */
     data class Scrubbed(val milliseconds: Long) : RunEvent
+
+    /** Makes what robots do heard, or no longer, and says so. */
+    data object HearingSwitched : RunEvent
+
+    /** Plays a sound of runs, to be learned. */
+    data class SampleRequested(val sample: SoundSample) : RunEvent
 
     /** Shows the moment and the place of what was missing for a goal. */
     data class ShortfallShown(val shortfall: GoalShortfall) : RunEvent

@@ -11,7 +11,7 @@ sealed interface SettingsEvent : WorkshopEvent {
     /** Gives blocks and programs of the app the words of English, or those of the app language. */
     data class WordsChosen(val inEnglish: Boolean) : SettingsEvent
 
-    /** Turns the brick's sound on or off. */
+    /** Turns all sound on or off. */
     data class SoundSwitched(val on: Boolean) : SettingsEvent
 
     /** Gives the program this part of windows of this [form]; null for as much as Robotran would. */

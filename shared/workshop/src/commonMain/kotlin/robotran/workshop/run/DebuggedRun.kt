@@ -9,6 +9,8 @@ import robotran.runcontrol.PlaybackState
 import robotran.runcontrol.RunPlayer
 import robotran.runcontrol.RunSetup
 import robotran.runcontrol.RunSpeed
+import robotran.runsound.RunSound
+import robotran.runsound.SoundSample
 import robotran.simulation.Breakpoint
 import robotran.simulation.RecordedInput
 import robotran.simulation.physics.PhysicsEngine
@@ -16,6 +18,7 @@ import robotran.workshop.service.Notices
 import robotran.workshop.service.Preferences
 import robotran.workshop.service.ProgramsToRun
 import robotran.workshop.sound.LoudSpeaker
+import robotran.workshop.sound.RunEar
 import robotran.workshop.sound.SoundPlayer
 import robotran.workshop.state.Notice
 import robotran.workshop.state.Snippet
@@ -37,6 +40,7 @@ internal class DebuggedRun(
     val idleDetector = IdleDetector()
     val escape = LoneEscape()
     private val sound = SoundPlayer(speaker)
+    private val ear = RunEar()
     private var loaded = programs.written
 
     /** The programs of the first robot, as they are on its brick. */
@@ -126,6 +130,7 @@ internal class DebuggedRun(
             listen()
             if (!isAfresh) sound.skip()
         }
+        ear.follow(player, world)
         if (player.branchCount != futures) notices.show(Notice.NewBranch)
         futures = player.branchCount
         lines = world.robots.indices.associateWith { breakpoints(it) ?: lines[it].orEmpty() }
@@ -168,7 +173,8 @@ internal class DebuggedRun(
         val isHeard =
             player.speed != RunSpeed.FASTEST &&
                 (player.playback is PlaybackState.Playing || player.playback is PlaybackState.Stepping)
-        if (isHeard) sound.follow() else sound.skip()
+        val tones = ear.take()
+        if (isHeard) sound.follow(tones) else sound.skip()
     }
 
     /** Plays a short tune for a solved task, unless the sound is off. */
@@ -180,10 +186,19 @@ internal class DebuggedRun(
     /** Stops all sound. */
     fun silence() = sound.silence()
 
-    /** Turns the brick's sound on or off. */
-    fun setSound(on: Boolean) {
+    /** Turns all sound [on] or off, and whether the run [isHeard]. */
+    fun setSound(on: Boolean, isHeard: Boolean) {
         sound.muted = !on
+        ear.isOn = on && isHeard
     }
+
+    /** Plays one short sound of the current moment if the run is heard. */
+    fun playMoment() {
+        if (ear.isOn) RunSound.ofMoment(world, player.watched, player.state)?.let(sound::playMoment)
+    }
+
+    /** Plays [sample] unless the sound is off. */
+    fun play(sample: SoundSample) = sound.playTones(sample.tones)
 
     /** While seeking, the shown state may be slightly old, so there is nothing to detect. */
     fun detectIdle() {

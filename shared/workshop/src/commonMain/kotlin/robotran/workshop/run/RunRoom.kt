@@ -15,6 +15,7 @@ import robotran.workshop.service.Services
 import robotran.workshop.service.WindowRoomEvent
 import robotran.workshop.service.WorldRoomEvent
 import robotran.workshop.state.RunPaneState
+import robotran.workshop.state.Settings
 
 /** The room in which programs run. Publishes each change of the run. */
 internal class RunRoom(
@@ -28,7 +29,7 @@ internal class RunRoom(
     private val teller = RunTeller(services, { state }, run::story)
 
     init {
-        run.setSound(services.preferences.settings.soundOn)
+        hear(services.preferences.settings)
     }
 
     fun on(event: RoomEvent) {
@@ -48,7 +49,7 @@ internal class RunRoom(
             }
 
             is ProgramRoomEvent.SnippetRequested -> run.runSnippet(event.snippet)
-            is WindowRoomEvent.SettingsChanged -> run.setSound(event.settings.soundOn)
+            is WindowRoomEvent.SettingsChanged -> hear(event.settings)
 
             is WindowRoomEvent.LanguageChanged -> {
                 run.programsCompiled(programs.compileStatus)
@@ -63,6 +64,8 @@ internal class RunRoom(
             -> Unit
         }
     }
+
+    private fun hear(settings: Settings) = run.setSound(settings.soundOn, isHeard = settings.hearsRun)
 
     fun handle(event: RunEvent) {
         val wasRunning = state.running

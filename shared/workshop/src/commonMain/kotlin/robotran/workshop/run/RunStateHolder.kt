@@ -25,6 +25,7 @@ import robotran.workshop.service.ProjectRoomEvent
 import robotran.workshop.service.Services
 import robotran.workshop.state.CompileStatus
 import robotran.workshop.state.EndedAttempt
+import robotran.workshop.state.Notice
 import robotran.workshop.state.Pane
 import robotran.workshop.state.RunPaneState
 import robotran.workshop.state.Snippet
@@ -86,7 +87,9 @@ class RunStateHolder(
             is RunEvent.RunToLine -> runTo(event.line)
             RunEvent.StartedOver -> starter.startOver()
             is RunEvent.SpeedChosen -> player.speed = event.speed
-            is RunEvent.Scrubbed -> player.seek(event.milliseconds)
+            is RunEvent.Scrubbed -> scrub(event.milliseconds)
+            RunEvent.HearingSwitched -> switchHearing()
+            is RunEvent.SampleRequested -> run.play(event.sample)
             is RunEvent.ShortfallShown -> showShortfall(event.shortfall)
             RunEvent.StoryRequested -> navigator.show(Pane.WORLD)
             is RunEvent.DebuggedRobotChosen -> stopLocation.choose(event.robot)
@@ -181,8 +184,8 @@ class RunStateHolder(
     /** Plays a short tune for a solved task. */
     fun celebrate() = run.playTune()
 
-    /** Turns the brick's sound on or off. */
-    fun setSound(on: Boolean) = run.setSound(on)
+    /** Turns all sound [on] or off, and whether the run [isHeard]. */
+    fun setSound(on: Boolean, isHeard: Boolean) = run.setSound(on, isHeard)
 
     /** Releases the session. No function may be called afterwards. */
     fun close() = run.close()
@@ -222,6 +225,18 @@ class RunStateHolder(
     private fun resume(how: () -> Unit) {
         drawer.willResume(player, isStep = false)
         how()
+    }
+
+    private fun scrub(milliseconds: Long) {
+        player.seek(milliseconds)
+        run.playMoment()
+    }
+
+    private fun switchHearing() = with(services.preferences) {
+        val on = !settings.hearsRun
+        change(settings.copy(hearsRun = on))
+        if (!on) run.silence()
+        notices.show(Notice.RunHeard(on, isMuted = on && !settings.soundOn))
     }
 
     private fun showShortfall(shortfall: GoalShortfall) {

@@ -1,5 +1,7 @@
 package robotran.workshop.sound
 
+import robotran.runsound.Timbre
+
 /**
  * Plays a brick's tones on this machine. It has its own clock, plays each tone at its time on that clock, and plays one
  * tone at a time: a later tone ends an earlier one. All calls return at once. Without audio output it stays silent.
@@ -28,17 +30,23 @@ interface LoudSpeaker {
  * @property hertz 31 to 20,000.
  * @property duration in milliseconds.
  * @property volume 0 to 1.
- * @property isSoft whether it is a sine, as of a loudspeaker that plays samples, instead of the square wave of an RCX.
+ * @property timbre the square wave of an RCX, or another; a brick whose loudspeaker plays samples has a sine.
+ * @property pan where it is heard: -1 left, 1 right, 0 in the middle, where it is as loud in both ears as without.
  */
 data class PlannedTone(
     val start: Double,
     val hertz: Double,
     val duration: Double,
     val volume: Double = 1.0,
-    val isSoft: Boolean = false,
+    val timbre: Timbre = Timbre.SQUARE,
+    val pan: Double = 0.0,
 ) {
     /** The end in milliseconds. */
     val end: Double get() = start + duration
+
+    /** The part of it that reaches the left and the right ear, 0 to 1. */
+    val left: Double get() = minOf(1.0, 1.0 - pan)
+    val right: Double get() = minOf(1.0, 1.0 + pan)
 }
 
 /** Plays nothing, for machines without sound and tests. */

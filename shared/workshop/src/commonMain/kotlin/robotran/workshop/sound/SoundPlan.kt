@@ -1,6 +1,8 @@
 package robotran.workshop.sound
 
 import robotran.brick.sound.SoundEvent
+import robotran.runsound.RunTone
+import robotran.runsound.Timbre
 
 /**
  * Schedules a brick's tones, in virtual time, on the real-time clock of a [LoudSpeaker].
@@ -9,20 +11,38 @@ import robotran.brick.sound.SoundEvent
  * motion a tone starts when its event arrives, with its normal pitch and length. In fast motion tones also keep pitch
  * and length; a tone that would have to wait for others is dropped, so tones do not queue up.
  *
- * @param isSoft see [PlannedTone.isSoft].
+ * The tones of a run ([RunTone]) share this time, and never sound while the brick does.
+ *
+ * @param timbre that of the brick's tones.
  */
-class SoundPlan(private val speaker: LoudSpeaker, private val isSoft: Boolean = false) {
+class SoundPlan(private val speaker: LoudSpeaker, private val timbre: Timbre = Timbre.SQUARE) {
     /** The speaker's time at the brick's time 0; null before the first tone. */
     private var offset: Double? = null
     private var latest: Playing? = null
     private var busyUntil = 0.0
 
-    /** Schedules the events since the last call. They may arrive late. */
-    fun add(events: List<SoundEvent>) = events.forEach { event ->
-        when (event) {
-            is SoundEvent.Tone -> play(event)
-            is SoundEvent.Cut -> latest?.let { cut(it, event) }
+    /** When the brick's last tone ends. */
+    private var brickUntil = 0.0
+
+    /** Schedules the brick's [events] since the last call, and [tones] of the run in the same time. They may arrive late. */
+    fun add(events: List<SoundEvent>, tones: List<RunTone> = emptyList()) {
+        var next = 0
+        for (event in events) {
+            while (next < tones.size && tones[next].milliseconds < event.milliseconds) play(tones[next++])
+            when (event) {
+                is SoundEvent.Tone -> play(event)
+                is SoundEvent.Cut -> latest?.let { cut(it, event) }
+            }
         }
+        while (next < tones.size) play(tones[next++])
+    }
+
+    private fun play(tone: RunTone) {
+        val start = placeOf(tone.milliseconds) ?: return
+        if (start < brickUntil) return
+        val planned = tone.plannedAt(start)
+        speaker.play(planned)
+        busyUntil = planned.end
     }
 
     private fun play(tone: SoundEvent.Tone) {
@@ -32,9 +52,10 @@ class SoundPlan(private val speaker: LoudSpeaker, private val isSoft: Boolean = 
             return
         }
         val volume = tone.volume / FULL_VOLUME
-        val planned = PlannedTone(start, tone.hertz, tone.durationMilliseconds.toDouble(), volume, isSoft)
+        val planned = PlannedTone(start, tone.hertz, tone.durationMilliseconds.toDouble(), volume, timbre)
         speaker.play(planned)
         busyUntil = planned.end
+        brickUntil = planned.end
         latest = Playing(tone.milliseconds, planned)
     }
 
@@ -44,6 +65,7 @@ class SoundPlan(private val speaker: LoudSpeaker, private val isSoft: Boolean = 
         if (end < playing.tone.end) {
             speaker.endAt(end)
             busyUntil = end
+            brickUntil = end
         }
         latest = null
     }
@@ -78,3 +100,6 @@ class SoundPlan(private val speaker: LoudSpeaker, private val isSoft: Boolean = 
         private const val FULL_VOLUME = 100.0
     }
 }
+
+/** This tone on the clock of a loudspeaker, from [start] on. */
+internal fun RunTone.plannedAt(start: Double) = PlannedTone(start, hertz, duration.toDouble(), loudness, timbre, pan)

@@ -186,6 +186,9 @@ sealed interface Notice {
     /** ESCAPE alone does not end the program of an NXT. */
     data object EscapeAlone : Notice
 
+    /** Runs can be heard now, or [on] is false; [isMuted] is whether nothing sounds because the sound is off. */
+    data class RunHeard(val on: Boolean, val isMuted: Boolean) : Notice
+
     /** A manual input has replaced the later part of the run. */
     data object NewBranch : Notice
 

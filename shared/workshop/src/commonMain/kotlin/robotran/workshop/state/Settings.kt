@@ -18,6 +18,7 @@ import robotran.projects.ProgramView
  * @property cameraKind from where they are then seen: as chosen last.
  * @property lessMotion whether animations are reduced; null for as the system is told.
  * @property tellsRuns whether each run is told in words when it ends.
+ * @property hearsRun whether what a robot does can be heard, for those who cannot see the sheet.
  * @property panes the sizes of panes that the pupil chose on this machine.
  * @property site the base URL of links if the app has none of its own; empty if not set.
  */
@@ -30,6 +31,7 @@ data class Settings(
     val textScale: Float = 1f,
     val codeSize: Float = DEFAULT_CODE_SIZE,
     val soundOn: Boolean = true,
+    val hearsRun: Boolean = false,
     val programView: ProgramView = ProgramView.TEXT,
     val lessMotion: Boolean? = null,
     val tellsRuns: Boolean = false,

@@ -7,6 +7,9 @@ import io.kotest.property.arbitrary.list
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
 import robotran.brick.sound.SoundEvent
+import robotran.runsound.RunSign
+import robotran.runsound.RunTone
+import robotran.runsound.Timbre
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertTrue
@@ -44,8 +47,11 @@ class SoundPlanTest {
 
     @Test
     fun `a tone keeps the volume of its brick, and an NXT's are soft`() {
-        SoundPlan(speaker, isSoft = true).add(listOf(SoundEvent.Tone(0, 440.0, 100, volume = 40)))
-        assertEquals(PlannedTone(SoundPlan.LEAD, 440.0, 100.0, volume = 0.4, isSoft = true), speaker.tones.single())
+        SoundPlan(speaker, timbre = Timbre.SINE).add(listOf(SoundEvent.Tone(0, 440.0, 100, volume = 40)))
+        assertEquals(
+            PlannedTone(SoundPlan.LEAD, 440.0, 100.0, volume = 0.4, timbre = Timbre.SINE),
+            speaker.tones.single(),
+        )
     }
 
     @Test
@@ -135,6 +141,42 @@ class SoundPlanTest {
                     ),
                 )
                 clock.tones.lastOrNull()?.let { assertTrue(it.start <= clock.milliseconds + SoundPlan.MAX_AHEAD) }
+            }
+        }
+    }
+
+    private fun tick(milliseconds: Long, duration: Int = 10) =
+        RunTone(milliseconds, RunSign.WHEEL, 800.0, duration, -0.5, Timbre.SAWTOOTH, 0.5)
+
+    @Test
+    fun `a tone of the run keeps its place between the ears, its timbre and its loudness`() {
+        plan.add(emptyList(), listOf(tick(20)))
+        assertEquals(PlannedTone(60.0, 800.0, 10.0, 0.5, Timbre.SAWTOOTH, -0.5), speaker.tones.single())
+    }
+
+    @Test
+    fun `tones of the run and of the brick are played in the order of their times`() {
+        plan.add(listOf(SoundEvent.Tone(40, 440.0, 100)), listOf(tick(0), tick(20), tick(160)))
+        assertEquals(listOf(800.0, 800.0, 440.0, 800.0), speaker.tones.map { it.hertz })
+        assertEquals(speaker.tones.map { it.start }.sorted(), speaker.tones.map { it.start })
+    }
+
+    @Test
+    fun `no tone of the run begins while the brick sounds, at any speed`() = runBlocking {
+        val times = Arb.list(Arb.int(0..5_000), 1..80)
+        checkAll(200, times, times, Arb.double(0.1, 10.0)) { beeps, ticks, speed ->
+            val loud = RecordingSpeaker()
+            val own = SoundPlan(loud)
+            for (from in 0..5_000 step 20) {
+                loud.milliseconds = from / speed
+                val events = beeps.filter {
+                    it in from..<from + 20
+                }.sorted().map { SoundEvent.Tone(it.toLong(), 440.0, 90) }
+                own.add(events, ticks.filter { it in from..<from + 20 }.sorted().map { tick(it.toLong()) })
+            }
+            var until = 0.0
+            for (tone in loud.tones) {
+                if (tone.hertz == 440.0) until = tone.end else assertTrue(tone.start >= until, "$tone at $speed")
             }
         }
     }

@@ -4,6 +4,7 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.double
 import io.kotest.property.checkAll
 import kotlinx.coroutines.runBlocking
+import robotran.runsound.Timbre
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.cos
@@ -17,10 +18,18 @@ import kotlin.test.assertTrue
 class ToneWaveTest {
     private val wave = ToneWave()
 
-    private fun ToneWave.take(milliseconds: Int, part: Int = 221): List<Int> {
+    private fun ToneWave.take(milliseconds: Int, part: Int = 221): List<Int> = takeBoth(milliseconds, part).map {
+        it.first
+    }
+
+    /** The samples for the left and for the right ear. */
+    private fun ToneWave.takeBoth(milliseconds: Int, part: Int = 221): List<Pair<Int, Int>> {
         val wanted = milliseconds * ToneWave.SAMPLE_RATE / 1000
-        val samples = mutableListOf<Int>()
-        while (samples.size < wanted) samples += ShortArray(part).also { fill(it) }.map { it.toInt() }
+        val samples = mutableListOf<Pair<Int, Int>>()
+        while (samples.size < wanted) {
+            val both = ShortArray(ToneWave.CHANNELS * part).also { fill(it) }
+            samples += both.toList().chunked(ToneWave.CHANNELS) { (left, right) -> left.toInt() to right.toInt() }
+        }
         return samples.take(wanted)
     }
 
@@ -72,9 +81,9 @@ class ToneWaveTest {
 
     @Test
     fun `a soft tone has no overtones, the other has`() {
-        val (soft, hard) = listOf(true, false).map { isSoft ->
+        val (soft, hard) = listOf(Timbre.SINE, Timbre.SQUARE).map { timbre ->
             val tone = ToneWave()
-            tone.play(PlannedTone(0.0, 440.0, 1_000.0, isSoft = isSoft))
+            tone.play(PlannedTone(0.0, 440.0, 1_000.0, timbre = timbre))
             tone.take(500).drop(at(5.0))
         }
         assertTrue(soft.strengthOf(3 * 440.0) < soft.strengthOf(440.0) / 50)
@@ -136,5 +145,42 @@ class ToneWaveTest {
         tones.forEach(other::play)
         assertEquals(wave.take(400, part = 64), other.take(400, part = 1_000))
         assertFalse(other.milliseconds < 400.0)
+    }
+
+    @Test
+    fun `a tone in the middle is the same in both ears, one at the side in its own alone`() {
+        for ((pan, ears) in listOf(0.0 to setOf(1, 2), -1.0 to setOf(1), 1.0 to setOf(2))) {
+            val tone = ToneWave()
+            tone.play(PlannedTone(0.0, 440.0, 200.0, pan = pan))
+            val both = tone.takeBoth(100)
+            val heard = setOfNotNull(1.takeIf { both.any { it.first != 0 } }, 2.takeIf { both.any { it.second != 0 } })
+            assertEquals(ears, heard, "$pan")
+            if (pan == 0.0) assertTrue(both.all { it.first == it.second })
+        }
+    }
+
+    @Test
+    fun `a tone that goes on in the other ear has no jump`() {
+        wave.play(PlannedTone(0.0, 200.0, 50.0, timbre = Timbre.SINE, pan = -1.0))
+        wave.play(PlannedTone(50.0, 200.0, 50.0, timbre = Timbre.SINE, pan = 1.0))
+        val right = wave.takeBoth(90).map { it.second }
+        assertTrue(right.zipWithNext { one, next -> abs(next - one) }.max() < 500)
+        assertTrue(right.drop(at(53.0)).any { abs(it) > 4_000 })
+    }
+
+    @Test
+    fun `a saw has all overtones`() {
+        wave.play(PlannedTone(0.0, 440.0, 1_000.0, timbre = Timbre.SAWTOOTH))
+        val samples = wave.take(500).drop(at(5.0))
+        assertTrue(samples.strengthOf(2 * 440.0) > samples.strengthOf(440.0) / 4)
+        assertTrue(samples.all { abs(it) < 12_000 } && abs(samples.average()) < 300)
+    }
+
+    @Test
+    fun `the tones of a brick are the samples that they have always been`() {
+        wave.play(PlannedTone(0.0, 440.0, 100.0))
+        wave.play(PlannedTone(120.0, 2_000.0, 30.0, volume = 0.4))
+        wave.play(PlannedTone(150.0, 523.25, 50.0))
+        assertEquals(-653_077_398, wave.take(210).fold(7) { hash, sample -> 31 * hash + sample })
     }
 }

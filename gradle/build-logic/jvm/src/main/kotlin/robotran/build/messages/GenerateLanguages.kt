@@ -35,12 +35,13 @@ fun languageEnum(languages: List<SpokenLanguage>): String = """
     |package robotran.language
     |
     |/**
-    | * The languages of the user interface and its messages. The keywords of Robolang and Java are the same in all of
-    | * them, and no run depends on the language.
+    | * The languages of the user interface and its messages. Robolang has words in each, and no run depends on the
+    | * language.
     | *
     | * @property tag the language tag as in BCP 47 and in the names of resource folders.
     | * @property ownName the language's name in the language itself.
     | * @property decimalSign in a measured number such as `1.5`.
+    | * @property isRightToLeft whether it is read from right to left.
     | * @property groupSign between thousands in numbers of more than [ungroupedDigits] digits.
     | */
     |enum class Language(
@@ -49,6 +50,7 @@ fun languageEnum(languages: List<SpokenLanguage>): String = """
     |    val decimalSign: Char,
     |    internal val groupSign: String,
     |    internal val ungroupedDigits: Int,
+    |    val isRightToLeft: Boolean,
     |) {
     |${languages.joinToString("\n") { "    " + entry(it) }}
     |    ;
@@ -68,5 +70,5 @@ fun languageEnum(languages: List<SpokenLanguage>): String = """
     """.trimMargin()
 
 private fun entry(language: SpokenLanguage): String = with(language) {
-    "$constant(\"$tag\", \"${escaped(ownName)}\", '$decimalSign', \"$groupSign\", $ungroupedDigits),"
+    "$constant(\"$tag\", \"${escaped(ownName)}\", '$decimalSign', \"$groupSign\", $ungroupedDigits, $isRightToLeft),"
 }

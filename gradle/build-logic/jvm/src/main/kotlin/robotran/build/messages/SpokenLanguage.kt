@@ -6,6 +6,7 @@ package robotran.build.messages
  * @property tag as in BCP 47.
  * @property constant its name in code.
  * @property groupSign between thousands in numbers of more than [ungroupedDigits] digits.
+ * @property isRightToLeft whether it is read from right to left.
  * @property singular the whole numbers that take the `one` arm of a plural.
  */
 class SpokenLanguage(
@@ -16,6 +17,7 @@ class SpokenLanguage(
     val groupSign: String,
     val ungroupedDigits: Int,
     val singular: List<Int>,
+    val isRightToLeft: Boolean = false,
 ) {
     /** Of the generated classes, such as `German`. */
     val className: String get() = constant.split('_').joinToString("") {
@@ -25,7 +27,7 @@ class SpokenLanguage(
 
 /**
  * Reads the rows of a Markdown table: tag, constant, own name, decimal sign, sign between thousands, digits without it,
- * numbers in the singular. Signs are in backticks.
+ * numbers in the singular, direction. Signs are in backticks.
  */
 fun readLanguages(path: String, text: String): List<SpokenLanguage> =
     text.lines().filter { it.startsWith("| ") }.drop(1).map { row ->
@@ -40,9 +42,17 @@ fun readLanguages(path: String, text: String): List<SpokenLanguage> =
             groupSign,
             cells[UNGROUPED].toInt(),
             cells[SINGULAR].split(',').map { it.trim().toInt() },
+            isRightToLeft(path, cells[DIRECTION]),
         )
     }
 
-private const val COLUMNS = 7
+private fun isRightToLeft(path: String, direction: String): Boolean = when (direction) {
+    "right" -> false
+    "left" -> true
+    else -> throw CatalogueException("$path: a line goes on to the right or to the left, not to $direction")
+}
+
+private const val COLUMNS = 8
 private const val UNGROUPED = 5
 private const val SINGULAR = 6
+private const val DIRECTION = 7

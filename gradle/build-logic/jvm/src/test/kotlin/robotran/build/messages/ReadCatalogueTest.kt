@@ -12,10 +12,10 @@ class ReadCatalogueTest {
     private val languages = readLanguages(
         "languages.md",
         """
-            | tag | constant | own name | decimal sign | sign between thousands | digits without it | numbers in the singular |
-            |---|---|---|---|---|---|---|
-            | en | ENGLISH | English | `.` | `,` | 3 | 1 |
-            | pt-BR | BRAZILIAN_PORTUGUESE | Português | `,` | `.` | 3 | 0, 1 |
+            | tag | constant | own name | decimal sign | sign between thousands | digits without it | numbers in the singular | a line goes on to the |
+            |---|---|---|---|---|---|---|---|
+            | en | ENGLISH | English | `.` | `,` | 3 | 1 | right |
+            | pt-BR | BRAZILIAN_PORTUGUESE | Português | `,` | `.` | 3 | 0, 1 | right |
         """.trimIndent(),
     )
 

@@ -83,6 +83,7 @@ object WorldTags {
     const val SHEET_FURTHER = "sheet-further"
     const val SHEET_MEASURE = "sheet-measure"
     const val SHEET_NEARER = "sheet-nearer"
+    const val HEAR_RUN = "hear-run"
     const val SHEET_SHOW = "sheet-show"
     const val SHEET_SURROUNDINGS = "sheet-surroundings"
     const val SHEET_WHOLE = "sheet-whole"

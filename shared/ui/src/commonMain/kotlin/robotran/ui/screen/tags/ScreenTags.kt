@@ -1,5 +1,6 @@
 package robotran.ui.screen.tags
 
+import robotran.runsound.SoundSample
 import robotran.workshop.state.Pane
 
 /** The tags of the screen around the rooms, by which tests and the page find what is on the screen. */
@@ -52,11 +53,14 @@ object ScreenTags {
     const val SOLVED_HAND_IN = "solved-hand-in"
     const val SOLVED_NEXT = "solved-next"
     const val SOLVED_WORLDS = "solved-worlds"
+    const val HEARING_SETTING = "hearing-setting"
     const val SOUND_SETTING = "sound-setting"
     const val TEXT_SIZE = "text-size"
     const val TELL_RUNS = "tell-runs"
     const val THEME = "theme"
     const val WORLDS = "worlds"
+
+    fun sample(sample: SoundSample) = "sample-${sample.name.lowercase()}"
 
     fun solved(world: String) = "solved-$world"
 
