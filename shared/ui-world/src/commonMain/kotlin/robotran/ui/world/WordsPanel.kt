@@ -26,7 +26,6 @@ import robotran.ui.sheet.ShownWorld
 import robotran.ui.world.tags.WorldTags
 import robotran.ui.world.texts.SheetTexts
 import robotran.uikit.*
-import robotran.workshop.event.SheetEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.SheetWords
 
@@ -75,6 +74,7 @@ private class Asked {
 internal fun WordsPanel(
     shown: ShownWorld,
     sentences: List<String>,
+    onClose: () -> Unit,
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
 ) {
@@ -92,9 +92,7 @@ internal fun WordsPanel(
             ) {
                 for (sentence in sentences) Text(sentence, style = TextStyles.body, color = colours.onPane)
             }
-            IconButton(Icon.CLOSE, SheetTexts.closeWords(spoken), WorldTags.CLOSE_WORDS) {
-                onEvent(SheetEvent.WordsChanged(null))
-            }
+            IconButton(Icon.CLOSE, SheetTexts.closeWords(spoken), WorldTags.CLOSE_WORDS, onClick = onClose)
         }
         Row(Modifier.horizontalScroll(rememberScrollState()).padding(horizontal = 4.dp)) {
             for (kind in WordsKind.entries) {

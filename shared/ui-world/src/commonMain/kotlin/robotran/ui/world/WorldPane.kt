@@ -12,6 +12,8 @@ import androidx.compose.runtime.remember
 import androidx.compose.runtime.rememberUpdatedState
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.focus.FocusRequester
+import androidx.compose.ui.focus.focusRequester
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.customActions
@@ -78,18 +80,24 @@ fun WorldPane(
     val shown = ShownWorld(world, session, dancing(session, marks.isSolved), view)
     val sentences = rememberSentences(view.words, shown)
     val inputs = rememberOncePerFrame { onEvent(RunEvent.SessionTouched(it)) }
+    val focus = remember { FocusRequester() }
+    val closeWords = {
+        // What had the focus goes.
+        focus.requestFocus()
+        onEvent(SheetEvent.WordsChanged(null))
+    }
     BoxWithConstraints(modifier.fillMaxSize()) {
         val room = SheetRoom.of(world, maxWidth, maxHeight, view.tellsRuns)
         Column(Modifier.fillMaxSize()) {
             // Beside the buttons, which stay where they are.
             if (view.words != null) {
-                WordsPanel(shown, sentences, onEvent, Modifier.padding(start = room.aside.left))
+                WordsPanel(shown, sentences, closeWords, onEvent, Modifier.padding(start = room.aside.left))
             }
-            Box(Modifier.weight(1f)) {
+            Box(Modifier.weight(1f).focusRequester(focus)) {
                 if (view.isIn3D) {
                     TouchableSpace(shown, marks, room.aside, inputs, onEvent)
                 } else {
-                    TouchableSheet(shown, marks, sentences, room.aside, inputs, onEvent)
+                    TouchableSheet(shown, marks, ExploredWords(sentences, closeWords), room.aside, inputs, onEvent)
                 }
             }
         }
@@ -107,11 +115,14 @@ fun WorldPane(
     }
 }
 
+/** What the explorer says, and what puts it away. */
+private class ExploredWords(val sentences: List<String>, val close: () -> Unit)
+
 @Composable
 private fun TouchableSheet(
     shown: ShownWorld,
     marks: WorldMarks,
-    sentences: List<String>,
+    explored: ExploredWords,
     aside: DpRect,
     inputs: FrameThrottledInput,
     onEvent: (WorkshopEvent) -> Unit,
@@ -169,8 +180,9 @@ private fun TouchableSheet(
         val places = HandlePlaces { pose, reach -> HandlePlace(sheet.toPixels(pose.x, pose.y), sheet.toPixels(reach)) }
         ElementHandles(world, session, announced, places, inputs::sendNow, { onEvent(SheetEvent.ElementChosen(it)) })
         if (cross != null) {
-            ExploringCross(cross, sentences.joinToString(" "), sheet) { place ->
-                onEvent(SheetEvent.WordsChanged(place?.let { SheetWords.Explored(explorable(it, world)) }))
+            ExploringCross(cross, explored.sentences.joinToString(" "), sheet) { place ->
+                val moved = place?.let { SheetWords.Explored(explorable(it, world)) }
+                if (moved == null) explored.close() else onEvent(SheetEvent.WordsChanged(moved))
             }
         }
         if (measuring != null) MeasuringHandles(measuring, things, sheet, measure)

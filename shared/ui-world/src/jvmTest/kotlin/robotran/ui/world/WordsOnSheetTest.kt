@@ -85,6 +85,7 @@ class WordsOnSheetTest {
         onNodeWithTag(WorldTags.EXPLORING_CROSS).performKeyInput { pressKey(Key.Escape) }
         settle()
         assertNull(workshop.state.sheet.words)
+        sheet.assertIsFocused()
         assertTrue(workshop.inputs.isEmpty(), "${workshop.inputs}")
     }
 
