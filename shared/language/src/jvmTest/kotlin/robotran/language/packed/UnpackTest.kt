@@ -33,7 +33,8 @@ class UnpackTest {
         deflater.setInput(text.encodeToByteArray())
         deflater.finish()
         val bytes = ByteArray(text.length * 5 + 1_000)
-        val count = deflater.deflate(bytes)
+        var count = 0
+        while (!deflater.finished()) count += deflater.deflate(bytes, count, bytes.size - count)
         deflater.end()
         return (0..<count).map { (bytes[it].toInt() and 0xff).toChar() }.joinToString("").chunked(4_000)
     }

@@ -40,6 +40,10 @@ abstract class GenerateTexts : DefaultTask() {
     @get:OutputDirectory
     abstract val outputFolder: DirectoryProperty
 
+    init {
+        packed.convention(false)
+    }
+
     @TaskAction
     fun generate() {
         val found = mutableMapOf<String, String>()

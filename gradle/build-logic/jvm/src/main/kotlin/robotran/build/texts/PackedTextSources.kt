@@ -76,7 +76,8 @@ internal fun packed(text: String): String {
     deflater.setInput(bytes)
     deflater.finish()
     val room = ByteArray(bytes.size + bytes.size / 8 + 64)
-    val count = deflater.deflate(room)
+    var count = 0
+    while (!deflater.finished()) count += deflater.deflate(room, count, room.size - count)
     deflater.end()
     return buildString(count) { for (index in 0..<count) append((room[index].toInt() and 0xff).toChar()) }
 }
