@@ -48,10 +48,10 @@ test('a program in English is built in German blocks by touch, runs, and is show
     await tap(page, 'view-switch');
     await tap(page, 'view-text');
     await appears(page, 'program');
-    assert.match(await programText(page), /^repeat 4 times\n {2}forward 20\n {2}turn right 90\n {2}wait 1 second\nend/);
+    assert.match(await programText(page), /^repeat 4 times\n\s+forward 20\n\s+turn right 90\n\s+wait 1 second\nend/);
     await choose(page, 'words-de');
     await says(page, 'program', /wiederhole 4 mal/);
-    assert.match(await programText(page), /^wiederhole 4 mal\n {2}vorwärts 20\n {2}drehe rechts 90\n {2}warte 1 sekunde\nende/);
+    assert.match(await programText(page), /^wiederhole 4 mal\n\s+vorwärts 20\n\s+drehe rechts 90\n\s+warte 1 sekunde\nende/);
     await photograph(page, 'words-german-text');
     assert.deepEqual(troubles, []);
   }));
