@@ -64,10 +64,21 @@ export function journeyOf(page, hand, language = 'en') {
   const setNumber = (block, socket, number, skip = 0) => builder.setNumber(like(block), like(socket), number, skip);
   const picture = (name) => photograph(page, language === 'en' ? name : `${name}-${language}`);
 
-  /** Runs the step's program, and waits until its task is done. */
+  /** Runs the step's program, and waits until its task is done. On a phone, where the task is folded, a card says so. */
   async function solves() {
+    const isFolded = (await words(page, 'task-status').count()) === 0;
     await hand.press('run');
-    await says(page, 'task-status', spoken.done);
+    if (isFolded) await appears(page, 'solved-card');
+    else await says(page, 'task-status', spoken.done);
+  }
+
+  /** Shows the blocks, in whose place a phone has the lesson or the world. */
+  async function goToBlocks() {
+    for (const tag of ['to-program', 'tab-program', 'to-program']) {
+      if ((await words(page, 'block-pane').count()) > 0) return;
+      if ((await words(page, tag).count()) > 0) await hand.press(tag);
+    }
+    await appears(page, 'block-pane');
   }
 
   async function goOn() {
@@ -82,9 +93,7 @@ export function journeyOf(page, hand, language = 'en') {
     if (!isChosen) await hand.press('first-blocks');
     await hand.press('try-tutorial');
     await appears(page, 'hint-wanted');
-    // On a phone the lesson is in the place of the program.
-    if ((await words(page, 'to-program').count()) > 0) await hand.press('to-program');
-    await appears(page, 'block-pane');
+    await goToBlocks();
   }
 
   /** The robot drives as fast as the machine allows, so that the test waits less for it. */
@@ -195,7 +204,7 @@ export function journeyOf(page, hand, language = 'en') {
     await says(page, 'goal-chip', spoken.allMet);
   }
 
-  return { beginTutorial, hurry, buildFirstStep, buildFirstSteps, buildMaze, meetsGoals, solves, show, setNumber, builder };
+  return { beginTutorial, hurry, goToBlocks, buildFirstStep, buildFirstSteps, buildMaze, meetsGoals, solves, show, builder };
 }
 
 /** `piece` with letters around it that are no letters. */

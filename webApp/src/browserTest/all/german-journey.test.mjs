@@ -142,6 +142,7 @@ test('a phone in French builds the first lesson in French blocks, with a decimal
     await journey.hurry();
     await journey.buildFirstStep();
 
+    await journey.goToBlocks();
     const { builder } = journey;
     await builder.goTo(/^avance 25/);
     await builder.add(['control', 'wait']);
@@ -152,6 +153,8 @@ test('a phone in French builds the first lesson in French blocks, with a decimal
     await journey.show('forward 30', 'turn left 90', 'forward 25', 'wait 3,5');
     await photograph(page, 'journey-comma-fr');
     await isKept(page, 'attends 3.5');
+    await disappears(page, 'solved-card');
     await journey.solves();
+    await photograph(page, 'journey-solved-fr');
     assert.deepEqual(troubles, []);
   }));
