@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
-import { fingerOn } from '../blocks.mjs';
+import { blockSaying, fingerOn } from '../blocks.mjs';
 import { asTeacher, chosen, downloaded, openFile, showText, type } from '../class.mjs';
 import { journeyOf } from '../journey.mjs';
 import { isKept } from '../kept.mjs';
@@ -140,7 +140,7 @@ test('a phone in French builds the first lesson in French blocks, with a decimal
     await journey.beginTutorial();
     await photograph(page, 'journey-lesson-fr');
     await journey.hurry();
-    await journey.buildFirstStep();
+    await journey.buildFirstStep({ isAllInSight: false });
 
     await journey.goToBlocks();
     const { builder } = journey;
@@ -150,7 +150,7 @@ test('a phone in French builds the first lesson in French blocks, with a decimal
     assert.equal(await words(page, 'digit-.').textContent(), ',');
     await photograph(page, 'journey-pad-fr');
     await builder.typeNumber(3.5);
-    await journey.show('forward 30', 'turn left 90', 'forward 25', 'wait 3,5');
+    await blockSaying(page, /^attends 3,5/);
     await photograph(page, 'journey-comma-fr');
     await isKept(page, 'attends 3.5');
     await disappears(page, 'solved-card');
