@@ -241,6 +241,12 @@ export function builderWith(page, hand) {
     }
     await appears(page, 'block-sheet');
   };
+  /** Types the number on the pad that is open, and closes it. */
+  const typeNumber = async (number) => {
+    for (const digit of `${number}`.replace('-', '')) await hand.press(`digit-${digit}`);
+    if (number < 0) await hand.press('digit--');
+    await closeSheet();
+  };
   return {
     /** Puts the cursor at the block that says `pattern`. */
     async goTo(pattern, skip = 0) {
@@ -266,10 +272,10 @@ export function builderWith(page, hand) {
     /** Replaces the number that says `socket` in the block that says `block`. */
     async setNumber(block, socket, number, skip = 0) {
       await openSocket(block, socket, skip);
-      for (const digit of `${number}`.replace('-', '')) await hand.press(`digit-${digit}`);
-      if (number < 0) await hand.press('digit--');
-      await closeSheet();
+      await typeNumber(number);
     },
+    openSocket,
+    typeNumber,
     /** Makes another choice: the button that says `choice`. If several sockets say `socket`, it is the one at `place`. */
     async choose(block, socket, choice, skip = 0, place = 0) {
       await openSocket(block, socket, skip, place);

@@ -5,6 +5,7 @@ import { mkdtemp, readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { builderWith, fingerOn } from '../blocks.mjs';
+import { asTeacher, chosen, downloaded, openFile, showText, type } from '../class.mjs';
 import { isKept, savedProjects } from '../kept.mjs';
 import { linkTo } from '../link.mjs';
 import { isReady, photograph, reload } from '../page.mjs';
@@ -44,36 +45,6 @@ const world = {
 };
 const worldLink = linkTo('w', world);
 
-/** Saves what is downloaded while `act` runs in `folder`, and returns its path. */
-async function downloaded(page, folder, act) {
-  const [download] = await Promise.all([page.waitForEvent('download', { timeout: 60_000 }), act()]);
-  const file = path.join(folder, download.suggestedFilename());
-  await download.saveAs(file);
-  return file;
-}
-
-/** Chooses `files` in the dialog that opens while `act` runs. */
-async function chosen(page, files, act) {
-  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), act()]);
-  await chooser.setFiles(files);
-}
-
-/** Taps into the field `tag` and types `text` in place of what is there, as with a keyboard on the screen. */
-async function type(page, finger, tag, text) {
-  await finger.press(tag);
-  await page.waitForFunction(() => document.activeElement?.tagName === 'TEXTAREA');
-  await page.keyboard.press('Control+a');
-  await page.keyboard.press('Delete');
-  await page.keyboard.insertText(text);
-}
-
-/** Shows the program as text, whatever it was before. */
-async function showText(page, finger) {
-  await finger.press('view-switch');
-  await finger.press('view-text');
-  await appears(page, 'program');
-}
-
 /** Shows the card of the task, which may be hidden after a reload, with the tries. */
 async function showTask(page, finger) {
   for (let attempt = 0; attempt < 5; attempt++) {
@@ -85,40 +56,6 @@ async function showTask(page, finger) {
     }
   }
   await appears(page, 'assignment-tries');
-}
-
-/** Opens the menu of the project and chooses a file, behind "Files and more". */
-async function openFile(page, finger) {
-  await finger.press('work-menu');
-  for (const item of ['work-more', 'work-open']) await choose(page, finger, item);
-}
-
-/** Opens what is for teachers, and there presses `button`. */
-async function asTeacher(page, finger, button) {
-  await finger.press('menu');
-  await choose(page, finger, 'menu-teachers');
-  await finger.press(button);
-}
-
-/** Chooses `item` in an open menu; it may have to be scrolled to. A menu that has just opened may miss a touch. */
-async function choose(page, finger, item) {
-  for (let attempt = 0; attempt < 5; attempt++) {
-    const place = await finger.placeOf(item);
-    const below = place.top + place.height - page.viewportSize().height;
-    if (below > 0) {
-      const from = { x: place.x, y: page.viewportSize().height - 60 };
-      await finger.drag(from, { x: from.x, y: from.y - below - 60 });
-      continue;
-    }
-    await page.touchscreen.tap(place.x, place.y);
-    try {
-      await words(page, item).waitFor({ state: 'detached', timeout: 3_000 });
-      return;
-    } catch {
-      // The menu is still open: try again.
-    }
-  }
-  throw new Error(`${item} cannot be chosen`);
 }
 
 test('a class from the assignment to the feedback, by touch', { timeout: 600_000 }, async () => {

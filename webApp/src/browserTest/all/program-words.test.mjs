@@ -5,7 +5,7 @@ import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage } from '../set-up.mjs';
 import { test } from '../tried-again.mjs';
-import { appears, disappears, reports, tap, words, writeProgram } from '../words.mjs';
+import { appears, disappears, programText, reports, says, tap, words, writeProgram } from '../words.mjs';
 
 const GERMAN_TABLET = { width: 1180, height: 820, hasTouch: true, locale: 'de-DE' };
 
@@ -18,30 +18,41 @@ async function inBlocks(page) {
   await appears(page, 'block-pane');
 }
 
-/** Chooses the words of a language, by its tag, in the menu of the program. */
-async function chooseWords(page, language) {
+/** Chooses `item` in the menu of the program. */
+async function choose(page, item) {
   await tap(page, 'editor-more');
-  await appears(page, `words-${language}`);
-  await tap(page, `words-${language}`);
-  await disappears(page, `words-${language}`);
+  await appears(page, item);
+  await tap(page, item);
+  await disappears(page, item);
 }
 
-test('blocks are built in German words by touch, run, and go back to English', () =>
+test('a program in English is built in German blocks by touch, runs, and is shown in English and rewritten in German', () =>
   onPage(GERMAN_TABLET, async ({ page, troubles }) => {
     await writeProgram(page, 'repeat 4 times\n  forward 20\n  turn left 90\nend');
     await inBlocks(page);
-    await chooseWords(page, 'de');
-    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe links 90', 'Ende von wiederhole']);
+    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe nach links um 90', 'Ende von wiederhole']);
     const builder = builderWith(page, fingerOn(page));
     await builder.choose(/^drehe/, /^links/, /^rechts/);
     await builder.goTo(/^drehe/);
     await builder.add(['control', 'wait']);
-    await areBlocks(page, ['wiederhole 4 mal', 'vorwärts 20', 'drehe rechts 90', 'warte 1 sekunde', 'Ende von wiederhole']);
+    const german = ['wiederhole 4 mal', 'vorwärts 20', 'drehe nach rechts um 90', 'warte 1 sekunde', 'Ende von wiederhole'];
+    await areBlocks(page, german);
     await photograph(page, 'words-german');
     await tap(page, 'run');
     await reports(page, (now) => now.status === 'ended');
-    await chooseWords(page, 'en');
+    await choose(page, 'block-words-en');
     await areBlocks(page, ['repeat 4 times', 'forward 20', 'turn right 90', 'wait 1 second', 'Ende von repeat']);
+    await choose(page, 'block-words-de');
+    await areBlocks(page, german);
+
+    await tap(page, 'view-switch');
+    await tap(page, 'view-text');
+    await appears(page, 'program');
+    assert.match(await programText(page), /^repeat 4 times\n\s+forward 20\n\s+turn right 90\n\s+wait 1 second\nend/);
+    await choose(page, 'words-de');
+    await says(page, 'program', /wiederhole 4 mal/);
+    assert.match(await programText(page), /^wiederhole 4 mal\n\s+vorwärts 20\n\s+drehe rechts 90\n\s+warte 1 sekunde\nende/);
+    await photograph(page, 'words-german-text');
     assert.deepEqual(troubles, []);
   }));
 

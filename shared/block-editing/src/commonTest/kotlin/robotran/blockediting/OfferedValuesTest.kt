@@ -1,13 +1,17 @@
 package robotran.blockediting
 
+import robotran.blockediting.palette.Palette
 import robotran.blockediting.palette.offeredNames
 import robotran.blockediting.palette.offeredValues
+import robotran.blockediting.palette.textAt
+import robotran.blockediting.shown.shownValue
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.PhrasePart
+import robotran.robolang.words.Vocabulary
 import kotlin.random.Random
 import kotlin.test.Test
 import kotlin.test.assertContains
@@ -33,6 +37,21 @@ class OfferedValuesTest {
         for (now in listOf("left bumper", "right bumper", "not left bumper")) {
             assertEquals(emptyList(), offeredFor("wait until $now\n", now).filter { "bumper and $now" in it }, now)
         }
+    }
+
+    @Test
+    fun `in other words, too, a condition is joined to another one`() {
+        val program = blocksOf(
+            "warte bis linker fühler\n",
+            messages = RobolangMessages.of(Language.ENGLISH),
+            shown = Vocabulary.of(Language.GERMAN),
+        )
+        val part = program.partAt(program.span("linker fühler")) as PhrasePart.Value
+        val offered = program.offeredValues(part, touch, BrickKind.RCX).map(program::shownValue)
+        assertContains(offered, "linker fühler und rechter fühler")
+        assertContains(offered, "linker fühler oder rechter fühler")
+        val joined = Palette.blocks.first { it.id == "value-logic-or" }.textAt(part, program)
+        assertEquals("linker fühler oder rechter fühler", program.shownValue(joined))
     }
 
     @Test

@@ -9,6 +9,7 @@ import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueKind
 import robotran.robolang.words.ValueUse
+import robotran.robolang.words.inEnglish
 
 /** What kind of value this is. */
 val PaletteBlock.valueForm: ValueForm get() = valuesIn(template).first().value.form
@@ -24,7 +25,7 @@ val PaletteBlock.valueKind: ValueKind get() = blocksOf(
  * in the block already, it is what the block says.
  */
 fun PaletteBlock.textAt(part: PhrasePart.Value, program: BlockProgram): String {
-    val text = part.span.textIn(program.text)
+    val text = program.vocabulary.inEnglish(part.span.textIn(program.text))
     if (valueForm != ValueForm.LOGIC) return textsAt(part, program).first()
     val operands = valuesIn(template).first().value.parts.filterIsInstance<PhrasePart.Value>()
     if (operands.any { it.span.textIn(VALUE_LINE + template).equals(text, ignoreCase = true) }) return template
@@ -39,13 +40,14 @@ internal fun PaletteBlock.textsAt(part: PhrasePart.Value, program: BlockProgram)
     val now = if (part.value.form in COMPOSED) "($text)" else text
     return when (valueForm) {
         ValueForm.ARITHMETIC -> listOf("$now + ${ValueUse.NUMBER.example}")
-        ValueForm.LOGIC -> otherCondition(text).let { listOf("$now and $it", "$now or $it") }
+        ValueForm.LOGIC ->
+            otherCondition(program.vocabulary.inEnglish(text)).let { listOf("$now and $it", "$now or $it") }
         ValueForm.NOT -> listOf("not $now")
         else -> listOf(template)
     }
 }
 
-/** A condition that is not in [text] already: twice the same would say nothing new. */
+/** A condition that is not in [text], which is in English words, already: twice the same would say nothing new. */
 private fun otherCondition(text: String): String =
     CONDITIONS.firstOrNull { !text.contains(it, ignoreCase = true) } ?: CONDITIONS.first()
 

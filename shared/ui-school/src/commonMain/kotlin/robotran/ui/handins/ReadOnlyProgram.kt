@@ -65,8 +65,8 @@ private fun CodeLines(text: String, language: ProgramLanguage, besides: List<Pro
     val code = codeColours()
     val lines = remember(text, code) { coloured(text.trimEnd(), language, code) }
     val equal = remember(text, besides) {
-        val others = besides.flatMap { it.files }.flatMap { it.text.lines() }
-        if (others.isEmpty()) emptyList() else equalLines(text.trimEnd().lines(), others)
+        val others = besides.flatMap { other -> other.files.flatMap { usualLines(it.text, other.language) } }
+        if (others.isEmpty()) emptyList() else equalLines(usualLines(text.trimEnd(), language), others)
     }
     SelectionContainer {
         Column(
@@ -91,6 +91,10 @@ private fun CodeLines(text: String, language: ProgramLanguage, besides: List<Pro
         }
     }
 }
+
+/** The lines of [text] in the usual words, since programs may be in the words of different languages of people. */
+internal fun usualLines(text: String, language: ProgramLanguage): List<String> =
+    language.support.inUsualWords(text).lines()
 
 /** A line that the other program has, too: a bar at its left, so that the ground's colour is not needed. */
 private fun Modifier.marked(isEqual: Boolean, colours: RobotranColours): Modifier = if (!isEqual) {

@@ -24,6 +24,7 @@ import androidx.compose.ui.text.buildAnnotatedString
 import androidx.compose.ui.unit.TextUnit
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.language.Language
 import robotran.programs.blockLanguage
 import robotran.programs.support
 import robotran.robolang.words.BlockGroup
@@ -34,24 +35,26 @@ import robotran.ui.code.codeColours
 import robotran.ui.code.rememberBlockLooks
 import robotran.uikit.*
 
-/** A short program in blocks. */
+/** A short program in blocks, in the words of the app's language. */
 @Composable
 internal fun BlocksPicture() {
-    Piece(LineForm.PEN, "pen" to false, "down" to true)
-    Piece(LineForm.REPEAT, "repeat" to false, "4" to true, "times" to false)
+    Piece(LineForm.PEN, PROGRAM[0], sockets = setOf(1))
+    Piece(LineForm.REPEAT, PROGRAM[1], sockets = setOf(1))
     Row(Modifier.height(IntrinsicSize.Min)) {
         val bar = rememberBlockLooks().of(BlockGroup.CONTROL).edge
         Box(Modifier.width(6.dp).fillMaxHeight().background(bar))
         Column(Modifier.padding(start = 6.dp), Arrangement.spacedBy(2.dp)) {
-            Piece(LineForm.MOVE, "forward" to false, "20" to true)
-            Piece(LineForm.TURN, "turn" to false, "left" to true, "90" to true)
+            Piece(LineForm.MOVE, PROGRAM[2], sockets = setOf(1))
+            Piece(LineForm.TURN, PROGRAM[3], sockets = setOf(1, 2))
         }
     }
 }
 
-/** A line of [form] with [words], each with whether it is in a socket. */
+/** The [line] of [form]; the words at [sockets] are in sockets. */
 @Composable
-private fun Piece(form: LineForm, vararg words: Pair<String, Boolean>) {
+private fun Piece(form: LineForm, line: String, sockets: Set<Int>) {
+    val language = LocalLanguage.current
+    val words = remember(line, language) { inWordsOf(language, line).trim().split(' ') }
     val look = rememberBlockLooks().of(form.group)
     Row(
         Modifier
@@ -63,8 +66,9 @@ private fun Piece(form: LineForm, vararg words: Pair<String, Boolean>) {
         Arrangement.spacedBy(4.dp),
         Alignment.CenterVertically,
     ) {
-        IconView(BlockSigns.of(form, words.joinToString(" ") { it.first }), look.ink, size = 14.dp)
-        for ((word, isSocket) in words) {
+        IconView(BlockSigns.of(form, line.trim()), look.ink, size = 14.dp)
+        words.forEachIndexed { index, word ->
+            val isSocket = index in sockets
             val ground = Modifier.clip(Shapes.TINY).background(look.socket).padding(horizontal = 4.dp)
             Text(
                 word,
@@ -81,13 +85,19 @@ private fun Piece(form: LineForm, vararg words: Pair<String, Boolean>) {
 @Composable
 internal fun TextPicture() {
     val colours = codeColours()
-    val text = remember(colours) { PROGRAM.map { coloured(it, colours) } }
+    val language = LocalLanguage.current
+    val text = remember(colours, language) { PROGRAM.map { coloured(inWordsOf(language, it), colours) } }
     val style = codeStyle().copy(fontSize = pictureSize(), lineHeight = pictureSize())
     for (line in text) {
         Row(Modifier.height(PIECE), verticalAlignment = Alignment.CenterVertically) {
             Text(line, style = style, maxLines = 1)
         }
     }
+}
+
+private fun inWordsOf(language: Language, line: String): String {
+    val words = line.trimStart()
+    return line.dropLast(words.length) + blockLanguage.support.pieceInWords(words, language)
 }
 
 private fun coloured(line: String, colours: CodeColours): AnnotatedString = buildAnnotatedString {

@@ -101,8 +101,8 @@ internal enum class PaneHeight {
     LOW,
 
     /**
-     * A phone in landscape: blocks have the room of the errors, which have notes at their blocks, and an open sheet has
-     * the room of everything in the pane.
+     * A phone in landscape, or a small one below a lesson: blocks have the room of the errors, which have notes at their
+     * blocks, and an open sheet has the room of everything in the pane.
      */
     VERY_LOW,
     ;
@@ -115,7 +115,7 @@ internal enum class PaneHeight {
             else -> HIGH
         }
 
-        private val VERY_LOW_BELOW = 310.dp
+        private val VERY_LOW_BELOW = 344.dp
         private val LOW_BELOW = 480.dp
     }
 }

@@ -60,12 +60,13 @@ class BlocksRoomTest {
     }
 
     @Test
-    fun `small phones and tablets in portrait are low, phones in landscape are very low`() {
+    fun `small phones and tablets in portrait are low, and phones in landscape or below a lesson very low`() {
         for ((height, expected) in listOf(
             750 to PaneHeight.HIGH,
             670 to PaneHeight.HIGH,
             436 to PaneHeight.LOW,
             354 to PaneHeight.LOW,
+            330 to PaneHeight.VERY_LOW,
             237 to PaneHeight.VERY_LOW,
             186 to PaneHeight.VERY_LOW,
         )) {
