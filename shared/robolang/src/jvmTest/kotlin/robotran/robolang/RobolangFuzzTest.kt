@@ -30,11 +30,11 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.syntax.NumberReading
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.RobolangLimits
+import robotran.robolang.syntax.readNumber
 import robotran.robolang.wording.ChangedWords
 import robotran.robolang.wording.changeWords
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.vocabularyOf
-import robotran.robolang.syntax.readNumber
 import kotlin.random.Random
 
 @OptIn(ExperimentalKotest::class)

@@ -20,7 +20,9 @@ class UnpackTest {
         }
     }
 
-    private fun noise(random: Random) = buildString { repeat(random.nextInt(3_000)) { append(random.nextInt(1, 0xd800).toChar()) } }
+    private fun noise(random: Random) = buildString {
+        repeat(random.nextInt(3_000)) { append(random.nextInt(1, 0xd800).toChar()) }
+    }
 
     private fun prose(random: Random) = buildString {
         val words = listOf("der", "Roboter", "fährt", "20", "Zentimeter", "vorwärts", ".", "\n", "`forward 20`")

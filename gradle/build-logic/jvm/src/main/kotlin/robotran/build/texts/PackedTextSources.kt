@@ -60,7 +60,8 @@ class PackedTextSources(qualifiedName: String) {
 
     private fun placesName(language: String) = "$name${suffix(language)}Places"
 
-    private fun suffix(language: String) = if (language.isEmpty()) "Other" else language.replaceFirstChar(Char::uppercase)
+    private fun suffix(language: String) =
+        if (language.isEmpty()) "Other" else language.replaceFirstChar(Char::uppercase)
 
     private fun languageOf(path: String): String = TAGGED.find(path)?.groupValues?.get(1).orEmpty()
 
