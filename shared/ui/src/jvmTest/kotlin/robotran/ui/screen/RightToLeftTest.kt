@@ -1,17 +1,14 @@
 package robotran.ui.screen
 
-import androidx.compose.runtime.Composable
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.semantics.SemanticsProperties
 import androidx.compose.ui.semantics.getOrNull
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.SemanticsMatcher
 import kotlinx.coroutines.runBlocking
-import robotran.language.Language
 import robotran.projects.ProgramView
-import robotran.ui.language.InLanguage
-import robotran.ui.theme.RobotranTheme
-import robotran.uikit.*
+import robotran.ui.RobotranApp
 import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.LearningEvent
@@ -45,7 +42,8 @@ class RightToLeftTest {
             for (view in listOf(ProgramView.TEXT, ProgramView.BLOCKS)) {
                 val workshop = newWorkshop(view)
                 val image = onEventThread {
-                    val scene = sceneOf(width, height) { Undrawn { MadeUp(workshop, isRightToLeft = true) } }
+                    val scene =
+                        sceneOf(width, height) { Undrawn { RobotranApp(workshop, false, isRightToLeft = true) } }
                     try {
                         scene.render()
                         scene.render(nanoTime = SECOND)
@@ -66,9 +64,9 @@ class RightToLeftTest {
         try {
             undrawnTest(width, height) {
                 mainClock.autoAdvance = false
-                setContent { Undrawn { MadeUp(workshop, isRightToLeft) } }
+                setContent { Undrawn { RobotranApp(workshop, false, isRightToLeft = isRightToLeft) } }
                 pass(SETTLE)
-                val touched = SemanticsMatcher.keyIsDefined(androidx.compose.ui.semantics.SemanticsActions.OnClick)
+                val touched = SemanticsMatcher.keyIsDefined(SemanticsActions.OnClick)
                 for (node in onAllNodes(touched, useUnmergedTree = true).fetchSemanticsNodes()) {
                     val tag = node.config.getOrNull(SemanticsProperties.TestTag) ?: continue
                     places[tag] = node.boundsInRoot
@@ -83,13 +81,6 @@ class RightToLeftTest {
     private fun newWorkshop(view: ProgramView): Workshop = runBlocking { openWorkshop() }.apply {
         handle(BlockEvent.ViewChosen(view))
         handle(LearningEvent.TutorialStarted)
-    }
-
-    @Composable
-    private fun MadeUp(workshop: Workshop, isRightToLeft: Boolean) = InLanguage(Language.ENGLISH, isRightToLeft) {
-        RobotranTheme(false, workshop.settings, lessMotion = true) {
-            WorkshopScreen(workshop.state, workshop::handle)
-        }
     }
 
     private fun isMirrored(fromLeft: Rect, fromRight: Rect, width: Int): Boolean =

@@ -5,7 +5,6 @@ import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.platform.ClipboardManager
 import androidx.compose.ui.platform.LocalClipboardManager
-import androidx.compose.ui.platform.LocalLayoutDirection
 import androidx.compose.ui.semantics.SemanticsActions
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
@@ -58,10 +57,11 @@ internal fun onTabletInBlocks(
         undrawnTest(1280, 800) {
             mainClock.autoAdvance = false
             setContent {
-                CompositionLocalProvider(
-                    LocalLayoutDirection provides direction,
-                    LocalClipboardManager provides clipboard,
-                ) { Undrawn { RobotranApp(workshop, dark = false) } }
+                CompositionLocalProvider(LocalClipboardManager provides clipboard) {
+                    Undrawn {
+                        RobotranApp(workshop, dark = false, isRightToLeft = direction == LayoutDirection.Rtl)
+                    }
+                }
             }
             pass(100)
             showInBlocks(workshop, text)
