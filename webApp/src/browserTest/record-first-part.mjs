@@ -26,7 +26,7 @@ const OTHERS = [
   { width: 1366, height: 768 },
   { width: 1920, height: 1080 },
 ];
-const LANGUAGES = ['en-GB', 'de-AT', 'es-MX'];
+const LANGUAGES = ['en-GB', 'de-AT', 'es-MX', 'fr-FR', 'pt-BR'];
 
 const browser = await startBrowser();
 const site = await serve(process.env.PAGE);
