@@ -94,7 +94,7 @@ class ReadCatalogueTest {
 
     @Test
     fun `an enum of the languages is written`() =
-        assertContains(languageEnum(languages), "BRAZILIAN_PORTUGUESE(\"pt-BR\", \"Português\", ',', \".\", 3),")
+        assertContains(languageEnum(languages), "BRAZILIAN_PORTUGUESE(\"pt-BR\", \"Português\", ',', \".\", 3, false),")
 
     @Test
     fun `the catalogue in the page on messages is one`() {
