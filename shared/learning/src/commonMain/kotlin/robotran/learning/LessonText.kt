@@ -119,13 +119,8 @@ private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<Strin
 }
 
 /** [text] with the program text between its backticks in the words of [language]. */
-internal fun LanguageSupport.markedInWords(text: String, language: Language): String = if (language ==
-    Language.ENGLISH
-) {
-    text
-} else {
+internal fun LanguageSupport.markedInWords(text: String, language: Language): String =
     MARKED.replace(text) { "`${pieceInWords(it.groupValues[1], language)}`" }
-}
 
 private val MARKED = Regex("`([^`]*)`")
 

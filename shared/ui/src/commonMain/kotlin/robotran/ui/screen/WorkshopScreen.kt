@@ -181,7 +181,7 @@ private fun askForWords(
     onEvent: (WorkshopEvent) -> Unit,
 ): Boolean {
     val wanted = wordsShortcut(event, state.sheet, state.session) ?: return false
-    if (!state.isDesk || state.isCovered) return false
+    if (!state.hasRunBar || state.isCovered) return false
     if (isNarrow && state.learning.tutorial?.isFolded == false) onEvent(LearningEvent.TutorialFolded(true))
     if (isNarrow) onEvent(ScreenEvent.PaneChosen(Pane.WORLD))
     if (!isNarrow && state.fullPane != null && state.fullPane != Pane.WORLD) onEvent(ScreenEvent.PaneFilled(null))
@@ -190,10 +190,10 @@ private fun askForWords(
 }
 
 /** Whether neither the world editor nor the page of an assignment covers the run bar. */
-private val WorkshopState.isDesk: Boolean get() = worldEdit == null && making == null
+private val WorkshopState.hasRunBar: Boolean get() = worldEdit == null && making == null
 
 /** Whether the run bar, if visible, would currently allow [event]. */
-private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.isDesk && when (event) {
+private fun isRunAllowed(state: WorkshopState, event: RunEvent?): Boolean = state.hasRunBar && when (event) {
     RunEvent.StopPressed -> state.stoppable
     RunEvent.PausePressed -> state.run.pausable
     else -> true

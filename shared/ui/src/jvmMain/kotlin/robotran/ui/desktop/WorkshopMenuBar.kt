@@ -73,7 +73,7 @@ fun FrameWindowScope.WorkshopMenuBar(
                 RunItems(
                     state.run,
                     state.caretLine,
-                    isDesk = state.worldEdit == null,
+                    hasRunBar = state.worldEdit == null,
                     onEvent,
                 )
             }
@@ -185,22 +185,22 @@ private fun MenuScope.EditItems(
 private fun MenuScope.RunItems(
     run: RunPaneState,
     caretLine: Breakpoint,
-    isDesk: Boolean,
+    hasRunBar: Boolean,
     onEvent: (WorkshopEvent) -> Unit,
 ) {
-    Choice(DocumentTexts::runNow, KeyShortcut(Key.F5), isDesk) { onEvent(RunEvent.RunPressed) }
-    Choice(DocumentTexts::stopNow, KeyShortcut(Key.F5, shift = true), isDesk && run.stoppable) {
+    Choice(DocumentTexts::runNow, KeyShortcut(Key.F5), hasRunBar) { onEvent(RunEvent.RunPressed) }
+    Choice(DocumentTexts::stopNow, KeyShortcut(Key.F5, shift = true), hasRunBar && run.stoppable) {
         onEvent(RunEvent.StopPressed)
     }
     val pause = if (run.isPlaying) RunTexts::pause else RunTexts::goOn
-    Choice(pause, KeyShortcut(Key.F6), isDesk && run.pausable) { onEvent(RunEvent.PausePressed) }
+    Choice(pause, KeyShortcut(Key.F6), hasRunBar && run.pausable) { onEvent(RunEvent.PausePressed) }
     Separator()
-    Choice(RunTexts::stepInto, KeyShortcut(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
-    Choice(RunTexts::stepOver, control(Key.F7), isDesk) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
-    Choice(RunTexts::stepOut, KeyShortcut(Key.F7, shift = true), isDesk) {
+    Choice(RunTexts::stepInto, KeyShortcut(Key.F7), hasRunBar) { onEvent(RunEvent.StepPressed(StepKind.INTO)) }
+    Choice(RunTexts::stepOver, control(Key.F7), hasRunBar) { onEvent(RunEvent.StepPressed(StepKind.OVER)) }
+    Choice(RunTexts::stepOut, KeyShortcut(Key.F7, shift = true), hasRunBar) {
         onEvent(RunEvent.StepPressed(StepKind.OUT))
     }
-    Choice(RunTexts::toLine, enabled = isDesk) { onEvent(RunEvent.RunToLine(caretLine)) }
+    Choice(RunTexts::toLine, enabled = hasRunBar) { onEvent(RunEvent.RunToLine(caretLine)) }
 }
 
 @Composable

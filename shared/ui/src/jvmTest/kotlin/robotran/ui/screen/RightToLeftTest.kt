@@ -36,28 +36,6 @@ class RightToLeftTest {
         }
     }
 
-    @Test
-    fun `it can be photographed`() {
-        for ((width, height) in listOf(411 to 891, 1280 to 800)) {
-            for (view in listOf(ProgramView.TEXT, ProgramView.BLOCKS)) {
-                val workshop = newWorkshop(view)
-                val image = onEventThread {
-                    val scene =
-                        sceneOf(width, height) { Undrawn { RobotranApp(workshop, false, isRightToLeft = true) } }
-                    try {
-                        scene.render()
-                        scene.render(nanoTime = SECOND)
-                        drawn { scene.render(nanoTime = 2 * SECOND) }
-                    } finally {
-                        scene.close()
-                    }
-                }
-                image.keepAs("right-to-left/$width-${view.name.lowercase()}")
-                workshop.close()
-            }
-        }
-    }
-
     private fun placesOf(width: Int, height: Int, view: ProgramView, isRightToLeft: Boolean): Map<String, Rect> {
         val workshop = newWorkshop(view)
         val places = mutableMapOf<String, Rect>()
@@ -88,7 +66,6 @@ class RightToLeftTest {
 
     private companion object {
         const val SETTLE = 600L
-        const val SECOND = 1_000_000_000L
         const val ENOUGH = 12
 
         /** What shows the world is the same in every language, such as the buttons of its zoom. */

@@ -25,9 +25,10 @@ internal fun photograph(
     width: Int,
     height: Int,
     dark: Boolean = false,
+    isRightToLeft: Boolean = false,
     meanwhile: (ImageComposeScene) -> Unit = {},
 ): Image = onEventThread {
-    val scene = sceneOf(width, height) { Undrawn { RobotranApp(workshop, dark) } }
+    val scene = sceneOf(width, height) { Undrawn { RobotranApp(workshop, dark, isRightToLeft = isRightToLeft) } }
     try {
         scene.render()
         scene.render(nanoTime = SECOND)

@@ -128,7 +128,10 @@ internal class AllPrograms(project: Project, services: Services, private val roo
         }
     }
 
-    /** Puts the note of the first program into [language], and its words into those that the pupil prefers, unless the pupil has changed that program. */
+    /**
+     * Puts the note of the first program into [language], and its words into those that the pupil prefers, unless the pupil
+     * has changed that program.
+     */
     fun translateFirst(language: Language) {
         for (robot in robots) {
             robot.list.programs.forEachIndexed { slot, program ->

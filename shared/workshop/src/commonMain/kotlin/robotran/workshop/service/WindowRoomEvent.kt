@@ -8,6 +8,7 @@ sealed interface WindowRoomEvent : RoomEvent {
     /** The settings of this machine are [settings] now. */
     data class SettingsChanged(val settings: Settings) : WindowRoomEvent
 
+    /** The app speaks [language] now, or what comes with it has other words. */
     data class LanguageChanged(val language: Language) : WindowRoomEvent
 
     /** The pages that cover the workshop are to close, for what a menu of the window has opened over them. */

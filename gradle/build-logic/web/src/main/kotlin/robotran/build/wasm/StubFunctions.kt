@@ -35,10 +35,16 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
             "traceEventEnd",
         ).map { "$RUNTIME.$it" }
         private const val CONDITION = "$RUNTIME.isTraceInProgress"
-        private const val ENGLISH = "$TEXTS.en"
+        private const val ENGLISH = "en"
 
-        /** The languages of the app, and the function that chooses one. */
-        private val KEPT = listOf("en", "es", "de", "translationFor").map { "$TEXTS.$it" }
+        /** The languages of the app, as in the table of `shared/language`. */
+        private val LANGUAGES = listOf(ENGLISH, "es", "de", "fr", "pt")
+
+        /** Chooses the texts of a language. */
+        private const val CHOICE = "translationFor"
+
+        /** What stays as it is. */
+        private val KEPT = (LANGUAGES + CHOICE).map { "$TEXTS.$it" }
 
         /**
          * Functions that make the string of a literal and remember it. Without a hint, binaryen keeps their calls,
@@ -61,14 +67,17 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
         /** [module], which must name its functions, with those emptied. */
         fun stub(module: WasmModule): WasmModule {
             val names = functionNames(module)
-            val english = names.entries.firstOrNull { it.value == ENGLISH }?.key
+            val spoken = names.entries.filter { it.value in KEPT }.associate {
+                it.value.substringAfterLast('.') to
+                    it.key
+            }
             val missing = (ACTIONS + CONDITION + KEPT + LITERALS) - names.values.toSet()
-            if (english == null || missing.isNotEmpty()) {
+            if (missing.isNotEmpty()) {
                 throw GradleException("The linked app has no function ${missing.joinToString()}: see StubFunctions.")
             }
             val first = module.importedFunctions
             val bodies = module.bodies.mapIndexed { index, body ->
-                bodyOf(names[first + index].orEmpty(), english) ?: body
+                bodyOf(names[first + index].orEmpty(), spoken) ?: body
             }
             val code = WasmModule.vector(bodies.map { WasmWriter().sized(it).bytes() })
             val imports = shortSignatures(module.imports).map { it.bytes() }
@@ -98,13 +107,17 @@ internal class StubFunctions(private val wasmName: String) : Action<Task> {
         }
 
         /**
-         * The new body of the function [name], where [english] is the function with the English texts; null if it stays
-         * as it is.
+         * The new body of the function [name], where [spoken] are the functions with the texts of the app's languages by
+         * their tags; null if it stays as it is. A country's variant has the texts of its language.
          */
-        fun bodyOf(name: String, english: Int): ByteArray? = when {
+        fun bodyOf(name: String, spoken: Map<String, Int>): ByteArray? = when {
             name in ACTIONS -> NOTHING
             name == CONDITION -> NEVER
-            name.startsWith("$TEXTS.") && name !in KEPT -> callOf(english)
+            name.startsWith("$TEXTS.") && name !in KEPT -> {
+                val language = name.substringAfterLast('.').takeWhile { it.isLowerCase() }
+                callOf(spoken[language] ?: spoken.getValue(ENGLISH))
+            }
+
             else -> null
         }
 
