@@ -18,6 +18,8 @@ texts {
         "shared/robolang/src/commonTest/resources/translations",
         "*.*",
     )
+    constant("commonTest", "robotran.robolang.recordedPython", "shared/robolang/src/commonTest/resources/python", "*.*")
+    constant("jvmTest", "robotran.robolang.lessonPrograms", "learning", "**/solution.robo")
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
@@ -43,5 +45,16 @@ kotlin {
         jvmTest.dependencies {
             implementation(libs.bcel)
         }
+    }
+}
+
+// MicroPython for the tests of Python, with the web tools: where these are not installed, a test says so.
+if (System.getProperty("os.name") == "Linux" && System.getProperty("os.arch") == "amd64") {
+    tasks.matching { it.name == "jvmTest" }.configureEach {
+        dependsOn(":setUpWebTools")
+        systemProperty(
+            "robotran.webTools",
+            rootProject.tasks.named("setUpWebTools").get().destination.get().asFile.path,
+        )
     }
 }
