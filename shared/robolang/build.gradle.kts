@@ -20,6 +20,12 @@ texts {
     )
     constant("commonTest", "robotran.robolang.recordedPython", "shared/robolang/src/commonTest/resources/python", "*.*")
     constant("jvmTest", "robotran.robolang.lessonPrograms", "learning", "**/solution.robo")
+    constant(
+        "jvmTest",
+        "robotran.robolang.oraclePrograms",
+        "shared/robolang/src/jvmTest/resources/micropython/programs",
+        "*.*",
+    )
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")

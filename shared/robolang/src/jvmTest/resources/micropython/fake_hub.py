@@ -16,6 +16,7 @@ class State:
         self.clock = 0
         self.is_in_tasks = False
         self.asked = 0
+        self.is_renewed = False
         self.ports = {}
 
 
@@ -61,11 +62,17 @@ def ask():
         raise TimeIsUp()
 
 
+def renew(owner):
+    # A new command of a motor or a driving base: whoever waits for an older one goes on.
+    owner.token += 1
+    state.is_renewed = True
+
+
 def passing(milliseconds, owner=None):
     # What takes so long: at once, or, in a task, something to await. A newer command of its owner ends it.
     token = None
     if owner is not None:
-        owner.token += 1
+        renew(owner)
         token = owner.token
     if not state.is_in_tasks:
         if milliseconds > 0:
@@ -76,7 +83,7 @@ def passing(milliseconds, owner=None):
 
 def waiting(end, owner, token):
     while state.clock < end and (owner is None or owner.token == token):
-        yield
+        yield end
 
 
 def reading(value):

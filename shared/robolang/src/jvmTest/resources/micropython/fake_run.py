@@ -3,15 +3,22 @@ import fake_hub
 from fake_hub import LARGEST, log, state
 
 
-def show(*values, sep=" ", end=""):
+unfinished = []
+
+
+def show(*values, sep=" ", end="\n"):
     for value in values:
         if isinstance(value, int) and not -LARGEST - 1 <= value <= LARGEST:
             raise OverflowError("small int overflow")
-    log('print "' + sep.join(str(value) for value in values) + '"')
+    unfinished.append(sep.join(str(value) for value in values) + end)
+    if end.endswith("\n"):
+        log('print "' + "".join(unfinished)[:-1] + '"')
+        unfinished.clear()
 
 
 def run(text):
     fake_hub.reset()
+    unfinished.clear()
     try:
         exec(compile(text, "program.py", "exec"), {"__name__": "__main__", "print": show})
         end = "end"

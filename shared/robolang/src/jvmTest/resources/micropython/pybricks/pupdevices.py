@@ -1,5 +1,5 @@
 import fake_world
-from fake_hub import log, passing, reading, state, take, whole
+from fake_hub import log, passing, reading, renew, state, take, whole
 from pybricks.parameters import Color, Direction, Stop
 
 MS_PER_DEGREE = 2
@@ -23,7 +23,7 @@ class Motor:
         self.rest = self.angle()
         self.speed_now = 0
         self.since = state.clock
-        self.token += 1
+        renew(self)
 
     def run(self, speed):
         self.stand()

@@ -1,4 +1,4 @@
-from fake_hub import figure, log, passing, whole
+from fake_hub import figure, log, passing, renew, whole
 from pybricks.parameters import Stop
 
 MS_PER_MM = 5
@@ -24,13 +24,13 @@ class DriveBase:
         return passing(abs(whole(angle)) * MS_PER_DEGREE, self) if wait else None
 
     def drive(self, speed, turn_rate):
-        self.token += 1
+        renew(self)
         log("drive_base drive", whole(speed), whole(turn_rate))
 
     def brake(self):
-        self.token += 1
+        renew(self)
         log("drive_base brake")
 
     def stop(self):
-        self.token += 1
+        renew(self)
         log("drive_base stop")

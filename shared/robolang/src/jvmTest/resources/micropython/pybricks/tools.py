@@ -37,9 +37,10 @@ def together(tasks, race):
     results = [None] * len(tasks)
     alive = list(range(len(tasks)))
     while alive:
+        ends = []
         for place in list(alive):
             try:
-                next(tasks[place])
+                ends.append(next(tasks[place]))
             except StopIteration as end:
                 results[place] = end.value
                 alive.remove(place)
@@ -48,7 +49,7 @@ def together(tasks, race):
                         tasks[other].close()
                     return tuple(results)
         if alive:
-            yield
+            yield min(ends)
     return tuple(results)
 
 
@@ -61,8 +62,10 @@ def run_task(task=None):
     state.is_in_tasks = True
     try:
         while True:
-            next(steps)
-            advance(1)
+            until = next(steps)
+            # Until then nothing happens, for every task waits.
+            advance(1 if state.is_renewed else max(1, until - state.clock))
+            state.is_renewed = False
     except StopIteration:
         return None
     finally:

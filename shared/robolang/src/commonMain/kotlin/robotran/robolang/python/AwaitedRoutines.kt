@@ -33,11 +33,10 @@ internal class AwaitedRoutines(private val program: CheckedProgram, private val 
         return found
     }
 
-    private fun takesTime(statement: Statement, known: Set<Symbol>): Boolean =
-        statement is Command ||
-            statement is Statement.RepeatForever ||
-            (statement as? Statement.Call)?.let { program.symbolOf(it.name) in known } == true ||
-            statement.expressions.any { takesTime(it, known) }
+    private fun takesTime(statement: Statement, known: Set<Symbol>): Boolean = statement is Command ||
+        statement is Statement.RepeatForever ||
+        (statement as? Statement.Call)?.let { program.symbolOf(it.name) in known } == true ||
+        statement.expressions.any { takesTime(it, known) }
 
     private fun takesTime(expression: Expression, known: Set<Symbol>): Boolean = withParts(expression).any {
         when (it) {

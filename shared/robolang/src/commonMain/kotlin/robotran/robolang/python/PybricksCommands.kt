@@ -16,7 +16,7 @@ internal class PybricksCommands(
     private val devices: PybricksDevices,
     private val uses: PythonUses,
     private val notes: PythonNotes,
-    speeds: PybricksSpeeds,
+    private val speeds: PybricksSpeeds,
 ) {
     private val hub = robot.hub
     private val messages = notes.messages
@@ -28,6 +28,9 @@ internal class PybricksCommands(
 
     /** The names of those, and of the variables with speeds. */
     val names: Set<String> get() = motors.names
+
+    /** Whether the wheels may turn when the program ends. */
+    val mayTurnAtEnd: Boolean get() = speeds.mayTurnAtEnd
 
     /** Stops the wheels. */
     fun stop(): List<String> = motors.stop()
@@ -93,7 +96,7 @@ internal class PybricksCommands(
             notes.tell(command.range, messages.noPen())
             return emptyList()
         }
-        devices.motor(pen.port, isCounted = true)
+        devices.pen(pen.port)
         val helper = if (command.position == PenPosition.DOWN) PythonHelper.PEN_DOWN else PythonHelper.PEN_UP
         return listOf(waiting("${uses.use(helper)}()"))
     }
@@ -121,7 +124,11 @@ internal class PybricksCommands(
 
     private fun show(command: Command.Show): List<String> {
         val value = expressions.text(command.value)
-        if (expressions.typeOf(command.value) == ValueType.COLOUR || !hasDisplay(command)) return listOf("print($value)")
+        if (expressions.typeOf(command.value) == ValueType.COLOUR ||
+            !hasDisplay(command)
+        ) {
+            return listOf("print($value)")
+        }
         if (hub.hasMatrix && !isShort(command.value)) notes.tell(command.range, messages.smallDisplay())
         devices.hub()
         return listOf("${uses.use(PythonHelper.SHOW)}($value)")

@@ -9,14 +9,37 @@ internal class PybricksDevices(
     private val usesColours: Boolean,
 ) {
     private val hub = robot.hub
-    private val motors = sortedSetOf<Char>()
-    private val counted = sortedSetOf<Char>()
+    private val motors = mutableSetOf<Char>()
+    private val counted = mutableSetOf<Char>()
     private val sensors = LinkedHashMap<PybricksSensor, Int>()
     private val withColours = LinkedHashSet<PybricksSensor>()
     private var hasHub = false
     private var hasBase = false
     private var hasTimer = false
+    private var hasPen = false
     private var freesMiddleButton = false
+
+    /** What is used so far, for [takeBack]. */
+    fun copy(): PybricksDevices = PybricksDevices(robot, uses, usesColours).also { it.takeBack(this) }
+
+    /** Only what [earlier] has is used: what was written since is left out. */
+    fun takeBack(earlier: PybricksDevices) {
+        motors.replaceBy(earlier.motors)
+        counted.replaceBy(earlier.counted)
+        withColours.replaceBy(earlier.withColours)
+        sensors.clear()
+        sensors += earlier.sensors
+        hasHub = earlier.hasHub
+        hasBase = earlier.hasBase
+        hasTimer = earlier.hasTimer
+        hasPen = earlier.hasPen
+        freesMiddleButton = earlier.freesMiddleButton
+    }
+
+    private fun <T> MutableSet<T>.replaceBy(others: Set<T>) {
+        clear()
+        this += others
+    }
 
     /** The names of those that are used. */
     val names: Set<String>
@@ -39,6 +62,12 @@ internal class PybricksDevices(
         motors += port
         if (isCounted) counted += port
         return nameOf(port)
+    }
+
+    /** The motor of the pen, which begins up. */
+    fun pen(port: Char) {
+        hasPen = true
+        motor(port, isCounted = true)
     }
 
     /** A sensor; [line] is the one of the header that names it. */
@@ -70,13 +99,13 @@ internal class PybricksDevices(
 
     private fun order(): List<Char> =
         listOfNotNull(robot.left.port, robot.right.port, robot.pen?.port).filter { it in motors }.let { usual ->
-            usual + motors.filter { it !in usual }
+            usual + motors.sorted().filter { it !in usual }
         }
 
     private fun writeSettings(writer: PythonWriter) {
         hub.stopButton?.takeIf { freesMiddleButton }?.let { writer.line("$HUB.system.set_stop_button(${button(it)})") }
         // Motors with letters begin with the angle of their mark.
-        if (hub.hasLetters) counted.forEach { writer.line("${nameOf(it)}.reset_angle(0)") }
+        if (hub.hasLetters) counted.sorted().forEach { writer.line("${nameOf(it)}.reset_angle(0)", note = noteOn(it)) }
         if (hub == PybricksHub.EV3) return
         for (sensor in withColours) {
             writer.line("${nameOf(sensor)}.detectable_colors(")
@@ -86,6 +115,8 @@ internal class PybricksDevices(
             writer.line(")")
         }
     }
+
+    private fun noteOn(port: Char): String? = "The pen is up at the start.".takeIf { port == robot.pen?.port && hasPen }
 
     private fun button(name: String): String = if (name == "None") name else uses.parameter(name)
 

@@ -94,7 +94,11 @@ internal class PybricksMotors(
     }
 
     private fun tellOfZero(power: Expression) {
-        if ((expressions.known(power) as? NumberValue.Whole)?.value == 0) notes.tell(power.range, messages.powerOfZero())
+        if ((expressions.known(power) as? NumberValue.Whole)?.value ==
+            0
+        ) {
+            notes.tell(power.range, messages.powerOfZero())
+        }
     }
 
     /** Degrees a second for [power]. */

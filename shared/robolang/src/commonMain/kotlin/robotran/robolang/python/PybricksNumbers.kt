@@ -39,7 +39,13 @@ internal class PybricksNumbers(private val expressions: PythonExpressions) {
         val factor = if (unit == TimeUnit.SECONDS) MILLISECONDS_PER_SECOND else 1
         val isDecimal = expressions.typeOf(value) == ValueType.DECIMAL && expressions.literal(value) == null
         if (!isDecimal) return times(value, factor)
-        return if (factor == 1) expressions.text(value) else "$factor * ${expressions.text(value, PythonStrength.UNARY)}"
+        return if (factor ==
+            1
+        ) {
+            expressions.text(value)
+        } else {
+            "$factor * ${expressions.text(value, PythonStrength.UNARY)}"
+        }
     }
 
     private companion object {

@@ -21,6 +21,53 @@ data class PybricksRobot(
     /** Whether a motor can be on [port]: the hub has it, and no sensor is there. */
     internal fun hasMotorPort(port: Char): Boolean =
         port in hub.motorPorts && !(hub.hasLetters && sensors.any { it.port == port - 'A' + 1 })
+
+    companion object {
+        private const val WHEEL = 56.0
+        private const val TRACK = 112.0
+
+        /** A usual driving base with [hub], and with what its ports have room for. */
+        fun usual(hub: PybricksHub): PybricksRobot = when (hub) {
+            PybricksHub.PRIME -> PybricksRobot(
+                hub,
+                LEFT,
+                RIGHT,
+                PybricksMotor('C'),
+                WHEEL,
+                TRACK,
+                sensors(
+                    PybricksSensorKind.COLOR to 4,
+                    PybricksSensorKind.FORCE to 5,
+                    PybricksSensorKind.ULTRASONIC to 6,
+                ),
+            )
+
+            PybricksHub.ESSENTIAL -> PybricksRobot(hub, LEFT, RIGHT, null, WHEEL, TRACK, emptyList())
+
+            PybricksHub.TECHNIC -> {
+                val sensors = sensors(PybricksSensorKind.COLOR to 4)
+                PybricksRobot(hub, LEFT, RIGHT, PybricksMotor('C'), WHEEL, TRACK, sensors)
+            }
+
+            PybricksHub.EV3 -> withNumbers(hub, "BCA", PybricksSensorKind.COLOR)
+
+            PybricksHub.NXT -> withNumbers(hub, "ACB", PybricksSensorKind.LIGHT)
+        }
+
+        private val LEFT = PybricksMotor('A', isCounterclockwise = true)
+        private val RIGHT = PybricksMotor('B')
+
+        /** [motors] are left, right and pen. */
+        private fun withNumbers(hub: PybricksHub, motors: String, eye: PybricksSensorKind): PybricksRobot {
+            val (left, right, pen) = motors.map { PybricksMotor(it) }
+            val touch = PybricksSensorKind.TOUCH
+            val sensors = sensors(touch to 1, touch to 2, eye to 3, PybricksSensorKind.ULTRASONIC to 4)
+            return PybricksRobot(hub, left, right, pen, WHEEL, TRACK, sensors)
+        }
+
+        private fun sensors(vararg all: Pair<PybricksSensorKind, Int>): List<PybricksSensor> =
+            all.map { (kind, port) -> PybricksSensor(kind, port) }
+    }
 }
 
 /**

@@ -133,7 +133,10 @@ internal class PybricksSenses(
         } else if (!hub.hasArrows) {
             return nothing(range, messages.noButton())
         }
-        return PythonText("${uses.parameter("Button.$name")} in ${devices.hub()}.buttons.pressed()", PythonStrength.COMPARISON)
+        return PythonText(
+            "${uses.parameter("Button.$name")} in ${devices.hub()}.buttons.pressed()",
+            PythonStrength.COMPARISON,
+        )
     }
 
     private fun freeMiddleButton(range: SourceRange) {

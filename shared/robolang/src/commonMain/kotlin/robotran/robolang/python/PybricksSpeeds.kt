@@ -39,7 +39,7 @@ internal class PybricksSpeeds(tree: SyntaxTree, private val robot: PybricksRobot
 
     /** Whether its wheels may turn when it ends. */
     val mayTurnAtEnd: Boolean = commands.any {
-        it is Command.StartMoving || it is Command.StartTurning || it is Command.Motor && portOf(it.port) in wheels
+        it is Command.StartMoving || it is Command.StartTurning || (it is Command.Motor && portOf(it.port) in wheels)
     }
 
     private val wheels: List<Char> get() = listOf(robot.left.port, robot.right.port)

@@ -15,7 +15,9 @@ internal class PythonBuiltIns(private val expressions: PythonExpressions, privat
             BuiltIn.MIN, BuiltIn.MAX -> smallestOrLargest(builtIn, call)
             BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> rounded(builtIn, arguments[0])
             BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN -> ofAngle(builtIn, arguments[0])
-            BuiltIn.ATAN2 -> primary("${uses.maths("degrees")}(${uses.maths("atan2")}(${expressions.arguments(arguments)}))")
+            BuiltIn.ATAN2 -> primary(
+                "${uses.maths("degrees")}(${uses.maths("atan2")}(${expressions.arguments(arguments)}))",
+            )
             BuiltIn.SQRT, BuiltIn.POW -> primary("${uses.maths(builtIn.text)}(${expressions.arguments(arguments)})")
             BuiltIn.LENGTH -> primary("len(${expressions.text(arguments[0])})")
         }
@@ -42,7 +44,11 @@ internal class PythonBuiltIns(private val expressions: PythonExpressions, privat
 
     /** Python's own `round` takes 2.5 to 2. */
     private fun rounded(builtIn: BuiltIn, value: Expression): PythonText {
-        if (expressions.typeOf(value) == ValueType.WHOLE) return primary(expressions.text(value, PythonStrength.PRIMARY))
+        if (expressions.typeOf(value) ==
+            ValueType.WHOLE
+        ) {
+            return primary(expressions.text(value, PythonStrength.PRIMARY))
+        }
         return when (builtIn) {
             BuiltIn.ROUND -> primary("${uses.maths("floor")}(${expressions.text(value, PythonStrength.SUM)} + 0.5)")
             else -> primary("${uses.maths(builtIn.text)}(${expressions.text(value)})")

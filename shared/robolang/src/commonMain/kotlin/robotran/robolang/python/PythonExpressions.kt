@@ -128,7 +128,15 @@ internal class PythonExpressions(
 
     private fun list(expression: Expression.ListOf): PythonText {
         val type = program.typeOf(expression)
-        return primary(if (type == ValueType.LIST_OF_DECIMAL) listText(expression) else "[${arguments(expression.elements)}]")
+        return primary(
+            if (type ==
+                ValueType.LIST_OF_DECIMAL
+            ) {
+                listText(expression)
+            } else {
+                "[${arguments(expression.elements)}]"
+            },
+        )
     }
 
     /** [number], which stands for [expression], if the hub can hold it. */
@@ -150,7 +158,13 @@ internal class PythonExpressions(
     /** A decimal number as it is typed; Python takes `.5`, but a teacher writes `0.5`. */
     private fun decimal(typed: String): String {
         val digits = typed.replace(" ", "").removePrefix("-")
-        val text = if (digits.startsWith(".")) "0$digits" else if (digits.endsWith(".")) "${digits}0" else digits
+        val text = if (digits.startsWith(".")) {
+            "0$digits"
+        } else if (digits.endsWith(".")) {
+            "${digits}0"
+        } else {
+            digits
+        }
         return if (typed.startsWith("-")) "-$text" else text
     }
 
@@ -187,7 +201,10 @@ internal class PythonExpressions(
     /** Both sides bind tighter than a comparison, so that no chain comes about. */
     private fun compared(expression: Expression.Binary, operator: BinaryOperator): PythonText {
         val left = text(expression.left, PythonStrength.SUM)
-        return PythonText("$left ${operator.text} ${text(expression.right, PythonStrength.SUM)}", PythonStrength.COMPARISON)
+        return PythonText(
+            "$left ${operator.text} ${text(expression.right, PythonStrength.SUM)}",
+            PythonStrength.COMPARISON,
+        )
     }
 
     private fun quotient(expression: Expression.Binary): PythonText {

@@ -7,9 +7,7 @@ import robotran.robolang.check.ValueType
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
-import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.Statement
@@ -52,14 +50,16 @@ internal class PythonFile(
             .map { it.value }.filter { isAlone(it) }
     }
     private val functions = PythonWriter(sourceLines = SourceLines(tree))
-    private val hoisted: List<Statement> =
+
+    /** The declarations that stand above the functions. */
+    private val hoisted: List<Statement> = tree.leadingDeclarations.takeWhile { statement ->
+        val declaration = statement as Statement.Declare
         if (isReacting || tree.routines.isNotEmpty()) {
-            tree.leadingDeclarations.takeWhile { statement ->
-                (statement as Statement.Declare).let { withParts(it.value).none(::needsFunction) }
-            }
+            withParts(declaration.value).none(::needsFunction)
         } else {
-            emptyList()
+            declaration.isConstant && isFigure(declaration.value)
         }
+    }
 
     /** The names that the translation itself uses. */
     val names: Set<String>
@@ -109,9 +109,9 @@ internal class PythonFile(
         pythonNames,
         expressions,
         commands,
+        devices,
         notes,
         uses,
-        speeds.mayTurnAtEnd,
         writer,
     ).also { it.place = place }
 
@@ -164,28 +164,16 @@ internal class PythonFile(
         write(tree.statements.drop(hoisted.size), main)
         main.takeComments(comments.closing)
         main.commentsLeft()
-        if (!JavaFlow(checked).completes(tree.statements) || tree.statements.lastOrNull() is Statement.Halt) return
-        val commandsInOrder = withInner(tree.statements).filterIsInstance<Command>()
-        if (speeds.mayTurnAtEnd && tree.statements.lastOrNull() !is Command.StopDriving) {
-            commands.stop().forEach { main.line(it) }
-        } else if (drawsAtEnd(commandsInOrder)) {
-            main.line(commands.wait("$STANDING"), note = "Until the robot stands.")
-        }
-    }
-
-    /** Whether the last thing that is done is a drive with the pen down: it would roll on a little. */
-    private fun drawsAtEnd(all: List<Command>): Boolean {
-        val lastPen = all.lastOrNull { it is Command.Pen } as? Command.Pen ?: return false
-        val isMove = all.lastOrNull { it is Command.Pen || it.moves || it is Command.Wait }
-            .let { it is Command.Move || it is Command.Turn }
-        return robot.pen != null && lastPen.position == PenPosition.DOWN && isMove
+        if (!JavaFlow(checked).completes(tree.statements)) return
+        EndOfProgram(tree.statements, speeds.mayTurnAtEnd, robot.pen != null, commands).write(main)
     }
 
     private fun tasks(main: PythonWriter) {
         notes.tell(tree.behaviours.first().range, notes.messages.tasks())
-        val tasks = PythonTasks(checked, pythonNames, expressions, uses, ::commentsOf, comments.closing) { writer, place ->
-            statements(writer, place)
-        }
+        val tasks =
+            PythonTasks(checked, pythonNames, expressions, uses, ::commentsOf, comments.closing) { writer, place ->
+                statements(writer, place)
+            }
         tasks.writeBehaviours(functions) { globals(variables.changedBy(it), functions) }
         val rest = tree.statements.drop(hoisted.size)
         functions.gap()
@@ -231,8 +219,7 @@ internal class PythonFile(
     }
 
     private companion object {
-        /** How long a robot needs to stand still, in milliseconds. */
-        const val STANDING = 200
-        const val ACTING = "# The number of the behaviour that acts: 0 is the main program, a higher number goes first.\nacting = 0"
+        const val ACTING =
+            "# The number of the behaviour that acts: 0 is the main program, a higher number goes first.\nacting = 0"
     }
 }

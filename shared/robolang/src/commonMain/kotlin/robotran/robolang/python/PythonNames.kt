@@ -65,11 +65,12 @@ internal class PythonNames(reserved: Set<String>) {
         val WORDS = (
             "False None True and as assert async await break class continue def del elif else except finally for from " +
                 "global if import in is lambda nonlocal not or pass raise return try while with yield"
-            ).split(' ')
+        ).split(' ')
 
         /** What the translation may use of Python itself. */
         val BUILT_IN = (
-            "abs bool dict float id input int len list max min next object print range round set str sum SystemExit type"
-            ).split(' ')
+            "abs bool dict float id input int len list max min next object print range round set str sum SystemExit " +
+                "type"
+        ).split(' ')
     }
 }

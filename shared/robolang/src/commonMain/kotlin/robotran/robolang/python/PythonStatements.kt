@@ -14,9 +14,9 @@ internal class PythonStatements(
     private val names: PythonNames,
     private val expressions: PythonExpressions,
     private val commands: PybricksCommands,
+    private val devices: PybricksDevices,
     private val notes: PythonNotes,
-    uses: PythonUses,
-    private val stopsAtEnd: Boolean,
+    private val uses: PythonUses,
     private val writer: PythonWriter,
 ) {
     private val loops = PythonLoops(program, names, expressions, uses, this)
@@ -66,6 +66,7 @@ internal class PythonStatements(
     }
 
     private fun write(statement: Statement) {
+        writer.begin(statement.range.line)
         place.linesBefore(statement, program).forEach { writer.line(it) }
         when (statement) {
             is Statement.Loop -> loops.write(statement)
@@ -90,7 +91,7 @@ internal class PythonStatements(
     }
 
     private fun halt(): List<String> {
-        val stop = if (stopsAtEnd) commands.stop() else emptyList()
+        val stop = if (commands.mayTurnAtEnd) commands.stop() else emptyList()
         return stop + if (place is PythonPlace.MainTask) "return" else "raise SystemExit"
     }
 
@@ -126,8 +127,12 @@ internal class PythonStatements(
      */
     fun lines(line: Int, write: () -> Pair<List<String>, String?>): Boolean {
         val lost = notes.lostCount
+        val used = uses.copy()
+        val made = devices.copy()
         val (texts, note) = write()
         if (notes.lostCount > lost) {
+            uses.takeBack(used)
+            devices.takeBack(made)
             writer.line("# ${notes.lastLost}", line)
             return false
         }
@@ -138,7 +143,8 @@ internal class PythonStatements(
     private fun choose(statement: Statement.If) {
         var isOpen = false
         for ((place, branch) in statement.branches.withIndex()) {
-            val last = statement.branches.getOrNull(place + 1)?.range ?: statement.otherwise?.range ?: statement.endRange
+            val last =
+                statement.branches.getOrNull(place + 1)?.range ?: statement.otherwise?.range ?: statement.endRange
             val word = if (isOpen) "elif" else "if"
             val isWritten = lines(branch.range.line) { listOf("$word ${expressions.text(branch.condition)}:") to null }
             if (!isWritten) continue

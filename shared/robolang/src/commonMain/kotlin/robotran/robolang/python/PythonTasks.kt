@@ -71,7 +71,9 @@ internal class PythonTasks(
     fun writeMain(writer: PythonWriter, statements: List<Statement>, isEndReached: Boolean) {
         expressions.isInTask = true
         names.inScope {
-            statementsOf(writer, PythonPlace.MainTask(uses)).writeHere(statements) { writer.takeComments(commentsOf(it.range)) }
+            statementsOf(writer, PythonPlace.MainTask(uses)).writeHere(statements) {
+                writer.takeComments(commentsOf(it.range))
+            }
         }
         writer.takeComments(closing)
         writer.commentsLeft()
@@ -92,7 +94,8 @@ internal class PythonTasks(
         writer.enter()
         writer.line("$all(")
         writer.enter()
-        (listOf("main()") + tasks).forEach { writer.line("$it,") }
+        // Conditions are looked at before the main program goes on, the last one first.
+        (tasks.reversed() + "main()").forEach { writer.line("$it,") }
         writer.line("race=True,")
         writer.leave()
         writer.line(")")

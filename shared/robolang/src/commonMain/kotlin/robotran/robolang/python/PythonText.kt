@@ -31,7 +31,7 @@ internal fun pythonString(text: String): String = "\"" + text.replace("\\", "\\\
 internal fun roundAsPython(value: Double): Long {
     val below = kotlin.math.floor(value)
     val rest = value - below
-    val isUp = rest > HALF || rest == HALF && below % 2 != 0.0
+    val isUp = rest > HALF || (rest == HALF && below % 2 != 0.0)
     return below.toLong() + if (isUp) 1 else 0
 }
 

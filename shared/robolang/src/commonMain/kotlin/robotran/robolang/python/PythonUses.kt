@@ -2,7 +2,7 @@ package robotran.robolang.python
 
 /** What a translation uses of modules and of its own helpers. */
 internal class PythonUses(private val robot: PybricksRobot, private val isReacting: Boolean) {
-    private val imports = mutableMapOf<String, MutableSet<String>>()
+    private val imports = mutableMapOf<String, Set<String>>()
     private val helpers = mutableSetOf<PythonHelper>()
 
     /** All names that the translation itself has. */
@@ -10,7 +10,7 @@ internal class PythonUses(private val robot: PybricksRobot, private val isReacti
 
     /** Marks [name] of [module] as used; returns it. */
     fun import(module: String, name: String): String {
-        imports.getOrPut(module) { mutableSetOf() } += name
+        imports[module] = imports[module].orEmpty() + name
         return name
     }
 
@@ -30,6 +30,17 @@ internal class PythonUses(private val robot: PybricksRobot, private val isReacti
         helper.needs.forEach { use(it) }
         helper.imports.forEach { import(it.substringBefore(':'), it.substringAfter(':')) }
         return helper.called
+    }
+
+    /** What is used so far, for [takeBack]. */
+    fun copy(): PythonUses = PythonUses(robot, isReacting).also { it.takeBack(this) }
+
+    /** Only what [earlier] has is used: what was written since is left out. */
+    fun takeBack(earlier: PythonUses) {
+        imports.clear()
+        imports += earlier.imports
+        helpers.clear()
+        helpers += earlier.helpers
     }
 
     val hasHelpers: Boolean get() = helpers.isNotEmpty()

@@ -45,5 +45,6 @@ internal class SharedVariables(private val program: CheckedProgram, private val 
         .map(program::symbolOf).filter { it.isGlobal }.distinct()
 
     /** The variables with speeds that [body] changes. */
-    fun speedsChangedIn(body: List<Statement>): List<String> = withInner(body).flatMap { speeds.changedBy(it) }.distinct()
+    fun speedsChangedIn(body: List<Statement>): List<String> =
+        withInner(body).flatMap { speeds.changedBy(it) }.distinct()
 }

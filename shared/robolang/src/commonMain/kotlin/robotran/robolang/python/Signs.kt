@@ -24,7 +24,9 @@ internal class Signs(private val program: CheckedProgram) {
 
     init {
         do {
-            val negative = neverBelow.filter { symbol -> values.getValue(symbol).any { it == null || !isNeverBelow(it) } }
+            val negative = neverBelow.filter { symbol ->
+                values.getValue(symbol).any { it == null || !isNeverBelow(it) }
+            }
             neverBelow -= negative.toSet()
         } while (negative.isNotEmpty())
     }
@@ -38,7 +40,8 @@ internal class Signs(private val program: CheckedProgram) {
         is Expression.Binary -> ofBinary(expression)
         is Expression.Call -> ofCall(expression)
         is Expression.Sense -> expression.sense !is Sense.Turned
-        is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.ListOf, is Expression.ListElement -> false
+        is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.ListOf -> false
+        is Expression.ListElement -> false
     }
 
     private fun isZero(expression: Expression): Boolean = (expression as? Expression.Number)?.value?.decimal == 0f
@@ -88,7 +91,8 @@ internal class Signs(private val program: CheckedProgram) {
 
                 is Statement.ForRange -> {
                     val symbol = program.symbolOf(statement.variable)
-                    val isUp = statement.step.let { it == null || it is Expression.Number && !it.value.isNegative }
+                    val step = statement.step
+                    val isUp = step == null || (step as? Expression.Number)?.value?.isNegative == false
                     add(symbol, statement.from)
                     if (!isUp) add(symbol, statement.to)
                 }

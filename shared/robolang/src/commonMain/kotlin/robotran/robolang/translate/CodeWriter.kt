@@ -57,6 +57,12 @@ internal abstract class CodeWriter(private var depth: Int, private val sourceLin
         while (comments.isNotEmpty() && comments.first().range.line < sourceLine) writeComment(comments.removeFirst())
     }
 
+    /** What comes above the lines of [sourceLine]: its comments, and a blank line if the program has one there. */
+    fun begin(sourceLine: Int) {
+        commentsAbove(sourceLine)
+        blankAbove("", sourceLine)
+    }
+
     /** Writes the remaining comments. */
     fun commentsLeft() {
         while (comments.isNotEmpty()) writeComment(comments.removeFirst())

@@ -8,48 +8,28 @@ import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
 
-/** A usual driving base with a SPIKE Prime: a colour sensor looks down, the bumpers are in front. */
-internal val bumperRobot = PybricksRobot(
-    hub = PybricksHub.PRIME,
-    left = PybricksMotor('A', isCounterclockwise = true),
-    right = PybricksMotor('B'),
-    pen = PybricksMotor('C'),
-    wheelDiameter = 56.0,
-    track = 112.0,
-    sensors = listOf(
-        PybricksSensor(PybricksSensorKind.COLOR, 4),
-        PybricksSensor(PybricksSensorKind.FORCE, 5),
-        PybricksSensor(PybricksSensorKind.FORCE, 6),
-    ),
-)
+/** A usual driving base with a SPIKE Prime: a colour sensor looks down, a bumper and a distance sensor are in front. */
+internal val sonarRobot = PybricksRobot.usual(PybricksHub.PRIME)
 
-/** The same with a distance sensor instead of one bumper. */
-internal val sonarRobot = bumperRobot.copy(
-    sensors = bumperRobot.sensors.take(2) + PybricksSensor(PybricksSensorKind.ULTRASONIC, 6),
+/** The same with a second bumper instead of the distance sensor. */
+internal val bumperRobot = sonarRobot.copy(
+    sensors = sonarRobot.sensors.take(2) + PybricksSensor(PybricksSensorKind.FORCE, 6),
 )
 
 /** The smallest hub, with wheels alone. */
-internal val essentialRobot = bumperRobot.copy(hub = PybricksHub.ESSENTIAL, pen = null, sensors = emptyList())
+internal val essentialRobot = PybricksRobot.usual(PybricksHub.ESSENTIAL)
 
 /** An NXT with its own sensors. */
-internal val nxtRobot = PybricksRobot(
-    hub = PybricksHub.NXT,
-    left = PybricksMotor('A'),
-    right = PybricksMotor('C'),
-    pen = PybricksMotor('B'),
-    wheelDiameter = 56.0,
-    track = 114.0,
-    sensors = listOf(
-        PybricksSensor(PybricksSensorKind.TOUCH, 1),
-        PybricksSensor(PybricksSensorKind.TOUCH, 2),
-        PybricksSensor(PybricksSensorKind.LIGHT, 3),
-        PybricksSensor(PybricksSensorKind.ULTRASONIC, 4),
-    ),
-)
+internal val nxtRobot = PybricksRobot.usual(PybricksHub.NXT)
 
 /** The robot of those above that has what [text] asks for. */
-internal fun robotFor(text: String): PybricksRobot = if (SONAR.containsMatchIn(text)) sonarRobot else bumperRobot
+internal fun robotFor(text: String): PybricksRobot = when {
+    SONAR.containsMatchIn(text) -> sonarRobot
+    MOTOR_B.containsMatchIn(text) -> nxtRobot
+    else -> bumperRobot
+}
 
+private val MOTOR_B = Regex("""(?m)^reset motor B$""")
 private val SONAR = Regex("""\b(distance|sonar)\b""")
 
 /** Compiled for a robot with an NXT, whose words a hub has, too; null if it has mistakes. */

@@ -16,7 +16,10 @@ class PythonTrapsTest {
 
     @Test
     fun `centimetres become millimetres and seconds milliseconds, both whole`() {
-        val lines = mainLinesOf("forward 2.5\nbackward 20\nwait 0.3 seconds\nforward for 1.5 seconds\nvar d = 0.5\nd = d * 3\nforward d")
+        val lines =
+            mainLinesOf(
+                "forward 2.5\nbackward 20\nwait 0.3 seconds\nforward for 1.5 seconds\nvar d = 0.5\nd = d * 3\nforward d",
+            )
         assertEquals(listOf("robot.straight(25)", "robot.straight(-200)", "wait(300)"), lines.drop(1).take(3))
         assertContains(lines, "wait(1500)")
         assertContains(lines, "robot.straight(round(10 * d))")
@@ -68,7 +71,10 @@ class PythonTrapsTest {
 
     @Test
     fun `a function that only computes stays plain in a program with tasks`() {
-        val lines = mainLinesOf("whenever left bumper\n  stop\nend\nfunction double(x)\n  return x * 2\nend\nforward double(3)\nhalt")
+        val lines =
+            mainLinesOf(
+                "whenever left bumper\n  stop\nend\nfunction double(x)\n  return x * 2\nend\nforward double(3)\nhalt",
+            )
         assertContains(lines, "def double(x):")
         assertContains(lines.map { it.trim() }, "await robot.straight(10 * double(3))")
     }
@@ -111,7 +117,10 @@ class PythonTrapsTest {
 
     @Test
     fun `a comparison that is compared has brackets`() {
-        assertContains(mainLinesOf("var x = 1\nvar ready = true\nif (x < 3) == ready\n  beep\nend"), "if (x < 3) == ready:")
+        assertContains(
+            mainLinesOf("var x = 1\nvar ready = true\nif (x < 3) == ready\n  beep\nend"),
+            "if (x < 3) == ready:",
+        )
         assertContains(mainLinesOf("var x = 1\nif not (x < 3) == false\n  beep\nend"), "if not (x < 3) == False:")
         assertContains(mainLinesOf("var x = 3\nshow -(x - 1) mod 2").last(), "show(remainder(-(x - 1), 2))")
     }
@@ -144,7 +153,12 @@ class PythonTrapsTest {
         for (part in listOf(".speaker", ".display", ".screen")) assertFalse(part in python, python)
         assertContains(python, "blink(100)")
         assertContains(notesOf("beep", essentialRobot).single(), "no speaker")
-        assertContains(pythonOf("if button left\n  beep\nend", essentialRobot).notes.first { it.isLost }.message, "button enter")
+        assertContains(
+            pythonOf("if button left\n  beep\nend", essentialRobot).notes.first {
+                it.isLost
+            }.message,
+            "button enter",
+        )
     }
 
     @Test
@@ -195,5 +209,7 @@ class PythonTrapsTest {
         assertTrue(notesOf("power 0\nforward 10").any { "power 0" in it })
     }
 
-    private fun notesOf(source: String, robot: PybricksRobot = bumperRobot) = pythonOf(source, robot).notes.map { it.message }
+    private fun notesOf(source: String, robot: PybricksRobot = bumperRobot) = pythonOf(source, robot).notes.map {
+        it.message
+    }
 }

@@ -4,6 +4,9 @@ import robotran.language.Language
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.recordedPython
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.SyntaxTree
+import robotran.robolang.syntax.allStatements
 import robotran.robolang.testPrograms
 import robotran.robolang.translate.linesWithJava
 import kotlin.test.Test
@@ -30,11 +33,18 @@ class TranslateToPythonTest {
         for (python in all) {
             val imports = python.lines().filter { it.startsWith("from ") }
             assertEquals(imports.sorted(), imports)
-            val rest = python.lines().filterNot { it.startsWith("from ") || it.trimStart().startsWith("#") }.joinToString("\n")
+            val rest = python.lines().filterNot {
+                it.startsWith("from ") || it.trimStart().startsWith("#")
+            }.joinToString("\n")
             for (line in imports) {
                 val names = line.substringAfter("import ").split(", ")
                 assertEquals(names.sorted(), names)
-                for (name in names) assertTrue(Regex("\\b$name\\b").containsMatchIn(rest), "$name is not used in\n$python")
+                for (name in names) {
+                    assertTrue(
+                        Regex("\\b$name\\b").containsMatchIn(rest),
+                        "$name is not used in\n$python",
+                    )
+                }
             }
         }
     }
@@ -43,7 +53,9 @@ class TranslateToPythonTest {
     fun `devices and functions that the program does not use are not there`() {
         for (python in allPrograms.values.map { it.python }) {
             val made = Regex("""(?m)^(\w+) = [A-Z]\w*\(""").findAll(python).map { it.groupValues[1] }
-            val functions = Regex("""(?m)^(?:async )?def (divide|remainder|show|blink|distance|pen_\w+|my_turn|whenever)\(""")
+            val functions = Regex(
+                """(?m)^(?:async )?def (divide|remainder|show|blink|distance|pen_\w+|my_turn|whenever)\(""",
+            )
                 .findAll(python).map { it.groupValues[1] }
             for (name in made + functions) {
                 assertTrue(Regex("\\b$name\\b").findAll(python).count() > 1, "$name is not used in\n$python")
@@ -53,10 +65,9 @@ class TranslateToPythonTest {
 
     @Test
     fun `each line of each program has its lines of Python and they lead back to it`() {
-        val problems = allPrograms.flatMap { (name, translation) ->
+        val problems = allPrograms.filterValues { it.isComplete }.flatMap { (name, translation) ->
             val tree = checkNotNull(programForHub(sources.getValue(name), name)).checked.tree
-            val ends = sources.getValue(name).lines().withIndex().filter { it.value.trim().startsWith("end") }.map { it.index + 1 }
-            (linesWithJava(tree) - ends.toSet()).filter { line ->
+            (linesWithJava(tree) - linesOfEnds(tree)).filter { line ->
                 val lines = translation.lineMap.javaLinesOf(line)
                 lines.isEmpty() || lines.any { translation.lineMap.robolangLineOf(it) != line }
             }.map { "$name:$it" }
@@ -66,7 +77,8 @@ class TranslateToPythonTest {
 
     @Test
     fun `each comment is in the Python once`() {
-        val source = "// about it\n\n// first\nbeep // loud\nrepeat 2 times\n  // in it\n  buzz\n  // below\nend // of it\n// closing"
+        val source = "// about it\n\n// first\nbeep // loud\n" +
+            "repeat 2 times\n  // in it\n  buzz\n  // below\nend // of it\n// closing"
         val lines = pythonLinesOf(source)
         assertEquals("# about it", lines.first())
         val place = lines.indexOf("# first")
@@ -107,6 +119,12 @@ class TranslateToPythonTest {
         assertContains(lines, "left_motor = Motor(Port.A, Direction.COUNTERCLOCKWISE, gears=[12, 20])")
         assertContains(lines, "robot = DriveBase(left_motor, right_motor, wheel_diameter=49.6, axle_track=114.25)")
     }
+
+    /** Lines with `end` have no Python. */
+    private fun linesOfEnds(tree: SyntaxTree): Set<Int> = (
+        tree.routines.map { it.endRange } + tree.behaviours.map { it.endRange } +
+            allStatements(tree).mapNotNull { (it as? Statement.Block)?.endRange }
+    ).map { it.line }.toSet()
 
     private companion object {
         val sources = testPrograms + documentedPrograms + examplePrograms

@@ -20,23 +20,24 @@ internal class HubRun(all: List<String>, val end: String) {
 
     companion object {
         private val SET_UP = listOf("device ", "drive_base create", "system ", "sensor ")
+        private val RESET = Regex("motor . reset_angle 0")
         private val BRAKE = Regex("motor . brake")
 
-        /** Of the log of the fake modules, whose last line tells the end. */
-        fun ofLog(log: List<String>): HubRun {
+        /** Of the [log] of the fake modules for the program [python]; its last line tells the end. */
+        fun ofLog(log: List<String>, python: String): HubRun {
             val end = log.last().removePrefix("# ").substringBeforeLast(' ')
-            // Motors with letters are set to 0 before the program begins.
-            val begin = log.indexOfFirst { call -> (SET_UP + "motor ").none { call.startsWith(it) } || "reset" !in call && "motor " in call }
-            val resets = log.take(maxOf(0, begin)).count { it.endsWith("reset_angle 0") && it.startsWith("motor ") }
-            var left = resets
-            return HubRun(log.dropLast(1).filterNot { it.endsWith("reset_angle 0") && left-- > 0 }, end)
+            // Motors with letters are set to 0 with the devices, before the program begins.
+            var resets = python.substringAfter("Motor(").substringBefore("\n\n").lines().count {
+                ".reset_angle(0)" in it
+            }
+            return HubRun(log.dropLast(1).filterNot { RESET.matches(it) && resets-- > 0 }, end)
         }
     }
 }
 
 /** Runs [program] with the interpreter for [robot]. */
 internal fun runOnHub(program: RobolangProgram, robot: PybricksRobot): HubRun {
-    val hub = RecordingHub(robot)
+    val hub = RecordingHub(robot, PybricksSpeeds(program.checked.tree, robot).areApart)
     val run = program.run(hub, Durations(program.robot))
     var left = MOST_RESUMES
     while (true) {

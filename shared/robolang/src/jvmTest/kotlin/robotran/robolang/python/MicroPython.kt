@@ -54,10 +54,11 @@ internal object MicroPython {
     }
 
     /** The logs in [text]: names with `\t`-separated lines behind them, a program in a line. */
-    private fun logsIn(text: String): Map<String, List<String>> = text.lines().filter { it.isNotEmpty() }.associate { line ->
-        val parts = line.split('\t')
-        parts.first() to parts.drop(1)
-    }
+    private fun logsIn(text: String): Map<String, List<String>> =
+        text.lines().filter { it.isNotEmpty() }.associate { line ->
+            val parts = line.split('\t')
+            parts.first() to parts.drop(1)
+        }
 
     private val FILES = listOf(
         "run.mjs",

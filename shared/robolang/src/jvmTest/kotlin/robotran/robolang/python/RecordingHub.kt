@@ -1,5 +1,6 @@
 package robotran.robolang.python
 
+import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.run.RobotDevice
@@ -10,14 +11,15 @@ import robotran.robolang.syntax.PaintColour
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.TurnDirection
-import robotran.brick.controls.MotorMode
 import kotlin.math.abs
 
 /**
  * A hub for the interpreter that moves nothing: it logs the calls that Pybricks would get, takes the time for them that
  * the fake modules in Python take, and measures what they measure.
+ *
+ * @param areApart whether each wheel has a speed of its own.
  */
-internal class RecordingHub(private val robot: PybricksRobot) : RobotDevice {
+internal class RecordingHub(private val robot: PybricksRobot, private val areApart: Boolean) : RobotDevice {
     val calls = mutableListOf<String>()
     private val motors = mutableMapOf<Char, RecordedMotor>()
     private var power = PybricksFigures.FIRST_POWER
@@ -39,11 +41,20 @@ internal class RecordingHub(private val robot: PybricksRobot) : RobotDevice {
     private fun motor(port: Char) = motors.getOrPut(port) { RecordedMotor(port) }
 
     override fun startMoving(direction: MoveDirection, sourceLine: Int) {
+        val sign = if (direction == MoveDirection.FORWARD) 1 else -1
+        if (areApart) return runWheels(sign, sign)
         val speed = robot.speedAhead(PybricksFigures.speedOf(power))
         drive(if (direction == MoveDirection.FORWARD) speed else -speed, 0)
     }
 
+    private fun runWheels(left: Int, right: Int) {
+        motor(robot.left.port).apply { run(left * speed) }
+        motor(robot.right.port).apply { run(right * speed) }
+    }
+
     override fun startTurning(direction: TurnDirection, sourceLine: Int) {
+        val sign = if (direction == TurnDirection.RIGHT) 1 else -1
+        if (areApart) return runWheels(sign, -sign)
         val rate = robot.turnRate(PybricksFigures.speedOf(power))
         drive(0, if (direction == TurnDirection.RIGHT) rate else -rate)
     }
@@ -55,7 +66,12 @@ internal class RecordingHub(private val robot: PybricksRobot) : RobotDevice {
 
     override fun stopDriving(sourceLine: Int) {
         drivingUntil = 0
-        log("drive_base brake")
+        if (areApart) {
+            motor(robot.left.port).stand("brake")
+            motor(robot.right.port).stand("brake")
+        } else {
+            log("drive_base brake")
+        }
     }
 
     override fun drive(direction: MoveDirection, distance: NumberValue, sourceLine: Int): Int {
@@ -91,7 +107,9 @@ internal class RecordingHub(private val robot: PybricksRobot) : RobotDevice {
     override fun setPower(side: PowerSide, power: Int, sourceLine: Int) {
         this.power = power
         val degrees = PybricksFigures.speedOf(power)
-        if (side == PowerSide.BOTH) log("drive_base settings ${robot.speedAhead(degrees)} ${robot.turnRate(degrees)}")
+        if (side != PowerSide.RIGHT) motor(robot.left.port).speed = degrees
+        if (side != PowerSide.LEFT) motor(robot.right.port).speed = degrees
+        if (!areApart) log("drive_base settings ${robot.speedAhead(degrees)} ${robot.turnRate(degrees)}")
     }
 
     override fun setPower(motor: MotorPort, power: Int, sourceLine: Int) {
