@@ -63,8 +63,8 @@ internal class PythonNames(reserved: Set<String>) {
 
     private companion object {
         val WORDS = (
-            "False None True and as assert async await break class continue def del elif else except finally for from " +
-                "global if import in is lambda nonlocal not or pass raise return try while with yield"
+            "False None True and as assert async await break class continue def del elif else except finally for " +
+                "from global if import in is lambda nonlocal not or pass raise return try while with yield"
         ).split(' ')
 
         /** What the translation may use of Python itself. */

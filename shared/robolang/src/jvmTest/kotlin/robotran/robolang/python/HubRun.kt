@@ -18,6 +18,8 @@ internal class HubRun(all: List<String>, val end: String) {
     /** Whether it came to its end by itself. */
     val isOver: Boolean get() = end == "end" || end == "exit"
 
+    val isError: Boolean get() = end.startsWith("error")
+
     companion object {
         private val SET_UP = listOf("device ", "drive_base create", "system ", "sensor ")
         private val RESET = Regex("motor . reset_angle 0")
