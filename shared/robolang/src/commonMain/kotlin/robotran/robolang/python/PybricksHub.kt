@@ -3,6 +3,7 @@ package robotran.robolang.python
 /**
  * The hubs that run Pybricks.
  *
+ * @property word what it is called on the command line and in links.
  * @property className its class in `pybricks.hubs`.
  * @property devices the module with its motors and sensors.
  * @property hasLetters whether its sensors are on ports with letters, as its motors are; otherwise on `S1` and so on.
@@ -13,6 +14,7 @@ package robotran.robolang.python
  * middle; null if that one is free.
  */
 enum class PybricksHub(
+    val word: String,
     internal val className: String,
     internal val devices: String,
     internal val motorPorts: CharRange,
@@ -23,15 +25,36 @@ enum class PybricksHub(
     internal val hasArrows: Boolean = true,
     internal val stopButton: String? = null,
 ) {
-    PRIME("PrimeHub", POWERED_UP, 'A'..'F', hasMatrix = true, stopButton = "Button.BLUETOOTH"),
-    ESSENTIAL("EssentialHub", POWERED_UP, 'A'..'B', hasSpeaker = false, hasArrows = false, stopButton = NO_BUTTON),
-    TECHNIC("TechnicHub", POWERED_UP, 'A'..'D', hasSpeaker = false, hasArrows = false, stopButton = NO_BUTTON),
-    EV3("EV3Brick", "pybricks.ev3devices", 'A'..'D', hasLetters = false, hasScreen = true),
-    NXT("NXTBrick", "pybricks.nxtdevices", 'A'..'C', hasLetters = false, hasScreen = true),
+    PRIME("spike-prime", "PrimeHub", POWERED_UP, 'A'..'F', hasMatrix = true, stopButton = "Button.BLUETOOTH"),
+    ESSENTIAL(
+        "spike-essential",
+        "EssentialHub",
+        POWERED_UP,
+        'A'..'B',
+        hasSpeaker = false,
+        hasArrows = false,
+        stopButton = NO_BUTTON,
+    ),
+    TECHNIC(
+        "technic-hub",
+        "TechnicHub",
+        POWERED_UP,
+        'A'..'D',
+        hasSpeaker = false,
+        hasArrows = false,
+        stopButton = NO_BUTTON,
+    ),
+    EV3("ev3", "EV3Brick", "pybricks.ev3devices", 'A'..'D', hasLetters = false, hasScreen = true),
+    NXT("nxt-pybricks", "NXTBrick", "pybricks.nxtdevices", 'A'..'C', hasLetters = false, hasScreen = true),
     ;
 
     /** What a port for a sensor is called in `Port`; [number] counts from 1. */
     internal fun sensorPort(number: Int): String = if (hasLetters) "${'A' + (number - 1)}" else "S$number"
+
+    companion object {
+        /** The hub that is called [word]; null if none is. */
+        fun of(word: String): PybricksHub? = entries.firstOrNull { it.word == word }
+    }
 }
 
 private const val POWERED_UP = "pybricks.pupdevices"

@@ -23,7 +23,7 @@ class PythonRunTest {
     @Test
     fun `translations of all programs run without an error and make the calls of the interpreter`() {
         if (!MicroPython.isHere) return println("MicroPython is not on this machine: not run.")
-        val (complete, refused) = translations { robotOf(it) }.toList().partition { it.second.isComplete }
+        val (complete, refused) = translations().toList().partition { it.second.isComplete }
         val logs = MicroPython.run(complete.associate { (name, translation) -> name to translation.python })
         val all = complete.map { (name, translation) ->
             val program = programs.getValue(name)
@@ -38,16 +38,17 @@ class PythonRunTest {
     }
 
     @Test
-    fun `translations for each hub run without an error`() {
+    fun `translations of examples and solutions run on each hub without an error`() {
         if (!MicroPython.isHere) return
-        for (robot in PybricksHub.entries.map { PybricksRobot.usual(it) }) {
-            val complete = translations { robot }.filterValues { it.isComplete }
-            val logs = MicroPython.run(complete.mapValues { it.value.python })
-            val failed = logs.filter { (name, log) ->
-                log.last().startsWith("# error") && name !in KNOWN && !runOnHub(programs.getValue(name), robot).isError
-            }
-            assertEquals(emptyMap(), failed, "${robot.hub}, of ${complete.size} programs")
-        }
+        val robots = PybricksHub.entries.associate { it.name to PybricksRobot.usual(it) }
+        val programs = compiled(examplePrograms + lessonPrograms)
+        val complete = robots.flatMap { (hub, robot) ->
+            programs.map { (name, program) -> "$hub $name" to translateToPython(program, robot, messages) }
+        }.filter { it.second.isComplete }
+        val logs = MicroPython.run(complete.associate { (name, translation) -> name to translation.python })
+        assertTrue(logs.size > programs.size * 2, "only ${logs.size} translations are complete")
+        val failed = logs.filterValues { it.last().startsWith("# error") }
+        assertEquals(emptyMap(), failed)
     }
 
     @Test
@@ -85,11 +86,13 @@ class PythonRunTest {
     }
 
     private val programs: Map<String, RobolangProgram> by lazy {
-        (testPrograms + documentedPrograms + examplePrograms + lessonPrograms + recordedPythonSources)
-            .mapNotNull { (name, text) -> programForHub(text, name)?.let { name to it } }.toMap()
+        compiled(testPrograms + documentedPrograms + examplePrograms + lessonPrograms + recordedPythonSources)
     }
 
-    private fun translations(robotOf: (RobolangProgram) -> PybricksRobot): Map<String, PythonTranslation> =
+    private fun compiled(sources: Map<String, String>): Map<String, RobolangProgram> =
+        sources.mapNotNull { (name, text) -> programForHub(text, name)?.let { name to it } }.toMap()
+
+    private fun translations(): Map<String, PythonTranslation> =
         programs.mapValues { (_, program) -> translateToPython(program, robotOf(program), messages) }
 
     private fun report(all: List<HubComparison>, refused: List<PythonTranslation>): String = buildString {
