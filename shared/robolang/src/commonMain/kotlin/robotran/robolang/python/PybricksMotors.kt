@@ -35,7 +35,7 @@ internal class PybricksMotors(
                 else -> listOfNotNull(
                     "$SPEED = $ahead  # Millimetres a second.".takeIf { usesSpeed },
                     "$TURN_RATE = $turning  # Degrees a second.".takeIf { usesRate },
-                ) + speeds.variables.map { "$it = $first" }
+                ) + (speeds.variables - speeds.setFirst).map { "$it = $first" }
             }
         }
 
@@ -72,6 +72,7 @@ internal class PybricksMotors(
         if (speeds.areApart) return powerOfSides(command)
         devices.base()
         val literal = (expressions.literal(command.power) as? NumberValue.Whole)?.value
+        if (speeds.areVariables) notes.tell(command.range, messages.powerLater())
         if (literal == null || speeds.areVariables) {
             return listOf("${uses.use(PythonHelper.SET_POWER)}(${numbers.whole(command.power)})")
         }
@@ -84,7 +85,8 @@ internal class PybricksMotors(
     }
 
     private fun powerOfSides(command: Command.Power): List<String> {
-        notes.tell(command.range, messages.powerOfSides())
+        notes.tell(command.range, messages.powerLater())
+        if (speeds.useMoves) notes.tell(command.range, messages.powerOfSides())
         val speed = degrees(command.power)
         return when (command.side) {
             PowerSide.LEFT -> listOf("${PybricksSpeeds.LEFT} = $speed")
@@ -151,7 +153,10 @@ internal class PybricksMotors(
     /** The letter of [port]; null if the robot has no motor there. */
     private fun checked(port: MotorPort, command: Command): Char? {
         val letter = port.name.single()
-        if (robot.hasMotorPort(letter)) return letter
+        if (robot.hasMotorPort(letter)) {
+            notes.tell(command.range, messages.motorsOfWheels("$left", "$right"))
+            return letter
+        }
         notes.lost(command.range, messages.noMotorPort("$letter"))
         return null
     }

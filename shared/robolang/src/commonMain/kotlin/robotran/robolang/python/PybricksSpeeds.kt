@@ -2,6 +2,7 @@ package robotran.robolang.python
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.syntax.Command
+import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.Statement
@@ -12,7 +13,7 @@ import robotran.robolang.syntax.allStatements
  * How a program keeps the speeds that its powers set: as constants if it sets none; as variables of the driving base if it
  * sets both wheels alike; as variables of each motor otherwise.
  */
-internal class PybricksSpeeds(tree: SyntaxTree, private val robot: PybricksRobot) {
+internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: PybricksRobot) {
     private val commands = allStatements(tree).filterIsInstance<Command>()
     private val motorsWithPower = commands.filterIsInstance<Command.Motor>()
         .filter { it.command is MotorCommand.Power }.map { portOf(it.port) }.toSet()
@@ -35,6 +36,11 @@ internal class PybricksSpeeds(tree: SyntaxTree, private val robot: PybricksRobot
     val useBase: Boolean = commands.any {
         it is Command.Move || it is Command.Turn || it is Command.StartMoving || it is Command.StartTurning ||
             it is Command.StopDriving
+    }
+
+    /** Whether it drives by a distance or turns by an angle. */
+    val useMoves: Boolean = commands.any {
+        (it is Command.Move && it.distance != null) || (it is Command.Turn && it.angle != null)
     }
 
     /** Whether its wheels may turn when it ends. */
@@ -65,6 +71,17 @@ internal class PybricksSpeeds(tree: SyntaxTree, private val robot: PybricksRobot
     /** All such variables. */
     val variables: List<String>
         get() = (wheels.filter { areApart } + motorsWithPower).distinct().mapNotNull { variableOf(it) }
+
+    /** Those that the main program sets before it does anything else. */
+    val setFirst: Set<String>
+        get() = if (tree.behaviours.isNotEmpty()) {
+            emptySet()
+        } else {
+            tree.statements.takeWhile { changedBy(it).isNotEmpty() || isFigure(it) }.flatMap { changedBy(it) }.toSet()
+        }
+
+    private fun isFigure(statement: Statement): Boolean =
+        statement is Statement.Declare && statement.value is Expression.Number
 
     /** Those that [statement] itself changes. */
     fun changedBy(statement: Statement): List<String> = when {

@@ -99,7 +99,12 @@ internal class PythonFile(
     /** Whether [part] needs a function of the program, which is only defined further down. */
     private fun needsFunction(part: Expression): Boolean = when (part) {
         is Expression.Call -> checked.symbolOf(part.name).declaredAt != null || part.name.key == BuiltIn.RANDOM.text
-        is Expression.Binary -> part.operator == BinaryOperator.DIVIDE || part.operator == BinaryOperator.MOD
+
+        is Expression.Binary -> {
+            val isDivision = part.operator == BinaryOperator.DIVIDE || part.operator == BinaryOperator.MOD
+            isDivision && !(expressions.isNeverBelow(part.left) && expressions.isNeverBelow(part.right))
+        }
+
         is Expression.Sense -> part.sense == Sense.Distance || part.sense is Sense.Sensor
         else -> false
     }

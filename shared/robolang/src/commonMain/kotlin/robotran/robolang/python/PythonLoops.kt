@@ -2,6 +2,7 @@ package robotran.robolang.python
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
@@ -94,7 +95,11 @@ internal class PythonLoops(
     /** The number behind [last], where `range` ends. */
     private fun behind(last: Expression, sign: Int): String {
         (expressions.literal(last) as? NumberValue.Whole)?.let { return "${it.value.toLong() + sign}" }
-        if (sign > 0) steady.countBehind(last)?.let { return expressions.text(it) }
+        val difference = expressions.bare(last) as? Expression.Binary
+        val undoes = if (sign > 0) BinaryOperator.MINUS else BinaryOperator.PLUS
+        if (difference?.operator == undoes && expressions.literal(difference.right) == NumberValue.Whole(1)) {
+            return expressions.text(difference.left)
+        }
         return "${expressions.text(last, PythonStrength.SUM)} ${if (sign > 0) "+" else "-"} 1"
     }
 

@@ -49,6 +49,7 @@ class PythonShapesTest {
     fun `ranges are those of Python`() {
         assertContains(mainLinesOf("for i from 1 to 5\n  beep\nend"), "for i in range(1, 6):")
         assertContains(mainLinesOf("for i from 10 to 1 step -3\n  beep\nend"), "for i in range(10, 0, -3):")
+        assertContains(mainLinesOf("const n = 3\nfor i from 0 to n - 1\n  beep\nend"), "for i in range(N):")
         val overList = "var all = [1, 2]\nfor i from 0 to length(all) - 1\n  show all[i]\nend"
         assertContains(mainLinesOf(overList), "for i in range(len(all)):")
         val unknown = "var s = 2\ns = s - 4\nfor i from 5 to 1 step s\n  beep\nend"
@@ -106,9 +107,29 @@ class PythonShapesTest {
     @Test
     fun `powers of single wheels are speeds of single motors`() {
         val lines = mainLinesOf("power left 2\nstart forward\nwait 1 second\nstop")
-        val expected =
-            listOf("left_speed = 240", "left_motor.run(left_speed)", "right_motor.run(right_speed)", "wait(1000)")
-        assertEquals(expected, lines.drop(2).take(4))
+        val expected = listOf(
+            "right_speed = 360",
+            "left_speed = 240",
+            "left_motor.run(left_speed)",
+            "right_motor.run(right_speed)",
+            "wait(1000)",
+            "left_motor.brake()",
+            "right_motor.brake()",
+        )
+        assertEquals(expected, lines)
+    }
+
+    @Test
+    fun `a power that changes while the robot drives is told with what to do`() {
+        val notes = pythonOf("start forward\nwait 1 second\npower 5\nwait 1 second\nstop").notes.map { it.message }
+        assertTrue(notes.any { "Say it again" in it }, notes.toString())
+        assertTrue(pythonOf("power 5\nforward 20").notes.none { "Say it again" in it.message })
+    }
+
+    @Test
+    fun `single motors are told with those of the wheels`() {
+        val notes = pythonOf("motor C forward").notes.map { it.message }
+        assertContains(notes, "The wheels of this robot are motors A and B.")
     }
 
     @Test
