@@ -77,12 +77,21 @@ class PythonRunTest {
     fun `the fake modules print what a hub printed`() {
         if (!MicroPython.isHere) return
         val logs = MicroPython.run(oraclePrograms.filterKeys { it.endsWith(".py") })
-        assertTrue(logs.size >= 8)
+        assertTrue(logs.size >= 13)
         for ((name, log) in logs) {
             val lines = log.filter { it.startsWith("print") }.map { it.removePrefix("print \"").removeSuffix("\"") }
             val wanted = oraclePrograms.getValue(name.removeSuffix(".py") + ".out").lines()
-            assertEquals(wanted.filter { it.isNotEmpty() && it != STOPPED }, lines, name)
+                .takeWhile { it != TRACEBACK }.filter { it.isNotEmpty() && it != STOPPED }
+            val different = lines.zip(wanted).filterNot { (one, other) -> areAlikeWordByWord(one, other) }
+            assertEquals(wanted.size, lines.size, name)
+            assertEquals(OTHER_LINES[name] ?: 0, different.size, "$name: $different")
         }
+    }
+
+    private fun areAlikeWordByWord(first: String, second: String): Boolean {
+        val words = first.split(' ').zip(second.split(' '))
+        return first.count { it == ' ' } == second.count { it == ' ' } &&
+            words.all { (one, other) -> areAlike("print \"$one\"", "print \"$other\"") }
     }
 
     private val programs: Map<String, RobolangProgram> by lazy {
@@ -107,7 +116,16 @@ class PythonRunTest {
         val messages = PythonTranslationMessages.of(Language.ENGLISH)
 
         /** What the hub itself prints. */
+        const val TRACEBACK = "Traceback (most recent call last):"
         const val STOPPED = "The program was stopped (SystemExit)."
+
+        /** How many lines of a recorded program are others in Node: numbers beyond 31 and 32 bits, the type of a task. */
+        val OTHER_LINES = mapOf(
+            "01-integers.py" to 2,
+            "02-decimals.py" to 4,
+            "03-functions.py" to 1,
+            "23-task-mistakes.py" to 1,
+        )
 
         /** What differs and is meant to, or cannot be seen here. */
         val KNOWN = mapOf(
