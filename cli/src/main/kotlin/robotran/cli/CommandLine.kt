@@ -2,6 +2,7 @@ package robotran.cli
 
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import robotran.cli.brick.BrickCommand
@@ -29,11 +30,13 @@ import robotran.cli.web.WebCommand
  * @param console receives all output.
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  * @param towers where the infrared tower is; made by the first command that needs it.
+ * @param variable the value of a variable of the environment; null if it is not set.
  */
 class CommandLine(
     console: Console,
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
+    private val variable: (String) -> String? = System::getenv,
 ) {
     private val console = console.visible()
 
@@ -71,7 +74,7 @@ class CommandLine(
                 WebCommand(console),
                 CourseCommand(console),
                 PackageCommand(console),
-            )
+            ).context { readEnvvar = variable }
         return try {
             command.parse(arguments)
             ExitCode.DONE.status
