@@ -175,7 +175,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
         } else {
             Column(Modifier.fillMaxSize(), horizontalAlignment = Alignment.CenterHorizontally) {
                 SheetStage(state, onEvent, MessageOptions(onWholeBrick = showBrick), Modifier.weight(1f))
-                if (isBroad || this@BoxWithConstraints.maxHeight < LOW_PANE) {
+                if (isBroad) {
                     // In one row if they fit, since the paper is low.
                     FlowRow {
                         WorldTaskAndGoals(
@@ -183,7 +183,7 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                             onEvent,
                             Modifier.align(Alignment.CenterVertically),
                             isSlim = true,
-                            hasName = isBroad,
+                            hasName = this@BoxWithConstraints.maxWidth >= NAMED_GOALS,
                         )
                         StripWithSize(state.run, onEvent, showBrick)
                     }
@@ -272,8 +272,8 @@ private val STRIP_HEIGHT = 80.dp
 /** Below this height, as on a phone held across, the run bar has one row. */
 private val LOW = 480.dp
 
-/** Below this height the sheet of an upright phone has little room, as beside the task of a lesson on a small one. */
-private val LOW_PANE = 400.dp
+/** From this width on the goals, with their name, and the strip fit in one row. */
+private val NAMED_GOALS = 420.dp
 
 /** The rest scrolls. */
 private val MAX_BANNER_HEIGHT = 200.dp
