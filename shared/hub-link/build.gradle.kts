@@ -4,7 +4,12 @@ plugins {
 }
 
 texts {
-    constant("commonTest", "robotran.hublink.recordedDialogues", "shared/hub-link/src/commonTest/resources/dialogues", "*.txt")
+    constant(
+        "commonTest",
+        "robotran.hublink.recordedDialogues",
+        "shared/hub-link/src/commonTest/resources/dialogues",
+        "*.txt",
+    )
     constant("commonTest", "robotran.hublink.vectors", "shared/hub-link/src/commonTest/resources/vectors", "*.txt")
 }
 
