@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.core.parse
 import com.github.ajalt.clikt.core.subcommands
 import robotran.cli.brick.BrickCommand
 import robotran.cli.brick.FirmwareCommand
+import robotran.cli.brick.Hubs
 import robotran.cli.brick.SendCommand
 import robotran.cli.brick.Towers
 import robotran.cli.check.CheckCommand
@@ -29,11 +30,13 @@ import robotran.cli.web.WebCommand
  * @param console receives all output.
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  * @param towers where the infrared tower is; made by the first command that needs it.
+ * @param hubs where hubs with Pybricks are, likewise.
  */
 class CommandLine(
     console: Console,
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
+    private val hubs: () -> Hubs = Hubs::ofThisMachine,
 ) {
     private val console = console.visible()
 
@@ -65,7 +68,7 @@ class CommandLine(
                 FormatCommand(console),
                 RobotCommand(console),
                 LinkCommand(console),
-                SendCommand(console, towers),
+                SendCommand(console, towers, hubs),
                 FirmwareCommand(console, towers),
                 BrickCommand(console, towers),
                 WebCommand(console),

@@ -2,6 +2,7 @@ package robotran.hublink.program
 
 import robotran.hublink.HubError
 import robotran.hublink.fourBytes
+import robotran.hublink.u32
 
 /**
  * A compiled module of a program.
@@ -45,7 +46,27 @@ class HubProgram(val modules: List<HubModule>) {
         return if (isForOthers) HubError.NotAProgram else file.longNumbers.firstOrNull()?.let(HubError::NumberTooLarge)
     }
 
-    private companion object {
-        const val SMALL_INTEGER_BITS = 31
+    companion object {
+        private const val SMALL_INTEGER_BITS = 31
+
+        /**
+         * Reads a file: [bytes] as [HubProgram.bytes] has them, or a single module. Null if it is neither; what the modules
+         * hold is not looked at.
+         */
+        fun read(bytes: ByteArray): HubProgram? {
+            if (MpyFile.read(bytes) != null) return HubProgram(bytes)
+            val modules = mutableListOf<HubModule>()
+            var place = 0
+            while (place < bytes.size) {
+                val nameEnd =
+                    (place + Int.SIZE_BYTES until bytes.size).firstOrNull { bytes[it] == 0.toByte() } ?: return null
+                val name = bytes.decodeToString(place + Int.SIZE_BYTES, nameEnd)
+                val end = nameEnd + 1 + bytes.u32(place)
+                if (name.isEmpty() || end > bytes.size) return null
+                modules += HubModule(name, bytes.copyOfRange(nameEnd + 1, end.toInt()))
+                place = end.toInt()
+            }
+            return if (modules.isEmpty()) null else HubProgram(modules)
+        }
     }
 }

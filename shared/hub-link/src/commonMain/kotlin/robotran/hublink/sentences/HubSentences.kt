@@ -1,6 +1,7 @@
 package robotran.hublink.sentences
 
 import robotran.hublink.HubError
+import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
 import robotran.hublink.messages.HubTexts
 import robotran.hublink.output.ProgramError
@@ -29,6 +30,9 @@ fun HubError.sentence(language: Language): String = when (this) {
     HubError.BadConnection -> HubTexts.badConnection(language)
     is HubError.Refused -> HubTexts.refused(language, code)
 }
+
+/** What the hub has now. */
+fun Remains.sentence(language: Language): String = HubTexts.remains(language, this)
 
 /** What to look at. */
 fun UnseenCause.sentence(language: Language): String = when (this) {

@@ -17,13 +17,11 @@ import robotran.hublink.hexOf
 import robotran.hublink.mpyOf
 import robotran.hublink.output.LineMap
 import robotran.hublink.output.OutputReader
-import robotran.hublink.program.HubModule
 import robotran.hublink.program.HubProgram
 import robotran.hublink.simulated.SimulatedBluetooth
 import robotran.hublink.simulated.SimulatedModel
 import robotran.hublink.simulated.SimulatedProgram
 import robotran.hublink.simulated.WireFaults
-import robotran.hublink.u32
 import robotran.hublink.vectorLines
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
@@ -85,25 +83,11 @@ class HubLinkTest {
             val test = TestHub(this, model = SimulatedModel(messageBytes = line[0].toInt()))
             test.open()
             val container = bytesOf(line[1])
-            assertIs<DownloadResult.Success>(test.link.send(programOf(container)))
+            assertIs<DownloadResult.Success>(test.link.send(requireNotNull(HubProgram.read(container))))
             test.link.start()
             val sent = (test.connection as SimulatedBluetooth).commands.map(::hexOf)
             assertEquals(line.drop(2), sent, "${container.size} bytes, ${line[0]} at a time")
         }
-    }
-
-    /** The program in a container, taken apart. */
-    private fun programOf(container: ByteArray): HubProgram {
-        val modules = mutableListOf<HubModule>()
-        var place = 0
-        while (place < container.size) {
-            val name = container.drop(place + 4).takeWhile { it != 0.toByte() }.toByteArray()
-            val start = place + 4 + name.size + 1
-            val end = start + container.u32(place).toInt()
-            modules += HubModule(name.decodeToString(), container.copyOfRange(start, end))
-            place = end
-        }
-        return HubProgram(modules)
     }
 
     @Test

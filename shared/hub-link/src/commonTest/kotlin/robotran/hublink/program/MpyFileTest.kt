@@ -60,6 +60,25 @@ class MpyFileTest {
     }
 
     @Test
+    fun `containers and single modules are read from files`() {
+        for (line in vectorLines("containers.txt")) {
+            assertEquals(line.last(), HubProgram.read(bytesOf(line.last()))?.let { hexOf(it.bytes) })
+        }
+        val hello = HubProgram.read(mpyOf("hello.py"))
+        assertEquals(vectorLines("containers.txt").first().last(), hello?.let { hexOf(it.bytes) })
+        val container = bytesOf(vectorLines("containers.txt").last().last())
+        for (size in listOf(
+            0,
+            3,
+            10,
+            container.size - 1,
+        )) {
+            assertNull(HubProgram.read(container.copyOf(size)), "$size bytes")
+        }
+        assertNull(HubProgram.read("print(1)".encodeToByteArray()))
+    }
+
+    @Test
     fun `any bytes are read or refused`() {
         val random = Random(3)
         val good = vectorLines("mpy.txt").map { bytesOf(it[1]) }
