@@ -3,6 +3,7 @@ plugins {
 }
 
 dependencies {
+    api(project(":siteServer"))
     implementation(project(":shared:programs"))
     api(project(":shared:projects"))
     implementation(project(":shared:documents"))
@@ -29,6 +30,7 @@ kotlin {
             kotlin.srcDir("../shared/tower/src/sharedTest/kotlin")
             // The hub that send talks to.
             kotlin.srcDir("../shared/hub-link/src/simulatedHub/kotlin")
+            kotlin.srcDir("../siteServer/src/recordingConsole/kotlin")
         }
     }
 }

@@ -1,9 +1,9 @@
 package robotran.cli.brick
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.hublink.HubDescription
 import robotran.hublink.HubError
 import robotran.hublink.HubResult

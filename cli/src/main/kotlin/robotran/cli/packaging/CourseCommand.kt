@@ -11,12 +11,12 @@ import com.github.ajalt.clikt.parameters.options.required
 import robotran.assignments.course.OwnCourses
 import robotran.assignments.course.courseFile
 import robotran.assignments.course.pupilCopy
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.files.writeFile
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 
 /** `robotran course STRAND|worlds -o FILE`: writes a course that comes with Robotran. */
 internal class CourseCommand(private val process: Console) : CoreCliktCommand("course") {
