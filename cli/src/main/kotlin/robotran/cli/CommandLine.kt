@@ -26,17 +26,19 @@ import robotran.siteserver.WebCommand
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  * @param towers where the infrared tower is; made by the first command that needs it.
  * @param hubs where hubs with Pybricks are, likewise.
+ * @param variable the value of a variable of the environment; null if it is not set.
  */
 class CommandLine(
     console: Console,
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
     private val hubs: () -> Hubs = Hubs::ofThisMachine,
+    private val variable: (String) -> String? = System::getenv,
 ) {
     private val console = console.visible()
 
     /** Runs one command and returns the exit status of the process, see [ExitCode]. */
-    fun execute(arguments: List<String>): Int = console.carryOut(arguments) {
+    fun execute(arguments: List<String>): Int = console.carryOut(arguments, variable) {
         RobotranCommand(console, desktop).subcommands(
             AppCommand(console, desktop),
             RunCommand(console, desktop),

@@ -3,11 +3,20 @@ package robotran.console
 import com.github.ajalt.clikt.core.CliktError
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.context
 import com.github.ajalt.clikt.core.parse
 
-/** Lets [command] and what it returns carry out [arguments]; the exit status of the process, see [ExitCode]. */
-fun Console.carryOut(arguments: List<String>, command: () -> CoreCliktCommand): Int = try {
-    parse(arguments, command())
+/**
+ * Lets what [command] returns carry out [arguments]; the exit status of the process, see [ExitCode].
+ *
+ * @param variable the value of a variable of the environment; null if it is not set.
+ */
+fun Console.carryOut(
+    arguments: List<String>,
+    variable: (String) -> String? = System::getenv,
+    command: () -> CoreCliktCommand,
+): Int = try {
+    parse(arguments, command().context { readEnvvar = variable })
 } catch (problem: Exception) {
     failed(problem, arguments)
 } catch (problem: StackOverflowError) {

@@ -31,7 +31,8 @@ internal class CourseCommand(private val process: Console) : CoreCliktCommand("c
 
     override fun run() {
         val own =
-            OwnCourses.named(course, spoken.language) ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
+            OwnCourses.named(course, spoken.language, words = spoken.language)
+                ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
         val bytes =
             checkNotNull(courseFile(if (isForPupils) pupilCopy(own) else own)) { "Every course fits into a file." }
         writeFile(output, bytes, console.messages)?.let { refuse(it) }
