@@ -9,6 +9,7 @@ dependencies {
     implementation(project(":shared:documents"))
     api(project(":shared:assignments"))
     implementation(project(":shared:desktop-tower"))
+    implementation(project(":shared:mpy-compiler"))
     implementation(libs.coroutines.core)
     implementation(libs.clikt)
     implementation(libs.mordant)

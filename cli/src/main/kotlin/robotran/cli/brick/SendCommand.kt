@@ -19,6 +19,9 @@ import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readFile
 import robotran.cli.files.readProgramFiles
+import robotran.cli.hub.HubProgramOfFile
+import robotran.cli.hub.hubOption
+import robotran.cli.hub.hubProgramOf
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
 import robotran.cli.legofirmware.FirmwareImageOfFile
@@ -30,6 +33,7 @@ import robotran.console.speaking
 import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings
+import robotran.robolang.python.PybricksHub
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.LegoLimits
@@ -45,7 +49,8 @@ internal class SendCommand(
     private val files by argument(
         "FILE",
         help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
-            "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: one .mpy",
+            "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: " +
+            "one .mpy, or one .robo with --brick",
     ).multiple(required = true)
     private val port by portOption()
     private val slot by option(
@@ -57,6 +62,7 @@ internal class SendCommand(
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
+    private val hub by hubOption()
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
@@ -65,7 +71,7 @@ internal class SendCommand(
             "or to a hub with Pybricks, by USB."
 
     override fun run() {
-        if (files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub().status)
+        if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub().status)
         val programs = when (val read = readProgramFiles(files, console.messages)) {
             is ProgramFiles.Success -> read.programs.also { read.notes.forEach(console::complain) }
             is ProgramFiles.Failure -> refuse(read.reason)
@@ -81,12 +87,22 @@ internal class SendCommand(
 
     private fun sendToHub(): ExitCode {
         val name = files.singleOrNull() ?: refuse(console.messages.oneProgramForHub())
+        val program = hub?.takeUnless { name.endsWith(HUB_PROGRAM) }?.let { compiled(name, it) } ?: compiledBefore(name)
+        return HubSession(console, hubs()).send(program, port)
+    }
+
+    private fun compiled(name: String, hub: PybricksHub): HubProgram =
+        when (val built = hubProgramOf(name, hub, spoken.language)) {
+            is HubProgramOfFile.Success -> built.program.also { built.warnings.forEach(console::complain) }
+            is HubProgramOfFile.Failure -> refuse(built.lines, built.code)
+        }
+
+    private fun compiledBefore(name: String): HubProgram {
         val bytes = when (val read = readFile(Path.of(name), spoken.language)) {
             is FileContent.Success -> read.bytes
             is FileContent.Failure -> refuse(read.reason)
         }
-        val program = HubProgram.read(bytes) ?: refuse(console.messages.noHubProgram(name))
-        return HubSession(console, hubs()).send(program, port)
+        return HubProgram.read(bytes) ?: refuse(console.messages.noHubProgram(name))
     }
 
     private fun sendToLejos(programs: List<NamedProgram>): ExitCode {

@@ -17,6 +17,9 @@ import robotran.cli.files.ROBOLANG
 import robotran.cli.files.isNamed
 import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
+import robotran.cli.hub.HubProgramOfFile
+import robotran.cli.hub.hubOption
+import robotran.cli.hub.hubProgramOf
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.messages.CommandMessages
@@ -24,6 +27,7 @@ import robotran.console.Console
 import robotran.console.ExitCode
 import robotran.console.LanguageOption
 import robotran.console.speaking
+import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes
@@ -32,6 +36,7 @@ import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
 import robotran.lejoslinker.messages.ListingMessages
 import robotran.programs.FirmwareSettings
+import robotran.robolang.python.PybricksHub
 import robotran.tinyvm.config.LejosVersion
 
 /** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs, or of one that of LEGO's own. */
@@ -46,21 +51,25 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         "-o",
         "--output",
         metavar = "FILE",
-        help = "where the image goes (.bin, for LEGO's own firmware .rcx); if not given, only its size is told",
+        help = "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy); if not given, only its " +
+            "size is told",
     )
     private val listing by option("--listing", help = "prints the image in words").flag()
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
+    private val hub by hubOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
-    override fun help(context: Context) = "Builds programs for a real brick with the firmware of leJOS or LEGO."
+    override fun help(context: Context) =
+        "Builds programs for a real brick with the firmware of leJOS or LEGO, or one for a hub with Pybricks."
 
     override fun run() {
         if (!mayWrite(files, listOf(output), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
+        hub?.let { throw ProgramResult(build(it).status) }
         throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
     }
 
@@ -97,6 +106,28 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
                 built.code
             }
         }
+
+    /** For a hub with Pybricks. */
+    private fun build(hub: PybricksHub): ExitCode {
+        val name = files.distinct().singleOrNull() ?: return refuse(sentences.oneProgramForHub())
+        return when (val built = hubProgramOf(name, hub, spoken.language)) {
+            is HubProgramOfFile.Success -> {
+                built.warnings.forEach(console::say)
+                write(built.program)
+            }
+
+            is HubProgramOfFile.Failure -> {
+                built.lines.forEach(console::complain)
+                built.code
+            }
+        }
+    }
+
+    private fun write(program: HubProgram): ExitCode {
+        output?.let { name -> writeFile(name, program.bytes, sentences)?.let { return refuse(it) } }
+        console.say(sentences.hubProgramBuilt(output, program.bytes.size.toString()))
+        return ExitCode.DONE
+    }
 
     private fun write(image: LejosImage, version: LejosVersion): ExitCode {
         output?.let { name -> writeFile(name, image.bytes, sentences)?.let { return refuse(it) } }

@@ -10,6 +10,9 @@ internal enum class TargetLanguage {
 
     /** The commands of LEGO's own firmware. */
     LASM,
+
+    /** For a hub with Pybricks. */
+    PYTHON,
     ;
 
     val word: String get() = name.lowercase()

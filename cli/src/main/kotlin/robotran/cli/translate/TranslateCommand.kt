@@ -11,7 +11,6 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
-import robotran.cli.console.brickOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
@@ -21,6 +20,9 @@ import robotran.cli.files.isNamed
 import robotran.cli.files.mayWrite
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
+import robotran.cli.hub.PythonOfFile
+import robotran.cli.hub.chosenBrickOption
+import robotran.cli.hub.pythonOf
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
@@ -39,6 +41,7 @@ import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
+import robotran.robolang.python.PybricksHub
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -47,7 +50,10 @@ import kotlin.io.path.Path
 import kotlin.io.path.name
 import robotran.programs.ProgramResult as Reading
 
-/** `robotran translate FILE..`: translates programs to Java, NQC or assembly text, or one to a kit for a real brick. */
+/**
+ * `robotran translate FILE..`: translates programs to Java, NQC, assembly text or Python, or one to a kit for a real
+ * brick.
+ */
 internal class TranslateCommand(private val console: Console) : CoreCliktCommand("translate") {
     private val programs by argument(
         "FILE",
@@ -67,17 +73,20 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         "--to",
         metavar = TargetLanguage.entries.joinToString("|") { it.word },
         help =
-            "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, or " +
-                "lasm, its assembly text (of other programs, if not given)",
-    ).convert { text -> TargetLanguage.of(text) ?: fail("$text is none of java, nqc and lasm") }
+            "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, " +
+                "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks " +
+                "(if --brick is one)",
+    ).convert { text -> TargetLanguage.of(text) ?: fail("$text is none of java, nqc, lasm and python") }
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
-    private val brick by brickOption()
+    private val chosen by chosenBrickOption()
+    private val brick get() = chosen?.brick
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) =
-        "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, or the assembly text of LEGO's firmware."
+        "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, the assembly text of LEGO's " +
+            "firmware, or Python for a hub with Pybricks."
 
     override fun run() {
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
@@ -88,8 +97,11 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
         }
-        if (kit != null && (language ?: TargetLanguage.JAVA) != TargetLanguage.JAVA) {
+        if (kit != null && targetOf(programs.single()) != TargetLanguage.JAVA) {
             throw UsageError("--kit goes with Java only")
+        }
+        if ((chosen?.hub != null) != (targetOf(programs.first()) == TargetLanguage.PYTHON)) {
+            throw UsageError("--to python goes with a hub, such as --brick spike-prime")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
     }
@@ -125,14 +137,29 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun translate(program: String): ExitCode {
-        val isFirmware = FIRMWARE_ENDINGS.any { isNamed(program, it) }
-        return when (language ?: if (isFirmware) TargetLanguage.LASM else TargetLanguage.JAVA) {
-            TargetLanguage.JAVA -> translateToJava(program)
-            TargetLanguage.NQC -> translateToNqc(program)
-            TargetLanguage.LASM -> translateToLasm(program)
-        }
+    private fun targetOf(program: String): TargetLanguage = language ?: when {
+        chosen?.hub != null -> TargetLanguage.PYTHON
+        FIRMWARE_ENDINGS.any { isNamed(program, it) } -> TargetLanguage.LASM
+        else -> TargetLanguage.JAVA
     }
+
+    private fun translate(program: String): ExitCode = when (targetOf(program)) {
+        TargetLanguage.JAVA -> translateToJava(program)
+        TargetLanguage.NQC -> translateToNqc(program)
+        TargetLanguage.LASM -> translateToLasm(program)
+        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(chosen?.hub))
+    }
+
+    private fun translateToPython(program: String, hub: PybricksHub): ExitCode =
+        when (val python = pythonOf(program, hub, spoken.language)) {
+            is PythonOfFile.Failure -> refuse(python.lines, python.code)
+
+            is PythonOfFile.Success -> {
+                (python.lost + python.changed).forEach(console::complain)
+                val written = write(python.translation.python)
+                if (python.lost.isEmpty()) written else maxOf(written, ExitCode.PROGRAM_FAILED)
+            }
+        }
 
     private fun translateToNqc(program: String): ExitCode = when (val nqc = nqcOf(program, spoken.language)) {
         is NqcOfFile.Failure -> refuse(nqc.lines, nqc.code)

@@ -23,6 +23,7 @@ import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
+import kotlin.test.assertNotNull
 import kotlin.test.assertNull
 
 class SendToHubTest : CommandTest() {
@@ -58,6 +59,16 @@ class SendToHubTest : CommandTest() {
         assertEquals("The hub has the program, 52 bytes. Press its button.", console.said.single())
         assertEquals("At COM9: SPIKE Prime with Pybricks 4.0.1\n", console.mentions.first())
         assertEquals("52 of 52 bytes\n", console.mentions.last())
+    }
+
+    @Test
+    fun `a program in Robolang is compiled and gets onto the hub`() {
+        val hub = hub()
+        val ports = TestHubs(reached(hub))
+        val line = CommandLine(console, TestDesktop(), hubs = { Hubs(ports, ports::named) })
+        assertEquals(0, line.execute(listOf("send", square, "--brick", "spike-prime")), "${console.complaints}")
+        assertContains(console.said.single(), Regex("The hub has the program, \\d+ bytes"))
+        assertEquals(null, HubProgram.read(assertNotNull(hub.slot))?.mistake())
     }
 
     @Test

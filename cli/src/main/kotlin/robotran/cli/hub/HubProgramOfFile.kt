@@ -1,0 +1,41 @@
+package robotran.cli.hub
+
+import kotlinx.coroutines.runBlocking
+import robotran.console.ExitCode
+import robotran.hublink.program.HubProgram
+import robotran.hublink.sentences.sentence
+import robotran.language.Language
+import robotran.mpycompiler.JvmMpyCompiler
+import robotran.mpycompiler.MpyResult
+import robotran.robolang.python.PybricksHub
+
+/** What a hub runs of a Robolang program. */
+internal sealed interface HubProgramOfFile {
+    /** @property warnings what the hub does nearly the same, one line each. */
+    class Success(val program: HubProgram, val warnings: List<String>) : HubProgramOfFile
+
+    /** @property lines what is wrong, one line each. */
+    class Failure(val lines: List<String>, val code: ExitCode) : HubProgramOfFile
+}
+
+/** Compiles the Robolang program [name] for [hub]. What the hub cannot do is a mistake. */
+internal fun hubProgramOf(name: String, hub: PybricksHub, language: Language): HubProgramOfFile {
+    val python = when (val translated = pythonOf(name, hub, language)) {
+        is PythonOfFile.Failure -> return HubProgramOfFile.Failure(translated.lines, translated.code)
+        is PythonOfFile.Success -> translated
+    }
+    if (python.lost.isNotEmpty()) return HubProgramOfFile.Failure(python.lost, ExitCode.PROGRAM_FAILED)
+    val translation = python.translation
+    return when (val compiled = runBlocking { JvmMpyCompiler().compile(translation.fileName, translation.python) }) {
+        is MpyResult.Failure -> {
+            val line = compiled.line?.let(translation.lineMap::robolangLineOf)?.let { ":$it" }.orEmpty()
+            HubProgramOfFile.Failure(listOf("$name$line: ${compiled.message}"), ExitCode.PROGRAM_FAILED)
+        }
+
+        is MpyResult.Success -> {
+            val program = HubProgram(compiled.mpy)
+            val mistake = program.mistake() ?: return HubProgramOfFile.Success(program, python.changed)
+            HubProgramOfFile.Failure(listOf("$name: ${mistake.sentence(language)}"), ExitCode.PROGRAM_FAILED)
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package robotran.cli.hub
+
+import robotran.cli.CommandTest
+import robotran.hublink.program.HubProgram
+import robotran.hublink.program.MpyFile
+import kotlin.io.path.exists
+import kotlin.io.path.readBytes
+import kotlin.io.path.readText
+import kotlin.test.Test
+import kotlin.test.assertContains
+import kotlin.test.assertEquals
+import kotlin.test.assertFalse
+import kotlin.test.assertNotNull
+
+class HubProgramTest : CommandTest() {
+    private fun run(vararg arguments: String) = commandLine.execute(arguments.toList())
+
+    @Test
+    fun `a program becomes Python for a hub`() {
+        assertEquals(0, run("translate", square, "--to", "python", "--brick", "spike-prime"))
+        assertContains(console.said.single(), "from pybricks.hubs import PrimeHub")
+        assertContains(console.said.single(), "    robot.straight(200)")
+    }
+
+    @Test
+    fun `a hub alone says that Python is meant, and the Python goes to a file`() {
+        val python = folder.resolve("square.py")
+        assertEquals(0, run("translate", square, "--brick", "ev3", "-o", "$python"))
+        assertContains(python.readText(), "from pybricks.hubs import EV3Brick")
+        assertEquals(emptyList(), console.said)
+    }
+
+    @Test
+    fun `Python without a hub, and a hub with Java, are refused`() {
+        assertEquals(2, run("translate", square, "--to", "python"))
+        assertEquals(2, run("translate", square, "--to", "java", "--brick", "spike-prime"))
+        assertEquals(2, run("translate", square, "--to", "python", "--brick", "nxt"))
+        console.complaints.forEach { assertContains(it, "--to python goes with a hub, such as --brick spike-prime") }
+    }
+
+    @Test
+    fun `every hub that is told can be chosen`() {
+        for (word in ChosenBrick.words.drop(2)) {
+            assertEquals(0, run("translate", square, "--brick", word), console.complaints.joinToString())
+        }
+    }
+
+    @Test
+    fun `what a hub cannot do is told with its line, and the Python leaves it out`() {
+        val program = program("show loudness\nbeep")
+        assertEquals(1, run("translate", program, "--brick", "spike-prime"))
+        assertContains(console.complaints.first(), "mine.robo:1:")
+        assertContains(console.said.single(), "hub.speaker.beep()")
+    }
+
+    @Test
+    fun `a program is built as a hub takes it`() {
+        val file = folder.resolve("square.mpy")
+        assertEquals(0, run("build", square, "--brick", "spike-prime", "-o", "$file"), "${console.complaints}")
+        val program = assertNotNull(HubProgram.read(file.readBytes()))
+        assertNotNull(MpyFile.read(program.modules.single().mpy))
+        assertContains(console.said.last(), "$file is written. The program has ${file.readBytes().size} bytes.")
+    }
+
+    @Test
+    fun `what a hub cannot do is not built`() {
+        val file = folder.resolve("loud.mpy")
+        assertEquals(1, run("build", program("show loudness"), "--brick", "spike-prime", "-o", "$file"))
+        assertFalse(file.exists())
+    }
+
+    @Test
+    fun `a program with a mistake is refused as elsewhere`() {
+        assertEquals(1, run("build", program("forwards 20"), "--brick", "spike-prime"))
+        assertContains(console.complaints.first(), "mine.robo:1:1:")
+        assertEquals(2, run("build", square, square.replace("square", "star"), "--brick", "spike-prime"))
+    }
+
+    @Test
+    fun `all examples can be built for a SPIKE Prime, apart from those that need two bumpers`() {
+        val examples = tree.resolve("examples").listFiles().orEmpty().filter { it.extension == "robo" }.sorted()
+        val refused = examples.filter { run("build", it.path, "--brick", "spike-prime") != 0 }
+        assertEquals(examples.filter { "right bumper" in it.readText() }, refused)
+        console.complaints.forEach { assertContains(it, "This robot has no such bumper.") }
+    }
+}
