@@ -40,9 +40,9 @@ def count(first, last, step):
 //// SET_POWER
 
 def set_power(power):
-    # Each step of power is 120 degrees of a wheel a second. The hub refuses 0.
+    # Each step of power is 120 degrees of a wheel a second. The hub refuses 0, and what its motors cannot do.
     global speed, turn_rate
-    power = max(power, 1 / 3)
+    power = @POWER@
     speed = round(@SPEED@ * power)
     turn_rate = round(@RATE@ * power)
     robot.settings(straight_speed=speed, turn_rate=turn_rate)

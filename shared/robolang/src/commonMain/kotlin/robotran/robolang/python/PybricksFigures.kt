@@ -5,6 +5,8 @@ internal object PybricksFigures {
     /** Degrees a second of a wheel for each step of power, as on an NXT. */
     const val SPEED_OF_POWER = 120
 
+    const val HIGHEST_POWER = 7
+
     /** The power that motors have at first. */
     const val FIRST_POWER = 3
 
@@ -33,12 +35,16 @@ internal object PybricksFigures {
     fun speedOf(power: Int): Int = if (power == 0) SLOWEST_SPEED else power * SPEED_OF_POWER
 }
 
-/** Millimetres a second that the robot drives with wheels that turn so many [degrees] a second. */
+/** Millimetres a second that the robot drives with wheels that turn so many [degrees] a second, as far as the hub goes. */
 internal fun PybricksRobot.speedAhead(degrees: Int): Long =
-    roundAsPython(degrees * kotlin.math.PI * wheelDiameter / PybricksFigures.FULL_TURN)
+    minOf(roundAsPython(wheelSpeed(degrees)), wheelSpeed(hub.fastest).toLong())
 
-/** Degrees a second that it turns on the spot with them. */
-internal fun PybricksRobot.turnRate(degrees: Int): Long = roundAsPython(degrees * wheelDiameter / track)
+/** Degrees a second that it turns on the spot with them, likewise. */
+internal fun PybricksRobot.turnRate(degrees: Int): Long =
+    minOf(roundAsPython(degrees * wheelDiameter / track), (hub.fastest * wheelDiameter / track).toLong())
+
+private fun PybricksRobot.wheelSpeed(degrees: Int): Double =
+    degrees * kotlin.math.PI * wheelDiameter / PybricksFigures.FULL_TURN
 
 /** [figure] with at most three digits behind its point, and none that says nothing. */
 internal fun decimalFigure(figure: Double): String {

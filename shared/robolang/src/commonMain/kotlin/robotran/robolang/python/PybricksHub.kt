@@ -10,6 +10,7 @@ package robotran.robolang.python
  * @property hasMatrix whether it has a display of 5 x 5 lights.
  * @property hasScreen whether it has a screen for lines of text.
  * @property motorPorts the letters of its ports for motors.
+ * @property fastest degrees a second that its usual motors are allowed to turn; it refuses a driving speed beyond.
  * @property stopButton what is set as the button that stops a program, so that the program can ask for the one in the
  * middle; null if that one is free.
  */
@@ -18,6 +19,7 @@ enum class PybricksHub(
     internal val className: String,
     internal val devices: String,
     internal val motorPorts: CharRange,
+    internal val fastest: Int,
     internal val hasLetters: Boolean = true,
     internal val hasMatrix: Boolean = false,
     internal val hasScreen: Boolean = false,
@@ -25,12 +27,13 @@ enum class PybricksHub(
     internal val hasArrows: Boolean = true,
     internal val stopButton: String? = null,
 ) {
-    PRIME("spike-prime", "PrimeHub", POWERED_UP, 'A'..'F', hasMatrix = true, stopButton = "Button.BLUETOOTH"),
+    PRIME("spike-prime", "PrimeHub", POWERED_UP, 'A'..'F', MEDIUM, hasMatrix = true, stopButton = "Button.BLUETOOTH"),
     ESSENTIAL(
         "spike-essential",
         "EssentialHub",
         POWERED_UP,
         'A'..'B',
+        SMALL,
         hasSpeaker = false,
         hasArrows = false,
         stopButton = NO_BUTTON,
@@ -40,12 +43,13 @@ enum class PybricksHub(
         "TechnicHub",
         POWERED_UP,
         'A'..'D',
+        MEDIUM,
         hasSpeaker = false,
         hasArrows = false,
         stopButton = NO_BUTTON,
     ),
-    EV3("ev3", "EV3Brick", "pybricks.ev3devices", 'A'..'D', hasLetters = false, hasScreen = true),
-    NXT("nxt-pybricks", "NXTBrick", "pybricks.nxtdevices", 'A'..'C', hasLetters = false, hasScreen = true),
+    EV3("ev3", "EV3Brick", "pybricks.ev3devices", 'A'..'D', LARGE, hasLetters = false, hasScreen = true),
+    NXT("nxt-pybricks", "NXTBrick", "pybricks.nxtdevices", 'A'..'C', LARGE, hasLetters = false, hasScreen = true),
     ;
 
     /** What a port for a sensor is called in `Port`; [number] counts from 1. */
@@ -59,3 +63,8 @@ enum class PybricksHub(
 
 private const val POWERED_UP = "pybricks.pupdevices"
 private const val NO_BUTTON = "None"
+
+// Pybricks' limits for motors in degrees a second: SPIKE's medium and small ones, and the large ones of EV3 and NXT.
+private const val MEDIUM = 1000
+private const val SMALL = 620
+private const val LARGE = 800

@@ -41,13 +41,20 @@ internal enum class PythonHelper(
         val values = mapOf(
             "ASYNC" to if (isReacting) "async " else "",
             "AWAIT" to if (isReacting) "await " else "",
+            "POWER" to powerWithin(robot.hub.fastest),
             "SPEED" to decimalFigure(POWER_TO_SPEED * robot.wheelDiameter),
             "RATE" to decimalFigure(POWER_TO_RATE * robot.wheelDiameter / robot.track),
         )
         return text.fillIn(values)
     }
 
+    private fun powerWithin(fastest: Int): String {
+        val isFastEnough = fastest >= PybricksFigures.speedOf(PybricksFigures.HIGHEST_POWER)
+        return if (isFastEnough) FROM_SLOWEST else "min($FROM_SLOWEST, $fastest / ${PybricksFigures.SPEED_OF_POWER})"
+    }
+
     private companion object {
+        const val FROM_SLOWEST = "max(power, 1 / 3)"
         const val POWER_TO_SPEED = PybricksFigures.SPEED_OF_POWER * kotlin.math.PI / PybricksFigures.FULL_TURN
         const val POWER_TO_RATE = PybricksFigures.SPEED_OF_POWER.toDouble()
         val SECTIONS: Map<String, String> by lazy { sectionsOf(templates.getValue("python/helpers.py")) }

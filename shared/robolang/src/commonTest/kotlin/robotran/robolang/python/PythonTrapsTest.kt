@@ -209,6 +209,21 @@ class PythonTrapsTest {
         assertTrue(notesOf("power 0\nforward 10").any { "power 0" in it })
     }
 
+    @Test
+    fun `power 7 is no more than the motors of a hub can do`() {
+        assertContains(mainLinesOf("power 7\nforward 10"), "robot.settings(straight_speed=411, turn_rate=420)")
+        assertContains(
+            mainLinesOf("power 7\nforward 10", PybricksRobot.usual(PybricksHub.EV3)),
+            "robot.settings(straight_speed=390, turn_rate=400)",
+        )
+        val program = "power 2 + 5\nstart forward"
+        assertContains(pythonOf(program).python, "    power = max(power, 1 / 3)\n")
+        assertContains(
+            pythonOf(program, PybricksRobot.usual(PybricksHub.EV3)).python,
+            "    power = min(max(power, 1 / 3), 800 / 120)\n",
+        )
+    }
+
     private fun notesOf(source: String, robot: PybricksRobot = bumperRobot) = pythonOf(source, robot).notes.map {
         it.message
     }
