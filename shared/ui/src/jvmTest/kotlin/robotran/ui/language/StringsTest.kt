@@ -132,7 +132,7 @@ class StringsTest {
             "turn left",
             "turn right",
         )
-        val ARGUMENT = Regex("""\{\w+\}""")
+        val ARGUMENT = Regex("""\{\w+(?=\}|, plural)""")
         val UNWANTED = listOf(
             "!",
             "¡",
