@@ -1,6 +1,7 @@
 package robotran.brick.kind
 
 import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorPort
 import robotran.brick.controls.PowerUnit
 import robotran.brick.log.CallGroup
 import robotran.brick.sensors.SensorCase
@@ -11,6 +12,7 @@ import robotran.brick.sensors.SensorKind
  * can do asks for a fact of its row, never which kind it is. What a module has for each kind is in one file of that module.
  *
  * @property label what people call it.
+ * @property motorPorts its ports for motors, in their order.
  * @property inputPorts number of ports for sensors, numbered from 1 on the brick.
  * @property sensors those that it can read.
  * @property sensorsOnPort how many of them fit on one port, one on the other.
@@ -32,6 +34,7 @@ import robotran.brick.sensors.SensorKind
  */
 enum class BrickKind(
     val label: String,
+    val motorPorts: List<MotorPort>,
     val inputPorts: Int,
     val sensors: Set<SensorKind>,
     val sensorsOnPort: Int,
@@ -54,6 +57,7 @@ enum class BrickKind(
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
         label = "RCX",
+        motorPorts = listOf(MotorPort.A, MotorPort.B, MotorPort.C),
         inputPorts = 3,
         sensors = setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION),
         sensorsOnPort = 2,
@@ -77,6 +81,7 @@ enum class BrickKind(
     /** LEGO's brick of 2006, with leJOS NXJ. */
     NXT(
         label = "NXT",
+        motorPorts = listOf(MotorPort.A, MotorPort.B, MotorPort.C),
         inputPorts = 4,
         sensors = SensorKind.entries.toSet(),
         sensorsOnPort = 1,
@@ -107,6 +112,11 @@ enum class BrickKind(
 
         /** The brick that runs programs for LEGO's own firmware. */
         val ofLegoFirmware: BrickKind = entries.single { it.hasLegoFirmware }
+
+        /** The buttons that any brick has, in the order of [BrickButton]. */
+        val allButtons: List<BrickButton> = BrickButton.entries.filter { button ->
+            entries.any { button in it.buttons }
+        }
 
         /** The brick with this [java]. */
         fun with(java: JavaPlatform): BrickKind = entries.single { it.java == java }

@@ -73,4 +73,4 @@ sealed interface RobotTarget {
 
 /** The motor that drives no wheel: the pen's, if there is a pen. */
 internal val RobotTarget.thirdMotor: MotorPort
-    get() = pen ?: MotorPort.entries.first { it != left && it != right }
+    get() = pen ?: kind.motorPorts.first { it != left && it != right }

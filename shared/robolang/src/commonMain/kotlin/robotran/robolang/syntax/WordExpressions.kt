@@ -5,6 +5,7 @@ import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.diagnostic.DiagnosticSink
 import robotran.robolang.words.BrickFeature
 import robotran.robolang.words.Keyword
+import robotran.robolang.words.MOTORS
 
 private val BUTTONS = BrickButton.entries.associateBy { it.keyword }
 
@@ -61,7 +62,7 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
 /** Reads the letter of a motor. */
 internal fun readMotor(reader: LineReader, diagnostics: DiagnosticSink): MotorPort? {
     val letter = reader.next?.text?.uppercase()
-    val port = MotorPort.entries.firstOrNull { it.name == letter }
+    val port = MotorPort.entries.firstOrNull { it.name == letter && it.name in MOTORS }
     if (port == null) {
         val range = reader.next?.range ?: reader.gap
         diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, range, diagnostics.messages.missingMotor())

@@ -15,7 +15,9 @@ internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
 /** The bricks by their words. */
 internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.associateBy { BrickDialect.of(it).keyword }
 
-internal val MOTORS: List<String> = MotorPort.entries.map { it.name }
+/** The letters of the motors that any brick has. */
+internal val MOTORS: List<String> =
+    MotorPort.entries.filter { port -> BrickKind.entries.any { port in it.motorPorts } }.map { it.name }
 
 /** The numbers of the inputs of each brick. */
 internal val PORTS: Map<BrickKind, List<String>> =

@@ -51,6 +51,7 @@ internal class NxtPorts(
 ) : BrickPorts {
     private val machine: SimulatedRobot = scene.machines[number]
     private val pressed = BooleanArray(robot.brick.inputPorts)
+    private val motors = robot.brick.motorPorts.toTypedArray()
     private var millivolts = 0
     private var lights = emptyList<NxtLightSensorModel>()
     private var sonars = emptyList<SonarBeam>()
@@ -81,7 +82,7 @@ internal class NxtPorts(
     }
 
     override fun sense(tick: Long) {
-        for (port in MOTORS) brick.setHubDegrees(port, floor(machine.motorDegrees(port) + HALF).toInt())
+        for (port in motors) brick.setHubDegrees(port, floor(machine.motorDegrees(port) + HALF).toInt())
         if (tick % SAMPLE_MILLISECONDS != 0L) return
         for (port in sensors.indices) sensors[port]?.measure()
         if (realism > 0) measureBattery()
@@ -190,7 +191,6 @@ internal class NxtPorts(
     private fun touchRaw(isPressed: Boolean) = if (isPressed) PRESSED else OPEN
 
     private companion object {
-        val MOTORS = MotorPort.entries.toTypedArray()
         const val HALF = 0.5
         const val DEGREES = 360
 

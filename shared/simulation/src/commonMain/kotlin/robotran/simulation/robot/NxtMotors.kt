@@ -1,6 +1,5 @@
 package robotran.simulation.robot
 
-import robotran.brick.controls.MotorPort
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
 import robotran.simulation.noise.WheelNoise
@@ -25,7 +24,7 @@ internal class NxtMotors(
     val right = NxtMotor(parameters)
 
     /** The port of [third]. */
-    val thirdPort = MotorPort.entries.first { it != robot.drive.left && it != robot.drive.right }
+    val thirdPort = robot.brick.motorPorts.first { it != robot.drive.left && it != robot.drive.right }
 
     /** The motor that drives no wheel. */
     val third = thirdMotor()

@@ -83,7 +83,7 @@ internal class SimulatedRobot(
             touched = kindsOf(touchedKinds),
             penDepth = if (nxt == null) pen?.depth ?: 0.0 else nxt.penDepth,
             pressed = pressed,
-            motorDegrees = if (nxt == null) emptyList() else MotorPort.entries.map(::motorDegrees),
+            motorDegrees = if (nxt == null) emptyList() else robot.brick.motorPorts.map(::motorDegrees),
             turret = turret,
         )
 
@@ -167,7 +167,7 @@ internal class SimulatedRobot(
     private fun command(port: MotorPort, a: MotorState, b: MotorState, c: MotorState) = when (port) {
         MotorPort.A -> a
         MotorPort.B -> b
-        MotorPort.C -> c
+        else -> c
     }
 
     private fun isPressed(side: BumperSide) =

@@ -35,5 +35,6 @@ internal val SIDES: Map<String, BumperSide> = BumperSide.entries.associateBy { w
 internal val BRICKS: Map<String, BrickKind> = BrickKind.entries.associateBy { wordFor(it) }
 internal val DIRECTIONS: Map<String, Facing> = mapOf("down" to Facing.Down, "free" to Facing.Free)
 
-/** In capital letters, as on the brick. */
-internal val MOTORS: Map<String, MotorPort> = MotorPort.entries.associateBy { it.name }
+/** Those that any brick has, in capital letters, as on the brick. */
+internal val MOTORS: Map<String, MotorPort> =
+    MotorPort.entries.filter { port -> BrickKind.entries.any { port in it.motorPorts } }.associateBy { it.name }
