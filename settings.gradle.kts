@@ -56,6 +56,7 @@ include(":shared:block-editing")
 // The modules that a build without the other targets leaves out, see Targets in gradle/build-logic.
 if (providers.systemProperty("robotran.targets").get().contains("jvm")) {
     include(":shared:desktop-tower")
+    include(":siteServer")
     include(":cli")
 }
 if (providers.systemProperty("robotran.targets").get().contains("wasm")) {

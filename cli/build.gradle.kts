@@ -3,6 +3,7 @@ plugins {
 }
 
 dependencies {
+    api(project(":siteServer"))
     implementation(project(":shared:programs"))
     api(project(":shared:projects"))
     implementation(project(":shared:documents"))
@@ -27,6 +28,7 @@ kotlin {
             // The brick that the tests of send, firmware and brick talk to.
             kotlin.srcDir("../shared/tower/src/simulatedBrick/kotlin")
             kotlin.srcDir("../shared/tower/src/sharedTest/kotlin")
+            kotlin.srcDir("../siteServer/src/recordingConsole/kotlin")
         }
     }
 }

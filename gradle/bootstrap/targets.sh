@@ -21,7 +21,7 @@ while [ $# -gt 0 ]; do
     --tests | -x | --exclude-task | -g | --gradle-user-home | -p | --project-dir | -I | --init-script | --args) shift ;;
     -*) ;;
     check | quick) need jvm wasm compose ;;
-    :cli:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
+    :cli:* | :siteServer:* | :shared:physics:test | :shared:ecj:test) need jvm ;;
     :desktopApp:* | :shared:workshop:*[jJ]vm* | :shared:ui*:*[jJ]vm* | :shared:ui*:thoroughTest) need jvm compose ;;
     :shared:*:*[jJ]vm* | :shared:*:fuzzTest | :shared:*:thoroughTest) need jvm ;;
     :wasmTests:* | :allWasmTests:* | :webApp:*) need wasm compose ;;

@@ -8,7 +8,10 @@ import { appears, PATIENCE, placeOf } from './words.mjs';
 const FINGER = { hasTouch: true, isMobile: true };
 export const PHONE = { viewport: { width: 411, height: 891 }, ...FINGER };
 export const SCREENS = { phone: PHONE, tablet: { viewport: { width: 1180, height: 820 }, ...FINGER }, laptop: { viewport: { width: 1280, height: 800 } } };
-const RESTS = '**/files/*-rest.*.wasm';
+const RESTS = '**/files/*-rest*.wasm';
+
+/** The files that come after the first picture, as the page names them. */
+export const laterFiles = (page) => page.evaluate(() => JSON.parse(document.getElementById('site').textContent).rests.flat().map(([address]) => address));
 
 /** Runs in the page: a request that the page waits for shows that a function is called whose part is not there. */
 export function refuseToWait() {

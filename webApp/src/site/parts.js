@@ -1,5 +1,6 @@
-// The modules of the app come in two parts: the functions that the first minute calls, and the rest, see docs/hosting.md.
-// The rest is requested when the first parts are compiled. What is touched before it is there is held back and done then.
+// The modules of the app come in two parts: the functions that the first minute calls, and the rest, in pieces, see
+// docs/hosting.md. The rest is requested when the first parts are compiled. What is touched before it is there is held back
+// and done then.
 globalThis.robotranParts = ({ rests, words, download, absolute }) => {
   // Kotlin's options.
   const BUILTINS = { builtins: ['js-string'], importedStringConstants: "'" };
@@ -11,47 +12,49 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
   const bytesIn = (text) => Uint8Array.from(text, (letter) => letter.charCodeAt(0));
   const callable = (call) => new WebAssembly.Instance(new WebAssembly.Module(bytesIn(atob(CALL))), { page: { call } }).exports.call;
 
+  /** By what name the pieces behind it import from a piece: see `RestPieces.kt`. */
+  const nameOfPiece = (number) => (number === 0 ? 'rest' : `rest-${number + 1}`);
+
   /** What can be touched although the rest is missing: the journeys that recorded the first part touch the same. */
   const AT_ONCE = ['try-square'];
 
-  const parts = rests.map(([address]) => ({
-    address: absolute(address),
-    module: null, // A promise of it.
-    imports: null, // What it is instantiated with.
+  const parts = rests.map((pieces) => ({
+    pieces: pieces.map(([address]) => ({ address: absolute(address), module: null })), // A promise of each module.
+    imports: null, // What they are instantiated with.
     joining: null, // A promise, from the request on until it fails.
     isHere: false,
-    joinedAtOnce: null, // The entries, if the page has not waited until the part was joined.
   }));
   let haveCome;
   const allCome = new Promise((resolve) => {
     haveCome = resolve;
   });
-  const tableOf = (part) => part.imports.first[ENTRIES_OF_REST];
-  const entriesOf = (table) => Array.from({ length: table.length }, (_, entry) => (entry === 0 ? null : table.get(entry)));
 
-  /** Requests a part, if that was not done or has failed. */
-  const moduleOf = (part, response = download(part.address)) => {
-    if (part.module === null) {
-      part.module = WebAssembly.compileStreaming(response, BUILTINS);
-      part.module.catch(() => {
-        part.module = null;
+  /** Requests a piece, if that was not done or has failed. */
+  const moduleOf = (piece, response = download(piece.address)) => {
+    if (piece.module === null) {
+      piece.module = WebAssembly.compileStreaming(response, BUILTINS);
+      piece.module.catch(() => {
+        piece.module = null;
       });
     }
-    return part.module;
+    return piece.module;
   };
+  const modulesOf = (part) => Promise.all(part.pieces.map((piece) => moduleOf(piece)));
 
-  const arrive = (part) => {
+  /** Connects the modules of a part, all at once: nothing can call a piece whose next one is missing. */
+  const arrive = (part, modules) => {
+    let imports = part.imports;
+    modules.forEach((module, number) => {
+      const { exports } = new WebAssembly.Instance(module, imports);
+      imports = { ...imports, [nameOfPiece(number)]: exports };
+    });
     part.isHere = true;
     if (parts.every(({ isHere }) => isHere)) haveCome();
   };
 
   const instantiate = async (part) => {
-    const module = await moduleOf(part);
-    if (part.isHere) return;
-    await WebAssembly.instantiate(module, part.imports);
-    // There must be one instance of it alone.
-    part.joinedAtOnce?.forEach((each, entry) => entry > 0 && tableOf(part).set(entry, each));
-    arrive(part);
+    const modules = await modulesOf(part);
+    if (!part.isHere) arrive(part, modules); // There must be one instance of each alone.
   };
 
   /** Requests a part and connects it, once. */
@@ -63,26 +66,28 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     return part.joining;
   };
 
+  const moduleAtOnce = ({ address }) => {
+    const request = new XMLHttpRequest();
+    request.open('GET', address, false);
+    // Only text can be waited for: each byte is a letter.
+    request.overrideMimeType('text/plain; charset=x-user-defined');
+    request.send();
+    if (request.status !== 200) throw new Error(`${address} could not be fetched`);
+    return new WebAssembly.Module(bytesIn(request.responseText), BUILTINS);
+  };
+
   /**
-   * A call of a function that is not there, such as by a timer. WebAssembly cannot wait for anything but this request,
+   * A call of a function that is not there, such as by a timer. WebAssembly cannot wait for anything but these requests,
    * and the page stands still meanwhile.
    */
   const joinAtOnce = (part) => {
-    const request = new XMLHttpRequest();
-    request.open('GET', part.address, false);
-    // Only text can be waited for: each byte is a letter.
-    request.overrideMimeType('text/plain; charset=x-user-defined');
     try {
-      request.send();
-      if (request.status !== 200) throw new Error(`${part.address} could not be fetched`);
-      new WebAssembly.Instance(new WebAssembly.Module(bytesIn(request.responseText), BUILTINS), part.imports);
+      arrive(part, part.pieces.map(moduleAtOnce));
     } catch (error) {
       isBroken = true; // The app has been left in the middle of something.
       tell(words.notFetched);
       throw error;
     }
-    part.joinedAtOnce = entriesOf(tableOf(part));
-    arrive(part);
   };
 
   let isBroken = false;
@@ -185,11 +190,12 @@ globalThis.robotranParts = ({ rests, words, download, absolute }) => {
     /** Resolved when all parts have been joined. */
     allCome,
 
-    /** Uses the `response` to a request of the rest of the module `number` that was made already. */
-    expect: (number, response) => moduleOf(parts[number], response).catch(() => undefined),
+    /** Uses the `response` to a request of a piece of the rest of the module `number` that was made already. */
+    expect: (number, piece, response) => moduleOf(parts[number].pieces[piece], response).catch(() => undefined),
 
-    /** The compiled rest of the module `number`. */
-    restOf: (number) => moduleOf(parts[number]),
+    /** The compiled pieces of the rest of the module `number`, each with the name by which those behind it import from it. */
+    restOf: async (number) =>
+      (parts[number] ? await modulesOf(parts[number]) : []).map((module, piece) => [nameOfPiece(piece), module]),
 
     /** Connects the first part of the module `number`, an instance made with `imports`, with its rest. */
     connect(number, instance, imports) {

@@ -258,7 +258,7 @@
   // comes again has everything at hand.
   const isGreeted = !isEmbedded && location.hash.length <= 1 && isFirstVisit;
   greet(isGreeted);
-  const needed = isGreeted ? site.first : [...site.first, ...site.rests];
+  const needed = isGreeted ? site.first : [...site.first, ...site.rests.flat()];
   const count = needed.reduce((sum, [, bytes]) => sum + bytes, 0);
   let here = 0;
   const arrived = (bytes) => {
@@ -401,7 +401,7 @@
       const [app, skiko] = site.streamed;
       const scripts = [...site.chunks, site.script].map(absolute);
       const order = { scripts, app: absolute(app), skiko: absolute(skiko) };
-      const modules = [compilations.get(app), ...(site.rests.length > 0 ? [parts.restOf(0)] : [])];
+      const modules = [compilations.get(app), parts.restOf(0)];
       // If a part does not come, the worker does not answer, which the app expects of one that has died.
       Promise.all(modules).then(([module, rest]) => worker.postMessage({ ...order, module, rest }), () => undefined);
       return worker;
@@ -450,8 +450,8 @@
     const response = bring(file);
     response.catch(() => undefined);
     const address = absolute(file[0]);
-    const number = site.rests.indexOf(file);
-    if (number >= 0) parts.expect(number, response);
+    const number = site.rests.findIndex((pieces) => pieces.includes(file));
+    if (number >= 0) parts.expect(number, site.rests[number].indexOf(file), response);
     else if (address.endsWith('.ttf')) bytesOf(address, response);
     else coming.set(address, response);
   }

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { photograph } from '../page.mjs';
+import { laterFiles } from '../parts.mjs';
 import { appIsThere, hold, isCarriedOut, loadingWords, site, visit } from '../visit.mjs';
 import { appears, PATIENCE, reports } from '../words.mjs';
 
@@ -23,7 +24,7 @@ test('no file of the app is requested twice, not even the font of programs', asy
   const page = await visit({ viewport: { width: 1280, height: 800 } });
   await appIsThere(page);
   // A part for which the page must stand still is asked for once more.
-  await page.waitForFunction(() => performance.getEntriesByType('resource').filter(({ name }) => /-rest\.\w+\.wasm$/.test(name)).length === 2);
+  await page.waitForFunction((count) => performance.getEntriesByType('resource').filter(({ name }) => /-rest/.test(name)).length === count, (await laterFiles(page)).length);
   await page.keyboard.press('Escape'); // The welcome is closed, so the program is drawn.
   await appears(page, 'program');
   await page.waitForLoadState('networkidle');

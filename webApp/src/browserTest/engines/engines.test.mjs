@@ -5,6 +5,7 @@ import path from 'node:path';
 import { after, describe, test } from 'node:test';
 import { linkTo } from '../link.mjs';
 import { assertRecordedRun, photograph, putWelcomeAway, report } from '../page.mjs';
+import { laterFiles } from '../parts.mjs';
 import { appears, press, reports, says, writeProgram } from '../words.mjs';
 import { ENGINES } from './engines.mjs';
 import { Visit } from './visit.mjs';
@@ -43,9 +44,9 @@ for (const [name, open] of Object.entries(ENGINES)) {
       await photograph(page, `engine-${name.toLowerCase()}`);
       // A page that calls a function of a later part requests that part a second time, and stands still meanwhile.
       const later = await page.evaluate(() =>
-        performance.getEntriesByType('resource').flatMap(({ name: address }) => /[\w]+-rest\./.exec(address) ?? []),
+        performance.getEntriesByType('resource').flatMap(({ name: address }) => /files\/[\w]+-rest.*/.exec(address) ?? []),
       );
-      assert.deepEqual(later.sort(), ['robotran-rest.', 'skiko-rest.'], 'record again: ./gradlew :webApp:recordFirstPart');
+      assert.deepEqual(later.sort(), (await laterFiles(page)).sort(), 'record again: ./gradlew :webApp:recordFirstPart');
     });
 
     step(`a program that is typed in ${name} runs`, async (page) => {

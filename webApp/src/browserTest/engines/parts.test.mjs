@@ -9,7 +9,7 @@ import { Visit } from './visit.mjs';
 const SIZE = { width: 1180, height: 820 };
 const WAITING = 'One moment: the rest of Robotran is still on its way.';
 const LOST = 'A part of Robotran could not be fetched. Perhaps the network is away or blocks it.';
-const isRest = (file) => /-rest\./.test(file);
+const isRest = (file) => /-rest/.test(file);
 
 const until = (page, test, argument) => page.waitForFunction(test, argument, { timeout: PATIENCE });
 const says = (page, sentence) => until(page, (wanted) => document.querySelector('#parts p')?.textContent === wanted, sentence);

@@ -9,9 +9,6 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.choice
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.files.TextFile
 import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
@@ -19,6 +16,9 @@ import robotran.cli.files.writeFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangText
 import robotran.cli.messages.CommandMessages
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
 import robotran.documents.TextChange
 import robotran.nqc.support.NqcSupport
 import robotran.robolang.format.FormatResult

@@ -10,11 +10,7 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.isNamed
@@ -28,6 +24,11 @@ import robotran.cli.input.loadWorld
 import robotran.cli.input.plainSheetFor
 import robotran.cli.input.projectOf
 import robotran.cli.input.readWorldFile
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.messages.ConsoleMessages
+import robotran.console.speaking
 import robotran.projects.LinkCreation
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
@@ -93,7 +94,7 @@ internal class LinkCommand(private val process: Console) : CoreCliktCommand("lin
 
         is LinkCreation.Made -> {
             console.say(site.orEmpty() + made.fragment)
-            localSite(site.orEmpty())?.let { console.complain(console.messages.linksStayHere(it)) }
+            localSite(site.orEmpty())?.let { console.complain(ConsoleMessages.of(console.language).linksStayHere(it)) }
             ExitCode.DONE
         }
 

@@ -1,8 +1,8 @@
 package robotran.cli
 
-import robotran.cli.console.ExitCode
-import robotran.cli.console.ProcessConsole
-import robotran.cli.console.tellUncaught
+import robotran.console.ExitCode
+import robotran.console.ProcessConsole
+import robotran.console.tellUncaught
 import kotlin.system.exitProcess
 
 /** The command line without the desktop app: no window and no pictures. */

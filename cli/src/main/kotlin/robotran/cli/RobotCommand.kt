@@ -6,13 +6,13 @@ import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.input.DescribedRobot
 import robotran.cli.input.readDescribedRobot
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 
 /** `robotran robot FILE..`: checks descriptions of robots. */
 internal class RobotCommand(private val process: Console) : CoreCliktCommand("robot") {

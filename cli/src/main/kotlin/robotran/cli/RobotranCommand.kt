@@ -5,10 +5,10 @@ import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 
 /** `robotran` without arguments opens the app. */
 internal class RobotranCommand(private val console: Console, private val desktop: DesktopApp?) :

@@ -1,5 +1,6 @@
 package robotran.cli
 
+import robotran.console.RecordingConsole
 import java.io.File
 import kotlin.io.path.createTempDirectory
 import kotlin.test.AfterTest

@@ -1,6 +1,7 @@
 package robotran.cli
 
-import robotran.cli.console.ExitCode
+import robotran.console.ExitCode
+import robotran.console.RecordingConsole
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals

@@ -1,5 +1,6 @@
 package robotran.cli
 
+import robotran.console.RecordingConsole
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path

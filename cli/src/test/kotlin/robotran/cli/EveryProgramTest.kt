@@ -1,5 +1,6 @@
 package robotran.cli
 
+import robotran.console.RecordingConsole
 import java.io.File
 import kotlin.test.Test
 import kotlin.test.assertEquals

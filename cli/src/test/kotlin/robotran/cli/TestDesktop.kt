@@ -1,7 +1,7 @@
 package robotran.cli
 
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
+import robotran.console.ExitCode
 import robotran.simulation.picture.NoWorldPictures
 import robotran.simulation.picture.WorldPictures
 import robotran.simulation.state.SessionState

@@ -2,9 +2,9 @@ package robotran.desktop
 
 import robotran.cli.CommandLine
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
-import robotran.cli.console.ProcessConsole
-import robotran.cli.console.tellUncaught
+import robotran.console.ExitCode
+import robotran.console.ProcessConsole
+import robotran.console.tellUncaught
 import robotran.language.ProgramLanguage
 import robotran.simulation.picture.WorldPictures
 import robotran.ui.pictures.DrawnWorldPictures

@@ -1,9 +1,9 @@
 package robotran.desktop
 
-import robotran.cli.console.ExitCode
-import robotran.cli.console.ProcessConsole
-import robotran.cli.console.visible
 import robotran.cli.files.noFile
+import robotran.console.ExitCode
+import robotran.console.ProcessConsole
+import robotran.console.visible
 import robotran.desktop.platform.openedFile
 import robotran.desktop.window.showWindows
 import robotran.projects.isLink

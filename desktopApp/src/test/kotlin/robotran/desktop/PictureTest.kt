@@ -1,7 +1,7 @@
 package robotran.desktop
 
 import robotran.cli.CommandLine
-import robotran.cli.console.ProcessConsole
+import robotran.console.ProcessConsole
 import java.io.File
 import java.nio.file.Files
 import javax.imageio.ImageIO

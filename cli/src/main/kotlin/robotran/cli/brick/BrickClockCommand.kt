@@ -3,9 +3,9 @@ package robotran.cli.brick
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.optional
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.tower.TowerResult
 import robotran.tower.rcx.RcxTower
 import java.time.LocalTime

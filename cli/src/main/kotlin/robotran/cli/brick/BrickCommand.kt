@@ -3,7 +3,7 @@ package robotran.cli.brick
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.subcommands
-import robotran.cli.console.Console
+import robotran.console.Console
 
 /** `robotran brick`: commands about a real brick. */
 internal class BrickCommand(console: Console, towers: () -> Towers) : CoreCliktCommand("brick") {

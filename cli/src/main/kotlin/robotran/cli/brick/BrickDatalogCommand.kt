@@ -2,10 +2,10 @@ package robotran.cli.brick
 
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.files.writeFile
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.legofirmware.device.csvOf
 import robotran.tower.TowerResult
 import robotran.tower.rcx.RcxTower

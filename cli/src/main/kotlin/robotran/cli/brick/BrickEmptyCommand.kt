@@ -5,9 +5,9 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.tower.LegoLimits
 import robotran.tower.TowerResult
 import robotran.tower.rcx.RcxTower

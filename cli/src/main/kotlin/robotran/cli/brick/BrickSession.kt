@@ -1,9 +1,9 @@
 package robotran.cli.brick
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.OpenedTower
 import robotran.tower.port.TowerDevice

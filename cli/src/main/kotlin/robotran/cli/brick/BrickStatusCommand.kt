@@ -1,9 +1,9 @@
 package robotran.cli.brick
 
 import com.github.ajalt.clikt.core.Context
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.tower.BrickStatus
 import robotran.tower.TowerResult
 import robotran.tower.rcx.RcxTower

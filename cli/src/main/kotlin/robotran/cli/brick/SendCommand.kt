@@ -10,13 +10,9 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
 import robotran.cli.console.oldNqcOption
-import robotran.cli.console.speaking
 import robotran.cli.console.targetOption
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
@@ -25,6 +21,10 @@ import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings
 import robotran.tinyvm.config.BrickRoom

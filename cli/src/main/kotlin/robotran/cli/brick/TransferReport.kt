@@ -1,8 +1,8 @@
 package robotran.cli.brick
 
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 

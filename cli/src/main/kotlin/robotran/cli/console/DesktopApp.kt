@@ -1,5 +1,6 @@
 package robotran.cli.console
 
+import robotran.console.ExitCode
 import robotran.simulation.picture.WorldPictures
 
 /** What the desktop app adds to the command line. Implementations should load UI classes only on use. */

@@ -1,8 +1,8 @@
 package robotran.cli.files
 
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.messages.CommandMessages
+import robotran.console.Console
 import robotran.documents.COURSE_EXTENSION
 import robotran.documents.FileKind
 import robotran.documents.StoreResult

@@ -16,15 +16,15 @@ import robotran.assignments.reporting.feedbackZip
 import robotran.assignments.reporting.htmlReport
 import robotran.assignments.reporting.remarkLines
 import robotran.assignments.reporting.similarityLines
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.files.ON_CONSOLE
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.courseOf
 import robotran.cli.input.withDescribedRobots
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.projects.Course
 import robotran.projects.Project
 

@@ -8,16 +8,16 @@ import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
-import robotran.cli.console.speaking
 import robotran.cli.files.ON_CONSOLE
 import robotran.cli.files.mayWrite
 import robotran.cli.input.MAX_SEEDS
 import robotran.cli.input.readSeeds
 import robotran.cli.run.RunOptions
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 
 /** `robotran grade ASSIGNMENT HAND-IN..`: runs what pupils handed in and reports whether it meets the goals. */

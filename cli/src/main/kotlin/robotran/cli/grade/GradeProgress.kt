@@ -1,7 +1,7 @@
 package robotran.cli.grade
 
-import robotran.cli.console.Console
 import robotran.cli.console.messages
+import robotran.console.Console
 
 /**
  * Shows the progress of grading: a progress bar on a terminal, otherwise one line per 10 %.

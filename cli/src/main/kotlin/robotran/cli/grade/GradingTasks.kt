@@ -9,13 +9,13 @@ import robotran.assignments.grading.HandInGrader
 import robotran.assignments.grading.PreparedRun
 import robotran.assignments.grading.RunResult
 import robotran.assignments.grading.gradeAll
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.robotsAreFinished
+import robotran.console.Console
 import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.ProjectRobot

@@ -13,12 +13,12 @@ import robotran.assignments.reporting.feedbackZip
 import robotran.assignments.reporting.htmlReport
 import robotran.assignments.reporting.remarkLines
 import robotran.assignments.reporting.similarityLines
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.files.ON_CONSOLE
 import robotran.cli.input.LoadedWorld
+import robotran.console.Console
+import robotran.console.ExitCode
 
 /** Grades the hand-ins of a class, see [collectHandIns]. */
 internal class HandInsGrader(private val console: Console, private val desktop: DesktopApp?) {

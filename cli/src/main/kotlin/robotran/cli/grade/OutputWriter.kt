@@ -1,9 +1,9 @@
 package robotran.cli.grade
 
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.ON_CONSOLE
 import robotran.cli.files.writeFile
+import robotran.console.Console
 import robotran.language.visibleText
 
 /** Writes results to files or to the console. */

@@ -2,9 +2,7 @@ package robotran.cli.grade
 
 import kotlinx.coroutines.runBlocking
 import robotran.assignments.collecting.namedByContent
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotProgramsResult
@@ -17,6 +15,8 @@ import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.support

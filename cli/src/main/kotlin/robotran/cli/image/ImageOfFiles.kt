@@ -1,12 +1,12 @@
 package robotran.cli.image
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readProgramFiles
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
+import robotran.console.ExitCode
 import robotran.language.Language
 import robotran.lejoslinker.LejosImage
 import robotran.programs.ImageBuildResult

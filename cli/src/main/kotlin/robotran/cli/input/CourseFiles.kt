@@ -1,7 +1,6 @@
 package robotran.cli.input
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.Console
 import robotran.cli.console.warn
 import robotran.cli.files.FileContent
 import robotran.cli.files.LARGEST_FILE_BYTES
@@ -10,6 +9,7 @@ import robotran.cli.files.liesIn
 import robotran.cli.files.readContent
 import robotran.cli.files.reading
 import robotran.cli.messages.CommandMessages
+import robotran.console.Console
 import robotran.documents.COURSE_EXTENSION
 import robotran.language.Language
 import robotran.projects.Course

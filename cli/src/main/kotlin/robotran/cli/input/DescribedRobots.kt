@@ -1,10 +1,10 @@
 package robotran.cli.input
 
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.console.warn
 import robotran.cli.files.TextFile
 import robotran.cli.files.readTextFile
+import robotran.console.Console
 import robotran.projects.messages.ProjectMessages
 import robotran.projects.unfinishedRobot
 import robotran.world.RobotDescription

@@ -1,6 +1,6 @@
 package robotran.cli.input
 
-import robotran.cli.console.Console
+import robotran.console.Console
 import robotran.projects.Project
 import robotran.projects.ProjectRobot
 import robotran.world.World

@@ -1,12 +1,12 @@
 package robotran.cli.input
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.console.warn
 import robotran.cli.files.TextFile
 import robotran.cli.files.isNamed
 import robotran.cli.files.readTextFile
+import robotran.console.Console
 import robotran.projects.LinkResult
 import robotran.projects.Project
 import robotran.projects.ProjectFileResult

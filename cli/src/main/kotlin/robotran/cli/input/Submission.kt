@@ -1,6 +1,5 @@
 package robotran.cli.input
 
-import robotran.cli.console.Console
 import robotran.cli.console.messages
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
@@ -8,6 +7,7 @@ import robotran.cli.files.filesOfProgram
 import robotran.cli.files.hasClassFiles
 import robotran.cli.files.linkOutside
 import robotran.cli.files.readProgramFiles
+import robotran.console.Console
 import robotran.projects.Project
 import robotran.projects.isLink
 import robotran.world.LightFacing

@@ -1,10 +1,10 @@
 package robotran.cli.legofirmware
 
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
 import robotran.cli.input.lineOf
 import robotran.cli.messages.CommandMessages
+import robotran.console.ExitCode
 import robotran.language.Language
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings

@@ -1,7 +1,6 @@
 package robotran.cli.legofirmware
 
 import robotran.brick.kind.BrickKind
-import robotran.cli.console.ExitCode
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
 import robotran.cli.files.ROBOLANG
@@ -11,6 +10,7 @@ import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
+import robotran.console.ExitCode
 import robotran.language.Language
 import robotran.programs.FirmwareSettings
 import robotran.programs.Program

@@ -11,12 +11,12 @@ import com.github.ajalt.clikt.parameters.options.required
 import robotran.assignments.course.OwnCourses
 import robotran.assignments.course.courseFile
 import robotran.assignments.course.pupilCopy
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.files.writeFile
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 
 /** `robotran course STRAND|worlds -o FILE`: writes a course that comes with Robotran. */
 internal class CourseCommand(private val process: Console) : CoreCliktCommand("course") {
@@ -31,7 +31,8 @@ internal class CourseCommand(private val process: Console) : CoreCliktCommand("c
 
     override fun run() {
         val own =
-            OwnCourses.named(course, spoken.language) ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
+            OwnCourses.named(course, spoken.language, words = spoken.language)
+                ?: refuse(console.messages.noSuchCourse(course, OwnCourses.names))
         val bytes =
             checkNotNull(courseFile(if (isForPupils) pupilCopy(own) else own)) { "Every course fits into a file." }
         writeFile(output, bytes, console.messages)?.let { refuse(it) }

@@ -16,19 +16,19 @@ import robotran.assignments.doing.pupilCopy
 import robotran.assignments.packaging.PackageResult
 import robotran.assignments.packaging.ScormVersion
 import robotran.assignments.packaging.learningPackage
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
 import robotran.cli.input.courseOf
 import robotran.cli.input.isCourse
 import robotran.cli.input.projectOf
-import robotran.cli.web.WebCommand
-import robotran.cli.web.readSiteFiles
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.messages.ConsoleMessages
+import robotran.console.speaking
 import robotran.projects.Project
+import robotran.siteserver.WebCommand
 import kotlin.io.path.Path
 
 /** `robotran package ASSIGNMENT.. -o FILE`: makes a package that a learning platform imports. */
@@ -54,6 +54,7 @@ internal class PackageCommand(private val process: Console) : CoreCliktCommand("
     )
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
+    private val aboutSite get() = ConsoleMessages.of(spoken.language)
 
     override fun help(context: Context) =
         "Makes a SCORM package of assignments for a learning platform. It contains the web site, so that it needs no " +
@@ -65,8 +66,8 @@ internal class PackageCommand(private val process: Console) : CoreCliktCommand("
         val projects = parts.flatMap { it.second }
         if (WebCommand.isOnlyAsked()) return
         val folder = (site ?: System.getProperty(WebCommand.SITE))?.let { Path(it) }
-            ?: refuse(console.messages.siteNotHere())
-        val files = readSiteFiles(folder) ?: refuse(console.messages.siteNotBuilt(folder.toString()))
+            ?: refuse(aboutSite.siteNotHere())
+        val files = readSiteFiles(folder) ?: refuse(aboutSite.siteNotBuilt(folder.toString()))
         val name = title ?: parts.first().first
         val made = runBlocking { learningPackage(name, projects, scorm, files, spoken.language) }
         when (made) {

@@ -2,9 +2,7 @@ package robotran.cli.run
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.state.RunState
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
 import robotran.cli.console.messages
 import robotran.cli.input.LoadedWorld
 import robotran.cli.input.RobotFile
@@ -21,6 +19,8 @@ import robotran.cli.input.readLoads
 import robotran.cli.input.readSubmission
 import robotran.cli.input.robotsAreFinished
 import robotran.cli.input.withDescribedRobots
+import robotran.console.Console
+import robotran.console.ExitCode
 import robotran.programs.FirmwareSettings
 import robotran.programs.JavaSettings
 import robotran.programs.ProgramCompiler

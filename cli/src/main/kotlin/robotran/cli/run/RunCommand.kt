@@ -11,15 +11,15 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.brick.log.CallGroup
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.messages
-import robotran.cli.console.speaking
 import robotran.cli.files.mayWrite
 import robotran.cli.input.WorldChanges
 import robotran.cli.input.readSeed
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 import robotran.world.World
 import com.github.ajalt.clikt.parameters.arguments.multiple as multipleArguments
 

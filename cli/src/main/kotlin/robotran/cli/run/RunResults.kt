@@ -5,12 +5,12 @@ import robotran.brick.log.toCsv
 import robotran.brick.log.toLogText
 import robotran.brick.messages.PlaceMessages
 import robotran.brick.messages.place
-import robotran.cli.console.Console
 import robotran.cli.console.DesktopApp
 import robotran.cli.console.messages
 import robotran.cli.console.textOf
 import robotran.cli.files.ON_CONSOLE
 import robotran.cli.files.writeFile
+import robotran.console.Console
 import robotran.language.visibleText
 import robotran.simulation.GoalReport
 import robotran.simulation.RunReport

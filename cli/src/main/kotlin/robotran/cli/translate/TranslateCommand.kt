@@ -11,12 +11,8 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
 import robotran.cli.console.brickOption
 import robotran.cli.console.oldNqcOption
-import robotran.cli.console.speaking
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
 import robotran.cli.files.JAVA
@@ -33,6 +29,10 @@ import robotran.cli.legofirmware.NqcOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.legofirmware.nqcOf
 import robotran.cli.messages.CommandMessages
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.speaking
 import robotran.legofirmware.listing.assemblyListing
 import robotran.programs.FirmwareSettings
 import robotran.programs.Program

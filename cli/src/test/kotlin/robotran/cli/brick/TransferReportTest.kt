@@ -1,7 +1,7 @@
 package robotran.cli.brick
 
-import robotran.cli.RecordingConsole
 import robotran.cli.messages.CommandMessages
+import robotran.console.RecordingConsole
 import robotran.language.Language
 import robotran.tower.RcxVersion
 import robotran.tower.Remains

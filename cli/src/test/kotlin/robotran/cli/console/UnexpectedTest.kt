@@ -2,6 +2,7 @@ package robotran.cli.console
 
 import robotran.cli.CommandLine
 import robotran.cli.CommandTest
+import robotran.console.ExitCode
 import robotran.simulation.picture.WorldPictures
 import java.io.RandomAccessFile
 import java.nio.file.Files

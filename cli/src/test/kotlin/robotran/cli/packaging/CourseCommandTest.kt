@@ -23,7 +23,7 @@ import kotlin.test.assertNotNull
 
 class CourseCommandTest : CommandTest() {
     private val written get() = folder.resolve("out.course.json")
-    private val drive = assertNotNull(OwnCourses.named("drive", Language.GERMAN))
+    private val drive = assertNotNull(OwnCourses.named("drive", Language.GERMAN, Language.GERMAN))
 
     private fun course(vararg arguments: String) =
         commandLine.execute(listOf("course", "-o", written.toString()) + arguments)

@@ -3,8 +3,8 @@ package robotran.desktop.platform
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
 import robotran.assignments.packaging.SiteFile
-import robotran.cli.web.SiteServer
-import robotran.cli.web.readSiteFiles
+import robotran.cli.packaging.readSiteFiles
+import robotran.siteserver.SiteServer
 import robotran.workshop.platform.WebSite
 import java.nio.file.Path
 import kotlin.io.path.Path

@@ -3,8 +3,8 @@ package robotran.desktop.window
 import androidx.compose.ui.ExperimentalComposeUiApi
 import androidx.compose.ui.window.WindowExceptionHandler
 import androidx.compose.ui.window.WindowExceptionHandlerFactory
-import robotran.cli.console.ProcessConsole
-import robotran.cli.console.tellUnexpected
+import robotran.console.ProcessConsole
+import robotran.console.tellUnexpected
 import robotran.workshop.platform.appLanguage
 import javax.swing.JOptionPane
 

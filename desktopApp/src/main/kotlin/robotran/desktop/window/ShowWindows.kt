@@ -5,8 +5,8 @@ import androidx.compose.runtime.mutableStateListOf
 import androidx.compose.runtime.remember
 import androidx.compose.ui.window.application
 import kotlinx.coroutines.runBlocking
-import robotran.cli.console.ProcessConsole
-import robotran.cli.console.tellUnexpected
+import robotran.console.ProcessConsole
+import robotran.console.tellUnexpected
 import robotran.desktop.platform.dataFolder
 import robotran.desktop.platform.openedFile
 import robotran.ui.platform.FolderKeyValueStore

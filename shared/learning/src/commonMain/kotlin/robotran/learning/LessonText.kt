@@ -32,8 +32,11 @@ data class LessonText(
     val goals: List<String> = emptyList(),
 ) {
     /** The same with its program text, in the usual words of [code], in those of [words]. */
-    internal fun inWords(code: LanguageSupport, words: Language): LessonText {
-        val written = { text: String -> code.markedInWords(text, words) }
+    internal fun inWords(code: LanguageSupport, words: Language): LessonText = withCode { code.pieceInWords(it, words) }
+
+    /** The same with its program text as [write] makes it of what is written between backticks. */
+    fun withCode(write: (String) -> String): LessonText {
+        val written = { text: String -> withCode(text, write) }
         return copy(
             paragraphs = paragraphs.map(written),
             skill = skill?.let(written),
@@ -120,7 +123,10 @@ private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<Strin
 
 /** [text] with the program text between its backticks in the words of [language]. */
 internal fun LanguageSupport.markedInWords(text: String, language: Language): String =
-    MARKED.replace(text) { "`${pieceInWords(it.groupValues[1], language)}`" }
+    withCode(text) { pieceInWords(it, language) }
+
+/** [text] with the program text between its backticks as [write] makes it. */
+fun withCode(text: String, write: (String) -> String): String = MARKED.replace(text) { "`${write(it.groupValues[1])}`" }
 
 private val MARKED = Regex("`([^`]*)`")
 

@@ -1,6 +1,5 @@
 package robotran.narration
 
-import robotran.simulation.state.Ink
 import robotran.simulation.state.SessionState
 import robotran.world.Goal
 import robotran.world.HasRegion
@@ -18,12 +17,11 @@ internal data class Ground(val kind: GroundKind, val name: String? = null, val t
 /** What is on the sheet at [point], from top to bottom; never empty. Things that stand there are no part of it. */
 internal fun groundAt(world: World, session: SessionState, point: Point): List<Ground> {
     if (!world.paper.contains(point.x, point.y)) return listOf(Ground(GroundKind.TABLE))
+    val sheet = SheetReader(world)
     val found = buildList {
-        if (session.ink.isAt(point)) add(Ground(GroundKind.INK, tone = Tone.BLACK))
-        topMark(world, point)?.let { add(groundOf(it)) }
-        if (world.template?.strokes.orEmpty().any { apart(nearestOf(it, point), point) <= LINE_REACH }) {
-            add(Ground(GroundKind.TEMPLATE))
-        }
+        if (sheet.hasInk(session.ink, point)) add(Ground(GroundKind.INK, tone = Tone.BLACK))
+        sheet.markAt(point)?.let { add(groundOf(it)) }
+        if (world.template?.strokes.orEmpty().any { isOn(it, point, LINE_REACH) }) add(Ground(GroundKind.TEMPLATE))
         for (region in regionsOf(world.goals)) {
             if (flat(region.region).contains(point.x, point.y)) add(Ground(region.kind))
         }
@@ -31,31 +29,11 @@ internal fun groundAt(world: World, session: SessionState, point: Point): List<G
     return found.distinct().take(MOST_GROUNDS).ifEmpty { listOf(Ground(GroundKind.PAPER)) }
 }
 
-/** The mark that is seen at [point]; null if there is none. */
-internal fun topMark(world: World, point: Point): Mark? = world.marks.lastOrNull { it.covers(point) }
-
 internal fun groundOf(mark: Mark): Ground = when (mark.figure) {
     is MarkFigure.Area -> Ground(GroundKind.AREA, mark.name, mark.shade.tone)
     is MarkFigure.Line -> Ground(GroundKind.LINE, mark.name, mark.shade.tone)
     is MarkFigure.GreyMap -> Ground(GroundKind.PICTURE, mark.name)
 }
-
-/** Whether this mark covers [point]. */
-internal fun Mark.covers(point: Point): Boolean = when (val figure = figure) {
-    is MarkFigure.Area -> flat(figure.shape).contains(point.x, point.y)
-
-    is MarkFigure.Line -> apart(nearestOf(figure.way, point), point) <= figure.width / 2
-
-    is MarkFigure.GreyMap -> {
-        val column = ((point.x - figure.corner.x) / figure.cell).takeIf { it >= 0 }?.toInt()
-        val above = ((point.y - figure.corner.y) / figure.cell).takeIf { it >= 0 }?.toInt()
-        val row = above?.let { figure.rows.getOrNull(figure.rows.size - 1 - it) }
-        row?.getOrNull(column ?: -1).let { it != null && it != '.' }
-    }
-}
-
-/** The points of a line, with the first one again at the end of a closed one. */
-internal val MarkFigure.Line.way: List<Point> get() = if (closed) points + points.first() else points
 
 /** The conditions about places among [goals] and their parts. */
 internal fun regionsOf(goals: List<Goal>): List<HasRegion> =
@@ -67,10 +45,6 @@ private val HasRegion.kind: GroundKind
         RegionRole.FORBIDDEN -> GroundKind.FORBIDDEN
         RegionRole.PERMITTED -> GroundKind.PERMITTED
     }
-
-private fun Ink.isAt(point: Point): Boolean = strokes.any { stroke ->
-    stroke.points.isNotEmpty() && apart(nearestOf(stroke.points, point), point) <= LINE_REACH
-}
 
 internal val Shade.tone: Tone
     get() = when (this) {
@@ -94,7 +68,7 @@ private fun grey(lightness: Double): Tone = when {
     else -> Tone.WHITE
 }
 
-/** Half the width of the pen's line, and a little more for fingers and sensors, in centimetres. */
+/** How near to a drawing a finger is on it, in centimetres. */
 private const val LINE_REACH = 0.4
 private const val MOST_GROUNDS = 3
 

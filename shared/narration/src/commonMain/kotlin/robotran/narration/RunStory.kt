@@ -94,10 +94,11 @@ private fun isFine(states: List<SessionState>): Boolean =
 
 private fun arrivals(world: World, states: List<SessionState>): List<Arrival> {
     val found = mutableMapOf<Ground, Long>()
+    val sheet = SheetReader(world)
     for (state in states.takeIf { world.marks.isNotEmpty() }.orEmpty()) {
         if (found.size >= MOST_ARRIVALS) break
         val pose = state.robots.firstOrNull()?.robot?.pose ?: continue
-        val mark = topMark(world, pose.point) ?: continue
+        val mark = sheet.markAt(pose.point) ?: continue
         if (mark.name != null) found.getOrPut(groundOf(mark)) { state.milliseconds }
     }
     val start = states.firstOrNull()?.milliseconds ?: 0

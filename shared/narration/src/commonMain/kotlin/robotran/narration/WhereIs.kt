@@ -24,11 +24,11 @@ fun whereIs(robot: Int, world: World, session: SessionState, language: Language)
     return buildList {
         add(scene.place(placed.name.takeIf { world.robots.size > 1 }))
         add(scene.looks())
-        add(scene.messages.pen(now.penDown))
-        addAll(RobotSide.entries.mapNotNull(scene::aside))
+        addAll(scene.goals(language))
+        addAll(scene.around())
         addAll(scene.grounds())
         addAll(scene.others())
-        addAll(scene.goals(language))
+        add(scene.messages.pen(now.penDown))
     }
 }
 
@@ -42,6 +42,11 @@ internal class RobotScene(
     private val description = world.robots[robot].description
     val pose: Pose = session.robots[robot].robot.pose
     private val bodies = bodiesOf(world, session).filter { it.robot != robot }
+
+    /** What the robot would meet first on each side, and how far away it is. */
+    private val met: Map<RobotSide, Pair<Thing, Double>> = buildMap {
+        for (side in RobotSide.entries) nearestIn(sweep(pose, side))?.let { put(side, it) }
+    }
 
     fun place(who: String?): String {
         val paper = world.paper
@@ -57,32 +62,68 @@ internal class RobotScene(
 
     fun looks(): String = sheetDirection(pose.heading).let { messages.looks(it.to, it.degrees, it.aside) }
 
-    /** What would stop the robot first if it went to [side], or the edge of the sheet; null for nothing. */
-    fun aside(side: RobotSide): String? {
-        val sweep = Sweep(pose, side, description.box)
+    /** What would stop the robot first on each side, and how far it is to the edge of the sheet on the others. */
+    fun around(): List<String> {
+        val things = met.entries.groupBy({ it.value.first }, { it.key to it.value.second }).map { (thing, sides) ->
+            sides.singleOrNull()?.let { (side, free) -> told(side, thing, free) }
+                ?: messages.around(
+                    thing.kind,
+                    thing.name,
+                    sides.map { (side, free) ->
+                        messages.toSide(side, centimetres(free))
+                    },
+                )
+        }
+        val edges = (RobotSide.entries - met.keys).mapNotNull { side ->
+            sweep(pose, side).distanceToEdge(world.paper)?.let { messages.toSide(side, centimetres(it)) }
+        }
+        return things + listOfNotNull(edges.takeIf { it.isNotEmpty() }?.let(messages::edges))
+    }
+
+    /** What the robot would meet first if it turned to [point] and drove there; null if the way is free or ahead. */
+    fun inTheWayTo(point: Point): String? {
+        if (turnTo(point) == 0) return null
+        val turned = Pose(pose.x, pose.y, pose.heading + pose.turnTo(point))
+        val (thing, free) = nearestIn(sweep(turned, RobotSide.AHEAD)) ?: return null
+        val isBefore = free + description.box.right < pose.distanceTo(point)
+        return if (isBefore) messages.inTheWay(thing.kind, thing.name, centimetres(free)) else null
+    }
+
+    private fun sweep(from: Pose, side: RobotSide) = Sweep(from, side, description.box)
+
+    private fun nearestIn(sweep: Sweep): Pair<Thing, Double>? {
         val met = bodies.mapNotNull { body -> sweep.distanceTo(body.outline)?.let { body.thing to it } }
-        val edge = sweep.distanceToEdge(world.paper)?.let { Thing(ThingKind.EDGE) to it }
-        val (thing, free) = (met + listOfNotNull(edge)).minByOrNull { it.second } ?: return null
-        if (free < TOUCHING) return messages.touching(side, thing.kind, thing.name)
-        return messages.free(side, thing.kind, thing.name, centimetres(free))
+        return met.minByOrNull { it.second }
+    }
+
+    private fun told(side: RobotSide, thing: Thing, free: Double) = if (free < TOUCHING) {
+        messages.touching(side, thing.kind, thing.name)
+    } else {
+        messages.free(side, thing.kind, thing.name, centimetres(free))
     }
 
     /** What is under its pen and, if it has one, its light sensor; white paper is not told. */
     fun grounds(): List<String> {
         val seesFloor = description.parts.any { it is SensorPart && it.sensor in FLOOR_SENSORS }
         val eye = description.lineSensor.let { Direction(pose.heading).from(pose.point, it.x, it.y) }
-        return listOfNotNull(
-            under(pose.point)?.let(messages::under),
-            if (seesFloor) under(eye)?.let(messages::underSensor) else null,
-        )
+        val pen = under(pose.point)
+        val sensor = if (seesFloor) under(eye) else null
+        if (pen != null && pen == sensor) return listOf(messages.underBoth(pen))
+        return listOfNotNull(pen?.let(messages::under), sensor?.let(messages::underSensor))
     }
 
-    /** Blocks, other robots and lamps: where each is. */
+    /** Blocks, other robots and lamps: where each is, unless [around] tells it. */
     fun others(): List<String> {
         val things = bodies.filter { it.thing.kind == ThingKind.BLOCK || it.thing.kind == ThingKind.ROBOT }
-        val near = things.map { body ->
+        val near = things.mapNotNull { body ->
             val standing = body.robot?.let { session.robots[it].robot.pose.point }
-            away(body.thing, standing ?: body.outline.bounds.run { Point((left + right) / 2, (bottom + top) / 2) })
+            val place = standing ?: body.outline.bounds.run { Point((left + right) / 2, (bottom + top) / 2) }
+            val side = when (turnTo(place)) {
+                0 -> RobotSide.AHEAD
+                HALF_TURN.toInt() -> RobotSide.BEHIND
+                else -> null
+            }
+            if (met[side]?.first == body.thing) null else away(body.thing, place)
         }
         val lamps = world.lamps.zip(session.lamps) { lamp, now ->
             if (now.on) away(Thing(ThingKind.LAMP, lamp.name), now.place) else messages.lampOff(lamp.name)
@@ -104,11 +145,11 @@ internal class RobotScene(
         messages.away(thing.kind, thing.name, centimetres(pose.distanceTo(place)), turnTo(place))
 
     private fun under(point: Point): List<String>? = groundAt(world, session, point)
-        .takeIf { it != PLAIN }
+        .filter { it.kind != GroundKind.PAPER && !(it.kind == GroundKind.TEMPLATE && isAtDrawing) }
+        .takeIf { it.isNotEmpty() }
         ?.map { messages.ground(it.kind, it.name, it.tone) }
 
     private companion object {
-        val PLAIN = listOf(Ground(GroundKind.PAPER))
         val FLOOR_SENSORS =
             setOf(SensorKind.LIGHT, SensorKind.RCX_LIGHT, SensorKind.COLOUR, SensorKind.HITECHNIC_COLOUR)
 

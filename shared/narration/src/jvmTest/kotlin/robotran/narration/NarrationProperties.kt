@@ -71,7 +71,7 @@ private val NOT_SAID = listOf("NaN", "Infinity", "null", ", select", ", plural",
 
 /** Of where a robot is: itself, the four sides, what is under it, things, lamps, goals. */
 private const val MOST_PLACE_SENTENCES = 3 + 4 + 2 + 5 + 3 + 7
-private const val MOST_SPOT_SENTENCES = 4
+private const val MOST_SPOT_SENTENCES = 5
 
 /** A goal's own sentence may have 500. */
 private const val MOST_CHARACTERS = 700

@@ -87,7 +87,7 @@ class RobotProgramSetsTest {
     fun `a program for a robot that is not there is a mistake`() = runTest {
         val mistaken = assertIs<RobotProgramSets.Failure>(readRobotLoads(world, reader, mapOf("dora" to emptyList())))
         assertEquals(
-            "No robot in this world is called dora. There are ann, bob and carl.",
+            "No robot in this world is called dora. Its robots are ann, bob and carl.",
             mistaken.diagnostics.single().message,
         )
     }

@@ -93,9 +93,6 @@ internal object SoundValues {
     /** A mark counts as seen if it reflects this much less than paper: a light sensor tells it from paper, too. */
     const val DARKER = 0.15
 
-    /** Half the width of the pen's line, and a little more for the spot of a light sensor. */
-    const val INK_REACH = 0.3
-
     /** A robot that pushes something loses and finds it again and again; that is one bump. */
     const val BUMP_PAUSE = 500L
 }

@@ -1,7 +1,9 @@
 package robotran.runsound
 
+import robotran.narration.SheetReader
 import robotran.narration.wayAhead
 import robotran.simulation.state.SessionState
+import robotran.world.Light
 import robotran.world.World
 import robotran.world.geometry.Direction
 import robotran.world.geometry.Point
@@ -13,9 +15,9 @@ import kotlin.math.abs
 
 /** Tells now and then how far it is to the next thing ahead, and at once that the robot drives on something else. */
 internal class Telling(private val world: World, private val robot: Int) {
-    private val finder = GroundFinder(world)
+    private val sheet = SheetReader(world)
     private val sensor = world.robots[robot].description.lineSensor
-    private var ground: Ground? = null
+    private var ground: Timbre? = null
     private var toldAt: Pose? = null
     private var isDue = false
 
@@ -29,7 +31,7 @@ internal class Telling(private val world: World, private val robot: Int) {
     fun look(state: SessionState) {
         if (state.milliseconds % SoundValues.GROUND_LOOK != 0L) return
         val pose = state.robots[robot].robot.pose
-        val now = groundAt(state)
+        val now = timbreAt(state)
         val isOnOther = ground != null && ground != now
         ground = now
         val hasMoved = hasMoved(toldAt ?: pose.also { toldAt = it }, pose)
@@ -47,7 +49,7 @@ internal class Telling(private val world: World, private val robot: Int) {
     fun tone(state: SessionState): RunTone {
         val ahead = wayAhead(robot, world, state)
         val step = SoundValues.STEPS.indexOfFirst { ahead != null && ahead < it }
-        val timbre = groundAt(state).timbre
+        val timbre = timbreAt(state)
         return RunTone(
             state.milliseconds,
             RunSign.AHEAD,
@@ -63,8 +65,12 @@ internal class Telling(private val world: World, private val robot: Int) {
     private fun hasMoved(from: Pose, to: Pose): Boolean = length(to.x - from.x, to.y - from.y) >= SoundValues.MOVED ||
         abs(normalHeading(to.heading - from.heading)) >= SoundValues.TURNED
 
-    private fun groundAt(state: SessionState): Ground {
+    /** By what is on the paper below its light sensor: ink, a mark that is darker than paper, or paper. */
+    private fun timbreAt(state: SessionState): Timbre {
         val pose = state.robots[robot].robot.pose
-        return finder.at(Direction(pose.heading).from(Point(pose.x, pose.y), sensor.x, sensor.y), state.ink)
+        val point = Direction(pose.heading).from(Point(pose.x, pose.y), sensor.x, sensor.y)
+        if (sheet.hasInk(state.ink, point)) return Timbre.SQUARE
+        val isDark = (sheet.reflectanceAt(point) ?: Light.PAPER) < Light.PAPER - SoundValues.DARKER
+        return if (isDark) Timbre.SAWTOOTH else Timbre.SINE
     }
 }

@@ -3,7 +3,9 @@ package robotran.workshop
 import kotlinx.coroutines.runBlocking
 import robotran.brick.controls.BrickButton
 import robotran.language.Language
+import robotran.projects.ProgramView
 import robotran.projects.Project
+import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.SettingsEvent
@@ -38,6 +40,18 @@ class WorkshopLanguageTest {
         speak(Language.SPANISH)
         assertEquals("No existe la orden \"foward\". ¿Querías decir \"forward\"?", diagnostic)
         assertEquals("foward 20", workshop.state.programText)
+    }
+
+    @Test
+    fun `in blocks mistakes are quoted in the words that stand on them, in text in its own`() {
+        speak(Language.GERMAN)
+        workshop.handle(ProgramEvent.ProgramEdited("forward 20\nx = 5"))
+        val inText = diagnostic
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
+        assertTrue("Schreib \"var\" davor" in inText, inText)
+        assertTrue("Schreib \"variable\" davor" in diagnostic, diagnostic)
+        workshop.handle(SettingsEvent.SettingsChanged(workshop.settings.copy(hasEnglishWords = true)))
+        assertEquals(inText, diagnostic)
     }
 
     @Test

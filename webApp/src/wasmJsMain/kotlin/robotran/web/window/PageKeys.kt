@@ -7,6 +7,7 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.input.key.KeyEvent
 import androidx.compose.ui.input.key.KeyEventType
 import androidx.compose.ui.scene.ComposeScene
+import kotlinx.browser.window
 import org.w3c.dom.HTMLElement
 import org.w3c.dom.events.Event
 import org.w3c.dom.events.KeyboardEvent
@@ -21,6 +22,19 @@ internal class PageKeys(
     private val frames: SceneFrames,
     private val clipboard: PageClipboard,
 ) {
+    /**
+     * Gives keys that come up to the window to [take] if nothing below has taken them: those of a page in which nothing
+     * has the focus, and those of the HTML beside the canvas. Only keys that write nothing are shortcuts.
+     */
+    fun listenToWindow(take: (KeyEvent) -> Boolean) = window.addEventListener("keydown", { event ->
+        event as KeyboardEvent
+        val isShortcut = event.ctrlKey || event.metaKey || event.key.length > 1
+        if (isShortcut && !event.defaultPrevented && !event.isComposing && event.keyCode != AT_WORK) {
+            if (take(pressed(event, KeyEventType.KeyDown))) event.preventDefault()
+            frames.markPending()
+        }
+    })
+
     /** @param isWrittenInto whether [element] receives the typed text from the browser. */
     fun listenTo(element: HTMLElement, isWrittenInto: Boolean = false) {
         element.addEventListener("keydown") { take(it as KeyboardEvent, KeyEventType.KeyDown, isWrittenInto) }
@@ -38,7 +52,13 @@ internal class PageKeys(
         if (event.isComposing || event.keyCode == AT_WORK || event.key in UNFINISHED || isForClipboard(event)) return
         val isThirdLevel = event.getModifierState("AltGraph")
         if (isWritten && event.key.length == 1 && (isThirdLevel || writes(event))) return
-        val pressed = KeyEvent(
+        if (scene.sendKeyEvent(pressed(event, type))) event.preventDefault()
+        frames.markPending()
+    }
+
+    private fun pressed(event: KeyboardEvent, type: KeyEventType): KeyEvent {
+        val isThirdLevel = event.getModifierState("AltGraph")
+        return KeyEvent(
             key = keyOf(event.key, event.code),
             type = type,
             codePoint = if (event.key.length == 1) event.key[0].code else 0,
@@ -48,8 +68,6 @@ internal class PageKeys(
             isShiftPressed = event.shiftKey,
             nativeEvent = event,
         )
-        if (scene.sendKeyEvent(pressed)) event.preventDefault()
-        frames.markPending()
     }
 
     /** Writes the selection to the clipboard of [event], like Ctrl and [key]. */

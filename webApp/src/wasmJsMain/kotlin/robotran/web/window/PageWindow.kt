@@ -90,6 +90,8 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
         val keys = PageKeys(scene, frames, clipboard)
         keys.listenTo(canvas)
         input.listen(keys)
+        val untaken = UntakenKeys()
+        keys.listenToWindow { openLayers == 0 && untaken.take(it) }
         PagePointers(canvas, scene, frames, { density.density }) { input.keepFocus() }.listen()
         whenDarkChanges { dark -> theme = if (dark) SystemTheme.Dark else SystemTheme.Light }
         scene.setContent {
@@ -98,6 +100,7 @@ internal class PageWindow(body: HTMLElement, fonts: PageFonts, hasHistory: Boole
                 LocalClipboardManager provides clipboard,
                 LocalClipboardReader provides clipboard,
                 LocalKeyboardHeight provides keyboardHeight,
+                LocalUntakenKeys provides untaken,
                 LocalAddedFonts provides fonts.withEmoji,
             ) { WithAddedFonts(content) }
             if (hasHistory) CloseByBack()

@@ -57,10 +57,7 @@ internal class SiteTasks(private val project: Project) {
             task.optimized.set(build.file("optimized-app/$APP"))
         }
         val split = split("splitRelease", DividedModule.APP, build.dir("optimized-app"))
-        split.configure {
-            it.dependsOn(optimize)
-            it.largest.set(COMPILED_AT_ONCE)
-        }
+        split.configure { it.dependsOn(optimize) }
         val app = replace(
             "releaseApp",
             "Puts the parts of the small and fast modules into what webpack has made.",
@@ -142,8 +139,5 @@ internal class SiteTasks(private val project: Project) {
         const val LINK = "compileProductionExecutableKotlinWasmJs"
         const val APP = "robotran.wasm"
         const val OPTIMIZE = "optimizeApp"
-
-        /** How many bytes of a module Chromium compiles while the page waits; `parts.js` does so only if it must. */
-        const val COMPILED_AT_ONCE = 8L * 1024 * 1024
     }
 }

@@ -10,6 +10,7 @@ import robotran.learning.Strand
 import robotran.learning.WorldGallery
 import robotran.learning.hint.HintCondition
 import robotran.programs.Program
+import robotran.programs.support
 import robotran.projects.Assignment
 import robotran.projects.AssignmentChecks
 import robotran.projects.AssignmentHint
@@ -19,7 +20,10 @@ import robotran.projects.Project
 import robotran.projects.ProjectProgram
 import robotran.projects.WorldVariation
 
-/** Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. */
+/**
+ * Courses of the lessons and worlds that come with Robotran, for teachers to read, change and give to pupils. Programs in
+ * them, and program text in their tasks and hints, have the words that the caller names.
+ */
 object OwnCourses {
     /** The name of the course of the gallery's worlds. */
     const val WORLDS = "worlds"
@@ -28,25 +32,25 @@ object OwnCourses {
     val names: List<String> get() = Lessons.strands.map { it.name } + WORLDS
 
     /** The course called [name], with checks and solutions; null if there is none. */
-    fun named(name: String, language: Language): Course? = if (name == WORLDS) {
-        worlds(language)
+    fun named(name: String, language: Language, words: Language = Language.ENGLISH): Course? = if (name == WORLDS) {
+        worlds(language, words)
     } else {
-        Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language) }
+        Lessons.strands.firstOrNull { it.name == name }?.let { of(it, language, words) }
     }
 
     /** The lessons of [strand]. */
-    fun of(strand: Strand, language: Language): Course = Course(
+    fun of(strand: Strand, language: Language, words: Language = Language.ENGLISH): Course = Course(
         strand.title(language),
         strand.about(language),
-        strand.lessons.map { assignmentOf(it, language) },
+        strand.lessons.map { assignmentOf(it, language, words) },
         "robotran-${strand.name}",
     )
 
     /** The worlds that have a task, the easy ones first. */
-    fun worlds(language: Language): Course = Course(
+    fun worlds(language: Language, words: Language = Language.ENGLISH): Course = Course(
         CourseMessages.of(language).worlds(),
         CourseMessages.of(language).aboutWorlds(),
-        WorldGallery.worlds.mapNotNull { it.lesson }.map { assignmentOf(it, language) },
+        WorldGallery.worlds.mapNotNull { it.lesson }.map { assignmentOf(it, language, words) },
         "robotran-$WORLDS",
     )
 
@@ -54,8 +58,8 @@ object OwnCourses {
      * [lesson] as an assignment with checks and solution: the hint for what went wrong first, then those that give away
      * more with each failed try. A hand-in is graded in all places of the lesson.
      */
-    fun assignmentOf(lesson: Lesson, language: Language): Project {
-        val text = lesson.text(language)
+    fun assignmentOf(lesson: Lesson, language: Language, words: Language = Language.ENGLISH): Project {
+        val text = lesson.text(language, words = words)
         val hints = conditionalHints(text) + listOf(
             AssignmentHint(text.nudge),
             AssignmentHint(text.part, afterTries = TRIES_BEFORE_PART),
@@ -65,10 +69,11 @@ object OwnCourses {
             id = "robotran-${lesson.name.replace('/', '-')}",
             text = text.paragraphs.joinToString("\n\n"),
             hints = hints.takeLast(AssignmentLimits.MAXIMUM_HINTS),
-            checks = AssignmentChecks(SEEDS, variationsOf(lesson, language)),
-            solution = listOf(programOf(lesson, lesson.solution)),
+            checks = AssignmentChecks(SEEDS, variationsOf(lesson, language, words)),
+            solution = listOf(programOf(lesson, lesson.solution, words)),
         )
-        return lesson.project(language).copy(assignment = assignment)
+        return lesson.project(language, listOf(inWords(lesson, lesson.program, words)), words = words)
+            .copy(assignment = assignment)
     }
 
     /** The pupil tries an assignment in one place, so nothing went wrong only in the other one. */
@@ -76,13 +81,16 @@ object OwnCourses {
         text.whens.filterNot { it.condition.phrase == HintCondition.AGAIN }
             .map { AssignmentHint(it.text, it.condition.phrase) }
 
-    private fun variationsOf(lesson: Lesson, language: Language): List<WorldVariation> =
+    private fun variationsOf(lesson: Lesson, language: Language, words: Language): List<WorldVariation> =
         lesson.places.filter { it != LessonPlace.FIRST }.map { place ->
-            WorldVariation(CourseMessages.of(language).again(), lesson.world(language, place))
+            WorldVariation(CourseMessages.of(language).again(), lesson.world(language, place, words))
         }
 
-    private fun programOf(lesson: Lesson, file: SourceFile) =
-        ProjectProgram(Program(file.name, lesson.programLanguage, listOf(file)))
+    private fun programOf(lesson: Lesson, file: SourceFile, words: Language) =
+        ProjectProgram(Program(file.name, lesson.programLanguage, listOf(inWords(lesson, file, words))))
+
+    private fun inWords(lesson: Lesson, file: SourceFile, words: Language) =
+        file.copy(text = lesson.programLanguage.support.inWords(file.text, words))
 
     private val SEEDS = 1..20
     private const val TRIES_BEFORE_PART = 3

@@ -63,6 +63,16 @@ class OwnCoursesTest {
     }
 
     @Test
+    fun `programs, tasks and hints have the words that are asked for`() {
+        val english = assertNotNull(OwnCourses.named("drive", Language.GERMAN)).assignments.first()
+        val german = assertNotNull(OwnCourses.named("drive", Language.GERMAN, Language.GERMAN)).assignments.first()
+        assertTrue("`forward 20`" in english.assignment?.text.orEmpty())
+        assertTrue("`vorwärts 20`" in german.assignment?.text.orEmpty(), german.assignment?.text)
+        assertTrue("vorwärts 20" in german.firstPrograms.first().program.files.first().text)
+        assertTrue("drehe links 90" in assertNotNull(german.assignment).solution.first().program.files.first().text)
+    }
+
+    @Test
     fun `pupils get neither checks nor solutions`() {
         val course = OwnCourses.worlds(Language.ENGLISH)
         assertTrue(course.isForTeachers)

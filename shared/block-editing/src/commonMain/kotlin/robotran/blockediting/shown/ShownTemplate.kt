@@ -32,6 +32,25 @@ fun BlockProgram.shownValue(value: String): String {
     return textOf(program, program.outline.lines.first(), isValue = true)
 }
 
+/**
+ * [code], a line or a value of a program with the words [written], as blocks show it that speak [words]. What is neither,
+ * such as a single word, is shown word for word.
+ */
+fun shownCode(code: String, written: Vocabulary, words: Vocabulary): String {
+    val messages = RobolangMessages.of(Language.ENGLISH)
+
+    fun shown(source: String, isValue: Boolean): String? {
+        val program = blocksOf(outlineRobolang(source, messages, written), messages, previous = null, words)
+        val line = program.outline.lines.first()
+        if (line.error != null || line.form == null) return null
+        if (isValue && line.parts.lastOrNull() !is PhrasePart.Value) return null
+        return textOf(program, line, isValue)
+    }
+    val end = written.written(END)
+    return shown(code, isValue = false) ?: shown("$code\n$end", isValue = false)
+        ?: shown(written.written(VALUE_LINE) + code, isValue = true) ?: words.written(written.inEnglish(code))
+}
+
 private fun textOf(program: BlockProgram, line: OutlineLine, isValue: Boolean): String = when {
     line.form == null -> program.shown.written(program.vocabulary.inEnglish(line.span.textIn(program.text).trim()))
     isValue -> ShownLine(program, line).labelOf(line.parts.last { it is PhrasePart.Value })

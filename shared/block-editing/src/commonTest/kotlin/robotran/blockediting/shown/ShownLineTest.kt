@@ -57,6 +57,24 @@ class ShownLineTest {
     }
 
     @Test
+    fun `a line or a value that a lesson quotes reads as its block, a single word as it is`() {
+        fun german(code: String) = shownCode(code, Vocabulary.of(Language.GERMAN), Vocabulary.of(Language.GERMAN))
+
+        fun spanish(code: String) = shownCode(code, Vocabulary.ENGLISH, Vocabulary.of(Language.SPANISH))
+        assertEquals("drehe nach links um 90", german("drehe links 90"))
+        assertEquals("vorwärts 20", german("vorwärts 20"))
+        assertEquals("warte 0,5 sekunden", german("warte 0.5 sekunden"))
+        assertEquals("wiederhole 4 mal", german("wiederhole 4 mal"))
+        assertEquals("ende", german("ende"))
+        assertEquals("gira a la izquierda 90", spanish("turn left 90"))
+        assertEquals("parachoques izquierdo", spanish("left bumper"))
+        assertEquals("repite para siempre", spanish("repeat forever"))
+        assertEquals("luz < 40", spanish("light < 40"))
+        assertEquals("potencia", spanish("power"))
+        assertEquals("side", spanish("side"))
+    }
+
+    @Test
     fun `numbers have the decimal sign of the language, and the program keeps its point`() {
         assertEquals("warte 0,5 sekunden", shown("wait 0.5 seconds", "de"))
         assertEquals("wait 0.5 seconds", shown("warte 0.5 sekunden", "en"))

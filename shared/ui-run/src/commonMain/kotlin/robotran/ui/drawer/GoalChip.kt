@@ -35,6 +35,7 @@ import robotran.workshop.state.GoalCount
  * the longest text.
  *
  * @param isSlim whether there is room for one short line only, as always with large text.
+ * @param hasName whether that line may say what it counts; with large text it never does.
  */
 @Composable
 internal fun GoalChip(
@@ -42,6 +43,7 @@ internal fun GoalChip(
     onEvent: (RunEvent) -> Unit,
     modifier: Modifier = Modifier,
     isSlim: Boolean = false,
+    hasName: Boolean = true,
 ) {
     if (goals.isEmpty()) return
     val colours = LocalRobotranColours.current
@@ -50,7 +52,7 @@ internal fun GoalChip(
     val words = if (count.allMet) allMet else RunTexts.goalsCount(spoken, count.met, count.all)
     val isLarge = LocalDensity.current.fontScale > LARGE
     val isShort = isLarge || isSlim
-    val name = if (isLarge) "" else RunTexts.tabGoals(spoken) + " "
+    val name = if (isLarge || !hasName) "" else RunTexts.tabGoals(spoken) + " "
     val shown = if (isShort) "$name${count.met}/${count.all}" else words
     val longest = if (isShort) {
         "$name${count.all}/${count.all}"

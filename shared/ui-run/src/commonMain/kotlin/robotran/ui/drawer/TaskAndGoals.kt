@@ -32,6 +32,7 @@ import robotran.workshop.event.WorkshopEvent
  * Buttons for the task and the goals of the world, if it has them.
  *
  * @param isSlim whether there is room for one short line only.
+ * @param hasName whether that line may say that it counts goals.
  * @param howFar how far the pupil is with an assignment, for screen readers.
  */
 @OptIn(ExperimentalLayoutApi::class)
@@ -44,10 +45,11 @@ fun TaskAndGoals(
     modifier: Modifier = Modifier,
     isSlim: Boolean = false,
     howFar: String = "",
+    hasName: Boolean = true,
 ) {
     FlowRow(modifier, Arrangement.spacedBy(8.dp), Arrangement.spacedBy(8.dp)) {
         if (hasTask) TaskChip(taskShown, howFar) { onEvent(ScreenEvent.TaskShown(it)) }
-        GoalChip(goals, onEvent, isSlim = isSlim)
+        GoalChip(goals, onEvent, isSlim = isSlim, hasName = hasName)
     }
 }
 

@@ -134,7 +134,7 @@ internal fun hasZoomButtons(width: Dp, height: Dp): Boolean =
 internal fun sheetButtonColumns(world: World, withZoom: Boolean, withWords: Boolean, height: Dp): Int {
     val optional = listOf(noticesSurroundings(world), withWords).count { it }
     val buttons = BUTTONS + (if (withZoom) ZOOM_BUTTONS else 0) + optional
-    val inColumn = ((height - GAP) / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
+    val inColumn = (height / SHEET_BUTTON_STEP).toInt().coerceAtLeast(1)
     return (buttons + inColumn - 1) / inColumn
 }
 

@@ -20,7 +20,8 @@ class SheetRoom private constructor(val isUpright: Boolean, val aside: DpRect, v
             val paper = world.paper
             val isUpright = width / height > (paper.width / paper.height).toFloat()
             val columns = sheetButtonColumns(world, hasZoomButtons(width, height), withWords, height)
-            val edge = SHEET_BUTTON_STEP * (if (isUpright) columns else 1) + GAP
+            // In a low pane buttons rather cover some of the paper than leave it no room.
+            val edge = (SHEET_BUTTON_STEP * (if (isUpright) columns else 1) + GAP).coerceAtMost(width / 2)
             val aside = if (isUpright) DpRect(edge, 0.dp, 0.dp, 0.dp) else DpRect(0.dp, 0.dp, 0.dp, edge)
             val margin = marginOf(paper) * 2
             val scale = minOf(

@@ -34,8 +34,8 @@ class WordsOnSheetTest {
         settle()
         onNodeWithTag(WorldTags.ofMenu(WorldTags.WHERE_AM_I)).performClick()
         settle()
-        assertSaid("The robot \"yellow\" is 30 cm from the left edge and 40 cm from the bottom edge.")
-        assertSaid("Ahead: the edge of the sheet, 61 cm away.")
+        assertSaid("The robot \"yellow\" is 30 cm from the left, 40 cm up.")
+        assertSaid("To the edge of the sheet: 61 cm ahead, ")
         assertSaid("The robot \"red\" is 54 cm away, 22 degrees to the left.")
         assertSaid("Its middle is 63 cm away, 18 degrees to the right.")
         onNodeWithTag(WorldTags.CLOSE_WORDS).performClick()
@@ -71,7 +71,7 @@ class WordsOnSheetTest {
     fun `arrows move the cross and say what is there, Escape puts it away`() = onSheet {
         explore()
         assertEquals(Point(30.0, 40.0), cross)
-        assertSaid("30 across, 40 up: the robot \"yellow\".")
+        assertSaid("30 cm from the left, 40 cm up: the robot \"yellow\".")
         onNodeWithTag(WorldTags.EXPLORING_CROSS).assertIsFocused()
         onNodeWithTag(WorldTags.EXPLORING_CROSS).performKeyInput {
             repeat(6) { pressKey(Key.DirectionRight) }
@@ -80,7 +80,7 @@ class WordsOnSheetTest {
         }
         settle()
         assertEquals(Point(60.0, 31.0), cross)
-        assertSaid("60 across, 31 up: a block.")
+        assertSaid("60 cm from the left, 31 cm up: a block.")
         onNodeWithTag(WorldTags.EXPLORING_CROSS).assertContentDescriptionContains("a block", substring = true)
         onNodeWithTag(WorldTags.EXPLORING_CROSS).performKeyInput { pressKey(Key.Escape) }
         settle()

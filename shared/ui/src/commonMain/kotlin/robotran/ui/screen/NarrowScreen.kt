@@ -178,7 +178,13 @@ private fun WorldWithStrip(state: WorkshopState, onEvent: (WorkshopEvent) -> Uni
                 if (isBroad) {
                     // In one row if they fit, since the paper is low.
                     FlowRow {
-                        WorldTaskAndGoals(state, onEvent, Modifier.align(Alignment.CenterVertically), isSlim = true)
+                        WorldTaskAndGoals(
+                            state,
+                            onEvent,
+                            Modifier.align(Alignment.CenterVertically),
+                            isSlim = true,
+                            hasName = this@BoxWithConstraints.maxWidth >= NAMED_GOALS,
+                        )
                         StripWithSize(state.run, onEvent, showBrick)
                     }
                 } else {
@@ -200,14 +206,16 @@ private fun WorldTaskAndGoals(
     onEvent: (WorkshopEvent) -> Unit,
     modifier: Modifier = Modifier,
     isSlim: Boolean = false,
+    hasName: Boolean = true,
 ) = TaskAndGoals(
     state.hasTask,
     state.taskShown,
     state.session.goals,
     onEvent,
-    modifier.padding(horizontal = 12.dp),
+    modifier.padding(start = 12.dp, end = if (hasName) 12.dp else 0.dp),
     isSlim,
-    howFar = howFar(state.assignment),
+    howFar(state.assignment),
+    hasName,
 )
 
 /** The small brick with the button that shows the whole one. */
@@ -263,6 +271,9 @@ private val STRIP_HEIGHT = 80.dp
 
 /** Below this height, as on a phone held across, the run bar has one row. */
 private val LOW = 480.dp
+
+/** From this width on the goals, with their name, and the strip fit in one row. */
+private val NAMED_GOALS = 420.dp
 
 /** The rest scrolls. */
 private val MAX_BANNER_HEIGHT = 200.dp

@@ -17,7 +17,7 @@ import robotran.workshop.state.LearningState
 @Composable
 internal fun TryElsewhere(learning: LearningState, elsewhere: LessonPlace, onEvent: (WorkshopEvent) -> Unit) {
     val isLarge = LocalDensity.current.fontScale > LARGE
-    val again = learning.tutorial?.current?.text(learning.language, learning.isInBlocks)?.again
+    val again = learning.tutorial?.current?.let(learning::textOf)?.again
     val words = again?.takeIf { elsewhere == LessonPlace.AGAIN } ?: RunTexts.outcomeElsewhere(spoken)
     if (isLarge) TryThere(onEvent)
     Text(words, Modifier.testTag(ScreenTags.ELSEWHERE_WORDS), TextStyles.sentence)

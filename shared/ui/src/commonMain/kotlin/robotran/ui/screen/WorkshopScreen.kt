@@ -59,11 +59,15 @@ import robotran.workshop.state.WorkshopState
 @Composable
 fun WorkshopScreen(state: WorkshopState, onEvent: (WorkshopEvent) -> Unit, modifier: Modifier = Modifier) {
     var isNarrow by remember { mutableStateOf(false) }
+    val shortcut = { event: KeyEvent ->
+        val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }
+        wanted?.let(onEvent) != null || askForWords(event, state, isNarrow, onEvent)
+    }
+    val escape = { event: KeyEvent -> escapedWords(event, state.sheet)?.let(onEvent) != null }
+    TakesUntakenKeys { shortcut(it) || escape(it) }
     BoxWithConstraints(
-        modifier.fillMaxSize().background(LocalRobotranColours.current.pane).onPreviewKeyEvent { event ->
-            val wanted = documentShortcut(event) ?: runShortcut(event).takeIf { isRunAllowed(state, it) }
-            wanted?.let(onEvent) != null || askForWords(event, state, isNarrow, onEvent)
-        }.onKeyEvent { event -> escapedWords(event, state.sheet)?.let(onEvent) != null },
+        modifier.fillMaxSize().background(LocalRobotranColours.current.pane)
+            .onPreviewKeyEvent(shortcut).onKeyEvent(escape),
     ) {
         // Larger text needs the room of a larger screen.
         val scale = state.settings.textScale.coerceAtMost(LocalDensity.current.fontScale)

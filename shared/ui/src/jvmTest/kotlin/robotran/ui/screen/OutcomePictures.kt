@@ -58,6 +58,9 @@ class OutcomePictures {
     @Test
     fun `a solved task can be photographed`() {
         solved().use("solved-phone", 411, 891)
+        solved().use("solved-small-phone", 360, 640)
+        solved(Settings(language = Language.GERMAN)).use("solved-small-phone-german", 360, 640)
+        solved(Settings(language = Language.GERMAN, textScale = 2f)).use("solved-small-phone-large", 360, 640)
         solved().use("solved-tablet", 1280, 800)
         solved(Settings(language = Language.GERMAN, textScale = 2f)).use("solved-tablet-large", 1280, 800)
         solved().use("solved-laptop-dark", 1440, 900, dark = true)

@@ -272,7 +272,7 @@ class CourseStateHolder(
     }
 
     private suspend fun saveOwn(name: String) {
-        val course = OwnCourses.named(name, preferences.language) ?: return
+        val course = OwnCourses.named(name, preferences.language, preferences.words) ?: return
         val bytes = checkNotNull(withContext(platform.background) { courseFile(course) }) { "Our courses are files." }
         val saved = when (
             val saving = platform.files.save(fileNameFor(course.title, FileKind.COURSE), FileKind.COURSE, bytes)

@@ -7,6 +7,7 @@ import robotran.learning.hint.Attempt
 import robotran.learning.stagedHint
 import robotran.workshop.service.Preferences
 import robotran.workshop.state.TaskHelp
+import robotran.workshop.state.onBlocks
 
 /** Gives hints one after the other: first the one that fits the last try, then a part of the solution, then all. */
 internal class HintGiver(private val preferences: Preferences) {
@@ -16,6 +17,7 @@ internal class HintGiver(private val preferences: Preferences) {
      */
     fun after(attempt: Attempt?, task: Lesson, help: TaskHelp): TaskHelp {
         val fitting = attempt?.let { chooseHint(task, it, preferences.language, preferences.words) }
+            ?.onBlocks(task, preferences.words)
             ?: staged(task, HintStage.NUDGE).takeIf { attempt == null }
         return help.copy(hints = listOfNotNull(fitting) + help.hints.drop(1), fittingHint = fitting)
     }
@@ -29,7 +31,7 @@ internal class HintGiver(private val preferences: Preferences) {
     }
 
     private fun staged(task: Lesson, stage: HintStage) =
-        stagedHint(task, stage, preferences.language, preferences.words)
+        stagedHint(task, stage, preferences.language, preferences.words).onBlocks(task, preferences.words)
 
     /** The [help] without hints, as before the first try. */
     fun none(help: TaskHelp): TaskHelp = help.copy(hints = emptyList(), fittingHint = null)

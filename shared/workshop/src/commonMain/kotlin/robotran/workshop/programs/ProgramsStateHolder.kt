@@ -53,6 +53,7 @@ class ProgramsStateHolder private constructor(
     private val compileScheduler = CompileScheduler()
     private val editing = ProgramEditing(preferences, services.navigator, services.notices, all::hasRoom)
     private val otherBrick = OtherBrickFinder()
+    private val quotes = QuotesInBlocks()
     private var lastStatus = CompileStatus.DONE
 
     var state: ProgramsState by mutableStateOf(stateNow())
@@ -233,6 +234,8 @@ class ProgramsStateHolder private constructor(
         val support = entry.program.language.support
         val kinds = support.translations(robot.brick)
         val kind = lastTranslation.takeIf { it in kinds } ?: kinds.firstOrNull()
+        val view = if (support.hasBlocks) robot.editorState.view else ProgramView.TEXT
+        val notes = if (view.hasBlocks) quotes.notes(robot, preferences.words) else entry.notes
         return ProgramsState(
             robots = all.robots.map { it.placement },
             shownRobot = robot.placement.name,
@@ -244,13 +247,13 @@ class ProgramsStateHolder private constructor(
             canUndo = robot.editorState.history.canUndo,
             canRedo = robot.editorState.history.canRedo,
             breakpoints = robot.editorState.breakpoints,
-            view = if (support.hasBlocks) robot.editorState.view else ProgramView.TEXT,
+            view = view,
             blocks = robot.editorState.blocks,
             closed = robot.closed?.name,
             closedMessageShown = robot.closedMessageShown,
             canReopen = robot.canReopen,
-            diagnostics = entry.diagnostics,
-            notes = entry.notes,
+            diagnostics = if (view.hasBlocks) entry.diagnostics.map(quotes::told) else entry.diagnostics,
+            notes = notes,
             compileStatus = lastStatus,
             errorPointedOut = editing.errorPointedOut,
             translationShown = translationShown,

@@ -5,6 +5,7 @@ import robotran.brick.program.BrickProgram
 import robotran.nxt.storage.NxtFile
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
+import robotran.programs.ProgramResult
 import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.projects.ProjectProgram
@@ -49,6 +50,9 @@ internal class RobotPrograms(
 
     /** Whether the message about the last removed file is shown. */
     var closedMessageShown = false
+
+    /** What the compiler of this robot makes of [program], whose language needs no loading. */
+    fun compiled(program: Program): ProgramResult = compiler.compileNow(program)
 
     val brick: BrickKind get() = placement.description.brick
 

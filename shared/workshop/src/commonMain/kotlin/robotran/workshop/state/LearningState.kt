@@ -50,7 +50,8 @@ data class LearningState(
     val elsewhere: LessonPlace? = null,
 ) {
     /** What [lesson] says to this pupil. */
-    fun textOf(lesson: Lesson): LessonText = lesson.text(language, isInBlocks, words)
+    fun textOf(lesson: Lesson): LessonText =
+        if (isInBlocks) textOnBlocks(lesson, language, words) else lesson.text(language, words = words)
 
     /** The index of the tutorial's step that is loaded; null if the pupil works on something else. */
     val loadedStep: Int? get() = tutorial?.takeIf { it.isLoaded }?.step

@@ -84,7 +84,7 @@ abstract class AssembleSite : DefaultTask() {
                 "streamed" to app.streamed.map { it.address },
                 "worker" to worker.address,
                 "chunks" to app.chunksForWorkers.map { it.address },
-                "rests" to app.rests.map { listOf(it.address, it.content.length()) },
+                "rests" to app.rests.map { pieces -> pieces.map { listOf(it.address, it.content.length()) } },
                 "resources" to app.resources.mapValues { it.value.address },
             )
         val own =

@@ -38,10 +38,8 @@ internal class BuiltApp(folder: File) {
             ?: throw GradleException("There is no $chunk.js in the built app.")
     }
 
-    /** What is not part of the [streamed] modules but may be called, in the same order; none if they are not split. */
-    val rests: List<SiteFile> = DividedModule.entries.mapNotNull { module ->
-        code.firstOrNull { it.name.startsWith("${module.rest}.") }
-    }
+    /** What is not part of the [streamed] modules but may be called: the pieces of each, in the same order; none if they are not split. */
+    val rests: List<List<SiteFile>> = DividedModule.entries.map { it.restsIn(code) }.filter { it.isNotEmpty() }
 
     /** The licences of bundled code, as collected by webpack. */
     val notices: List<File> = atTop.filter { it.name.endsWith(".LICENSE.txt") }

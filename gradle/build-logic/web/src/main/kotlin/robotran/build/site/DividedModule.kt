@@ -1,9 +1,10 @@
 package robotran.build.site
 
 import org.gradle.api.GradleException
+import robotran.build.wasm.nameOfPiece
 import java.io.File
 
-/** A module of the page that is divided: its file is called [stem], and what comes later [rest]. */
+/** A module of the page that is divided: its file is called [stem], and what comes later is its rest. */
 internal enum class DividedModule(val stem: String) {
     /** The app. */
     APP("robotran"),
@@ -12,11 +13,16 @@ internal enum class DividedModule(val stem: String) {
     SKIKO("skiko"),
     ;
 
-    /** The file of the rest, without hash and suffix. */
-    val rest: String = "$stem-rest"
-
     /** The list in webApp/src/first-part of the functions of the first part. */
     val list: String = "$stem.txt"
+
+    /** The file of the piece [number] of the rest, from 0, without hash and suffix. */
+    fun nameOfRest(number: Int): String = "$stem-${nameOfPiece(number)}"
+
+    /** The files of the rest among [files], in the order of its pieces. */
+    fun restsIn(files: List<SiteFile>): List<SiteFile> = generateSequence(0) { it + 1 }
+        .map { number -> files.firstOrNull { it.name.startsWith("${nameOfRest(number)}.") } }
+        .takeWhile { it != null }.filterNotNull().toList()
 
     /** The file of the module in [folder], whether or not its name contains a hash. */
     fun fileIn(folder: File): File = folder.listFiles().orEmpty().firstOrNull { isNamed(it.name) }

@@ -7,15 +7,16 @@ import org.gradle.api.provider.Property
 import org.gradle.api.tasks.CacheableTask
 import org.gradle.api.tasks.Input
 import org.gradle.api.tasks.InputDirectory
-import org.gradle.api.tasks.Optional
 import org.gradle.api.tasks.OutputDirectory
 import org.gradle.api.tasks.PathSensitive
 import org.gradle.api.tasks.PathSensitivity
 import org.gradle.api.tasks.TaskAction
 import robotran.build.wasm.CalledFunctions
+import robotran.build.wasm.CalledNames
 import robotran.build.wasm.LargeData
 import robotran.build.wasm.WasmModule
 import robotran.build.wasm.WasmModuleSplitter
+import robotran.build.wasm.piecesOf
 
 /** Splits a module into the functions that the first minute of the page calls and the rest, which comes later. */
 @CacheableTask
@@ -34,12 +35,7 @@ abstract class SplitWasm : DefaultTask() {
     @get:PathSensitive(PathSensitivity.RELATIVE)
     abstract val lists: DirectoryProperty
 
-    /** How many bytes the rest may have; absent if any number. */
-    @get:Input
-    @get:Optional
-    abstract val largest: Property<Long>
-
-    /** The folder of the two parts. */
+    /** The folder of the parts: the first, and the rest in as many pieces as it needs. */
     @get:OutputDirectory
     abstract val parts: DirectoryProperty
 
@@ -56,13 +52,25 @@ abstract class SplitWasm : DefaultTask() {
         val (cut, lateData) = LargeData.cut(module, called.unread)
         val splitter = WasmModuleSplitter(cut, functions, lateData)
         val folder = parts.get().asFile
-        val rest = splitter.rest.bytes()
-        if (rest.size > largest.getOrElse(Long.MAX_VALUE)) {
-            throw GradleException(
-                "The rest of ${divided.stem}.wasm has ${rest.size} bytes, more than a page can compile while it waits.",
-            )
-        }
+        val names = CalledNames.namesIn(module)
+        folder.listFiles().orEmpty().forEach { it.delete() }
         folder.resolve("${divided.stem}.wasm").writeBytes(splitter.first.bytes())
-        folder.resolve("${divided.rest}.wasm").writeBytes(rest)
+        piecesOf(splitter.rest, splitter.functionsOfRest.map(names::get), PIECE).forEachIndexed { number, piece ->
+            val rest = piece.bytes()
+            if (rest.size > COMPILED_AT_ONCE) {
+                throw GradleException(
+                    "A piece of ${divided.stem}.wasm has ${rest.size} bytes, more than a page compiles at once.",
+                )
+            }
+            folder.resolve("${divided.nameOfRest(number)}.wasm").writeBytes(rest)
+        }
+    }
+
+    private companion object {
+        /** How many bytes of a module Chromium compiles while the page waits; `parts.js` does so only if it must. */
+        const val COMPILED_AT_ONCE = 8 * 1024 * 1024
+
+        /** Bytes. Cutting adds what the pieces share, and the shares are equal by their code alone. */
+        const val PIECE = 6 * 1024 * 1024
     }
 }

@@ -5,8 +5,8 @@ package robotran.build.wasm
  * [rest], which can come later. It does what binaryen's `wasm-split` does, which no package that the build has
  * contains, and also divides globals, strings and types: each goes where it is needed.
  *
- * [rest] imports what both need from the module [FIRST]: functions, globals, tables, memories and tags that [first]
- * defines and exports. [first] reaches a function of [rest] through the table [COLD], with a function of the same type
+ * [rest] imports what both need from the module [name]: functions, globals, tables, memories and tags that [first]
+ * defines and exports. [first] reaches a function of [rest] through a [table][tableOf], with a function of the same type
  * in its place. Entry 0 of that table is for a function that brings [rest]: [first] calls it before it calls a function
  * of [rest] that is not there yet.
  *
@@ -14,11 +14,20 @@ package robotran.build.wasm
  *   [called at its start][calledAtStart] are in [first] in any case.
  * @param lateData the data segments that only [rest] reads, by their index. They must be constant, since [rest] writes
  *   them into the memory when it comes.
+ * @param name what [rest] calls [first] in its imports. What is a rest already can be split again under another name.
  */
-internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private val lateData: Set<Int> = emptySet()) {
+internal class WasmModuleSplitter(
+    module: WasmModule,
+    called: Set<Int>,
+    private val lateData: Set<Int> = emptySet(),
+    private val name: String = FIRST,
+) {
     private val contents = WasmContents(module)
     private val functions = contents.definedIn(IndexSpace.FUNCTION)
     private val hot = called.map { functions.first + it }.filter { it in functions }.toSet() + calledAtStart(contents)
+
+    /** The functions of [rest] in its order, by their index among the functions that the module defines. */
+    val functionsOfRest: List<Int> = functions.filter { it !in hot }.map { it - functions.first }
     private val reachOfFirst = WasmReach(contents) { space, index -> space != IndexSpace.FUNCTION || index in hot }
     private val reachOfRest = WasmReach(contents) { space, index -> !isInFirst(space, index) }
 
@@ -54,7 +63,7 @@ internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private 
     private fun isLate(space: IndexSpace, index: Int) = space == IndexSpace.DATA && index in lateData
 
     val first: WasmModule by lazy {
-        val part = WasmPart(contents, reachOfFirst) { _, _ -> false }
+        val part = WasmPart(contents, reachOfFirst, name) { _, _ -> false }
         part.addDefinitions { _, _ -> error("The first part imports nothing from another.") }
         val types = part.order(IndexSpace.TYPE).size
         part.add(WasmModule.TYPE, ACTION)
@@ -77,14 +86,14 @@ internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private 
         part.declare(reachOfFirst.declared)
         for (export in contents.exports) part.export(export.name, export.space, part.map(export.space, export.index))
         for ((what, name) in shared) part.export(name, what.first, part.map(what.first, what.second))
-        part.export(COLD, IndexSpace.TABLE, coldTable)
+        part.export(tableOf(name), IndexSpace.TABLE, coldTable)
         part.module(contents.start?.let { part.map(IndexSpace.FUNCTION, it) })
     }
 
     val rest: WasmModule by lazy {
-        val part = WasmPart(contents, reachOfRest, ::isInFirst)
+        val part = WasmPart(contents, reachOfRest, name, ::isInFirst)
         part.addDefinitions { space, index -> shared.getValue(space to index) }
-        part.import(FIRST, COLD, IndexSpace.TABLE, coldTableType())
+        part.import(name, tableOf(name), IndexSpace.TABLE, coldTableType())
         for (function in part.own(IndexSpace.FUNCTION)) {
             val type = part.map(IndexSpace.TYPE, contents.typeOf(function))
             part.addFunction(type, contents.copyDefinition(IndexSpace.FUNCTION, function, part))
@@ -117,11 +126,11 @@ internal class WasmModuleSplitter(module: WasmModule, called: Set<Int>, private 
     }
 
     companion object {
-        /** The name of the module from which the rest imports. */
+        /** The name of the first part of a whole module. */
         const val FIRST = "first"
 
-        /** The export of the first part that is the table of the functions of the rest; see also `start.js`. */
-        const val COLD = "first.cold"
+        /** The export of the part [name] that is the table of the functions of its rest; see also `parts.js`. */
+        fun tableOf(name: String): String = "$name.cold"
 
         /** What is wholly in the first part. */
         private val WITHOUT_PARTS = listOf(IndexSpace.TABLE, IndexSpace.MEMORY, IndexSpace.TAG)

@@ -4,11 +4,13 @@ package robotran.build.wasm
  * A part of a module under construction: the sections with what it needs, under new indices.
  *
  * @param reach what the part needs.
+ * @param other the name of the part from which this imports what both need.
  * @param isShared whether what the whole module defines is defined by another part, from which it is imported.
  */
 internal class WasmPart(
     private val contents: WasmContents,
     private val reach: WasmReach,
+    private val other: String,
     private val isShared: (IndexSpace, Int) -> Boolean,
 ) : IndexMap {
     private val sections = WasmModule.ORDER.associateWith { mutableListOf<ByteArray>() }
@@ -70,7 +72,7 @@ internal class WasmPart(
         if (original != null) {
             import(original.module, original.name, space, type)
         } else {
-            import(WasmModuleSplitter.FIRST, nameOf(space, index), space, type)
+            import(other, nameOf(space, index), space, type)
         }
     }
 

@@ -29,7 +29,7 @@ class WasmModuleSplitterTest {
 
     @Test
     fun `what is called of the rest is in a table, behind a place for what brings it`() {
-        val table = first.exports.single { it.name == WasmModuleSplitter.COLD }
+        val table = first.exports.single { it.name == WasmModuleSplitter.tableOf(WasmModuleSplitter.FIRST) }
         assertEquals(IndexSpace.TABLE, table.space)
         val tables = first.entries(WasmModule.TABLE) { copy { sameCopier(this).tableType() } }
         assertContentEquals(byteArrayOf(0x70, 0, 2), tables[table.index])

@@ -1,6 +1,7 @@
-package robotran.cli.web
+package robotran.cli.packaging
 
 import robotran.assignments.packaging.SiteFile
+import robotran.siteserver.SiteServer
 import java.io.IOException
 import java.nio.file.Path
 import kotlin.io.path.extension

@@ -1,6 +1,5 @@
-package robotran.cli.console
+package robotran.console
 
-import robotran.json.JsonWarning
 import robotran.language.Language
 import robotran.language.visibleText
 
@@ -17,12 +16,6 @@ interface Console {
 
     /** Prints progress as is, without a line break. */
     fun mention(words: String)
-}
-
-/** Prints what people should know about the file [name], although it could be read. */
-internal fun Console.warn(name: String, notes: List<String>, warnings: List<JsonWarning>) {
-    notes.forEach(::complain)
-    warnings.forEach { complain(messages.warning("$name: ${it.message}")) }
 }
 
 /** This console with all text as [visibleText] has it, whatever a program, a file name or a message contains. */

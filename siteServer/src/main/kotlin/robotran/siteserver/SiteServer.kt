@@ -1,4 +1,4 @@
-package robotran.cli.web
+package robotran.siteserver
 
 import com.sun.net.httpserver.HttpExchange
 import com.sun.net.httpserver.HttpServer
@@ -26,7 +26,10 @@ class SiteServer private constructor(
     private val threads: ExecutorService,
 ) : AutoCloseable {
     /** The URL to open in a browser. */
-    val address: String = "http://localhost:${server.address.port}/"
+    val address: String get() = "http://$host/"
+
+    /** What links to the site begin with, without the scheme. */
+    val host: String = "localhost:${server.address.port}"
 
     init {
         server.executor = threads

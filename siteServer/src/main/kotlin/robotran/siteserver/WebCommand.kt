@@ -1,4 +1,4 @@
-package robotran.cli.web
+package robotran.siteserver
 
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
@@ -8,12 +8,11 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
-import robotran.cli.console.Console
-import robotran.cli.console.ExitCode
-import robotran.cli.console.LanguageOption
-import robotran.cli.console.messages
-import robotran.cli.console.speaking
-import robotran.projects.localSite
+import robotran.console.Console
+import robotran.console.ExitCode
+import robotran.console.LanguageOption
+import robotran.console.messages.ConsoleMessages
+import robotran.console.speaking
 import kotlin.io.path.Path
 
 /**
@@ -21,7 +20,7 @@ import kotlin.io.path.Path
  *
  * @param stay blocks until the server should stop.
  */
-internal class WebCommand(
+class WebCommand(
     private val process: Console,
     private val stay: (SiteServer) -> Unit = { Thread.sleep(Long.MAX_VALUE) },
 ) : CoreCliktCommand("web") {
@@ -39,18 +38,19 @@ internal class WebCommand(
 
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
+    private val aboutSite get() = ConsoleMessages.of(spoken.language)
 
     override fun help(context: Context) = "Serves the web site of Robotran to browsers on this machine."
 
     override fun run() {
-        if (!SiteServer.isFree(port)) refuse(console.messages.portTaken(port))
+        if (!SiteServer.isFree(port)) refuse(aboutSite.portTaken(port))
         if (isOnlyAsked()) return
-        val folder = (site ?: System.getProperty(SITE))?.let { Path(it) } ?: refuse(console.messages.siteNotHere())
-        if (!SiteServer.hasSite(folder)) refuse(console.messages.siteNotBuilt(folder.toString()))
-        val server = SiteServer.start(folder, port) ?: refuse(console.messages.portTaken(port))
+        val folder = (site ?: System.getProperty(SITE))?.let { Path(it) } ?: refuse(aboutSite.siteNotHere())
+        if (!SiteServer.hasSite(folder)) refuse(aboutSite.siteNotBuilt(folder.toString()))
+        val server = SiteServer.start(folder, port) ?: refuse(aboutSite.portTaken(port))
         server.use {
-            console.say(console.messages.siteServed(it.address))
-            localSite(it.address)?.let { site -> console.say(console.messages.linksStayHere(site)) }
+            console.say(aboutSite.siteServed(it.address))
+            console.say(aboutSite.linksStayHere(it.host))
             stay(it)
         }
     }

@@ -1,4 +1,4 @@
-package robotran.cli.web
+package robotran.siteserver
 
 import java.net.InetAddress
 import java.net.ServerSocket

@@ -1,6 +1,4 @@
-package robotran.cli
-
-import robotran.cli.console.Console
+package robotran.console
 
 /** A console that records its output. */
 internal class RecordingConsole : Console {

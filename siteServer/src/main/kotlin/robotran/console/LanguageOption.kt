@@ -1,10 +1,9 @@
-package robotran.cli.console
+package robotran.console
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
 import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
-import robotran.cli.messages.CommandMessages
 import robotran.language.Language
 import robotran.language.listed
 
@@ -12,7 +11,7 @@ import robotran.language.listed
  * The language of a command's messages. The system locale is ignored, so scripts get the same output everywhere unless
  * they set the language.
  */
-internal class LanguageOption : OptionGroup() {
+class LanguageOption : OptionGroup() {
     val language by option(
         OPTION,
         metavar = Language.entries.joinToString("|") { it.tag },
@@ -28,7 +27,7 @@ internal class LanguageOption : OptionGroup() {
 }
 
 /** The language that [arguments] ask for, where they may be wrong in other things. */
-internal fun languageIn(arguments: List<String>): Language {
+fun languageIn(arguments: List<String>): Language {
     val named = arguments.zipWithNext().firstOrNull { it.first == OPTION }?.second
         ?: arguments.firstOrNull { it.startsWith("$OPTION=") }?.substringAfter('=')
     return Language.of(named ?: System.getenv(VARIABLE).orEmpty()) ?: Language.ENGLISH
@@ -38,9 +37,6 @@ private const val OPTION = "--language"
 private const val VARIABLE = "ROBOTRAN_LANGUAGE"
 
 /** This console with messages in [language]. */
-internal fun Console.speaking(language: Language): Console = SpeakingConsole(this, language)
-
-/** The messages in this console's language. */
-internal val Console.messages: CommandMessages get() = CommandMessages.of(language)
+fun Console.speaking(language: Language): Console = SpeakingConsole(this, language)
 
 private class SpeakingConsole(private val console: Console, override val language: Language) : Console by console

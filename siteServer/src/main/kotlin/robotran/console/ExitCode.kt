@@ -1,4 +1,4 @@
-package robotran.cli.console
+package robotran.console
 
 /** The exit codes of the command line. */
 enum class ExitCode(val status: Int) {

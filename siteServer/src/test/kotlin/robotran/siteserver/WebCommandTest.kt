@@ -1,22 +1,44 @@
-package robotran.cli.web
+package robotran.siteserver
 
+import com.github.ajalt.clikt.core.CoreNoOpCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.core.parse
-import robotran.cli.CommandTest
+import com.github.ajalt.clikt.core.subcommands
+import robotran.console.RecordingConsole
+import robotran.console.carryOut
 import java.net.InetAddress
 import java.net.ServerSocket
 import java.net.URI
+import java.nio.file.Files
+import kotlin.io.path.createDirectories
+import kotlin.io.path.writeText
+import kotlin.test.AfterTest
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFailsWith
 
-class WebCommandTest : CommandTest() {
-    private fun web(vararg arguments: String) = commandLine.execute(listOf("web") + arguments)
+class WebCommandTest {
+    private val console = RecordingConsole()
+    private val folder = Files.createTempDirectory("robotran-web")
+    private val site: String
+        get() {
+            val site = folder.resolve("site").createDirectories()
+            site.resolve("index.html").writeText("<p>the page</p>")
+            return site.toString()
+        }
+
+    @AfterTest
+    fun tidyUp() {
+        folder.toFile().deleteRecursively()
+    }
+
+    private fun web(vararg arguments: String) = console.carryOut(listOf("web") + arguments) {
+        CoreNoOpCliktCommand("robotran").subcommands(WebCommand(console))
+    }
 
     @Test
     fun `the site is served at the address that is told`() {
-        val site = program("<p>the page</p>", "site/index.html").removeSuffix("index.html")
         var page = ""
         WebCommand(console) { page = URI(it.address).toURL().readText() }.parse(listOf("--port", "0", "--site", site))
         assertEquals("<p>the page</p>", page)
@@ -38,7 +60,6 @@ class WebCommandTest : CommandTest() {
 
     @Test
     fun `a port that is taken is told`() {
-        val site = program("<p>the page</p>", "site/index.html").removeSuffix("index.html")
         ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use {
             val result = assertFailsWith<ProgramResult> {
                 WebCommand(console) {
@@ -57,13 +78,18 @@ class WebCommandTest : CommandTest() {
             assertEquals(0, web("--port", "0"))
             assertEquals(emptyList(), console.said + console.complaints)
             assertEquals(2, web("--port", "70000"))
-            assertEquals(2, commandLine.execute(listOf("package", square, "-o", "$folder/a.zip")))
             ServerSocket(0, 1, InetAddress.getLoopbackAddress()).use {
                 assertEquals(2, web("--port", "${it.localPort}"))
             }
         } finally {
             System.clearProperty("robotran.only-asked")
         }
+    }
+
+    @Test
+    fun `what is asked for in another language is told in it`() {
+        assertEquals(2, web("--language", "fr"))
+        assertContains(console.complaints.single(), "n'a pas de site web")
     }
 
     @Test

@@ -1,11 +1,11 @@
-package robotran.cli.console
+package robotran.console
 
-import robotran.cli.messages.CommandMessages
+import robotran.console.messages.ConsoleMessages
 import robotran.language.Language
 
 /** Tells in one sentence, without a stack trace, that Robotran itself has a mistake, which [problem] shows. */
 fun Console.tellUnexpected(problem: Throwable, language: Language) =
-    visible().complain(CommandMessages.of(language).unexpected(summaryOf(problem)))
+    visible().complain(ConsoleMessages.of(language).unexpected(summaryOf(problem)))
 
 /** The same for whatever a thread of this process does not catch. [arguments] of the process name the language. */
 fun tellUncaught(arguments: List<String>) = Thread.setDefaultUncaughtExceptionHandler { _, problem ->
