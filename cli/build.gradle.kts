@@ -28,6 +28,8 @@ kotlin {
             // The brick that the tests of send, firmware and brick talk to.
             kotlin.srcDir("../shared/tower/src/simulatedBrick/kotlin")
             kotlin.srcDir("../shared/tower/src/sharedTest/kotlin")
+            // The hub that send talks to.
+            kotlin.srcDir("../shared/hub-link/src/simulatedHub/kotlin")
             kotlin.srcDir("../siteServer/src/recordingConsole/kotlin")
         }
     }

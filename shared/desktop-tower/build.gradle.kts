@@ -4,6 +4,7 @@ plugins {
 
 dependencies {
     api(project(":shared:tower"))
+    api(project(":shared:hub-link"))
     implementation(libs.coroutines.core)
     implementation(libs.jserialcomm)
     testImplementation(libs.jna)
@@ -15,6 +16,8 @@ kotlin {
             // The brick at the other end of the pseudo-terminal.
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
             kotlin.srcDir("../tower/src/sharedTest/kotlin")
+            // The hub at that end.
+            kotlin.srcDir("../hub-link/src/simulatedHub/kotlin")
         }
     }
 }

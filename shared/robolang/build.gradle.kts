@@ -18,8 +18,17 @@ texts {
         "shared/robolang/src/commonTest/resources/translations",
         "*.*",
     )
+    constant("commonTest", "robotran.robolang.recordedPython", "shared/robolang/src/commonTest/resources/python", "*.*")
+    constant("jvmTest", "robotran.robolang.lessonPrograms", "learning", "**/solution.robo")
+    constant(
+        "jvmTest",
+        "robotran.robolang.oraclePrograms",
+        "shared/robolang/src/jvmTest/resources/micropython/programs",
+        "*.*",
+    )
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
+    blocks("commonTest", "robotran.robolang.documentedPython", "docs", "*.md", "python translation")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
     constant("commonTest", "robotran.robolang.documents", "docs", "robolang.md")
 }
@@ -43,5 +52,17 @@ kotlin {
         jvmTest.dependencies {
             implementation(libs.bcel)
         }
+    }
+}
+
+// MicroPython for the tests of Python comes with the web tools, which a build for wasm installs, as in check. Without them, a
+// test says so.
+if (rootProject.tasks.names.contains("setUpWebTools") && System.getProperty("os.arch") == "amd64") {
+    tasks.matching { it.name == "jvmTest" }.configureEach {
+        dependsOn(":setUpWebTools")
+        systemProperty(
+            "robotran.webTools",
+            rootProject.tasks.named("setUpWebTools").get().destination.get().asFile.path,
+        )
     }
 }

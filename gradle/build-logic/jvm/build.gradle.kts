@@ -67,6 +67,10 @@ gradlePlugin {
             id = "robotran.nxj-library"
             implementationClass = "robotran.build.lejos.NxjLibraryPlugin"
         }
+        create("mpyCross") {
+            id = "robotran.mpy-cross"
+            implementationClass = "robotran.build.mpy.MpyCrossPlugin"
+        }
         create("brickPrograms") {
             id = "robotran.brick-programs"
             implementationClass = "robotran.build.lejos.BrickProgramsPlugin"

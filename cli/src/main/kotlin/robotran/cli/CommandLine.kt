@@ -3,6 +3,7 @@ package robotran.cli
 import com.github.ajalt.clikt.core.subcommands
 import robotran.cli.brick.BrickCommand
 import robotran.cli.brick.FirmwareCommand
+import robotran.cli.brick.Hubs
 import robotran.cli.brick.SendCommand
 import robotran.cli.brick.Towers
 import robotran.cli.check.CheckCommand
@@ -24,12 +25,14 @@ import robotran.siteserver.WebCommand
  * @param console receives all output.
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  * @param towers where the infrared tower is; made by the first command that needs it.
+ * @param hubs where hubs with Pybricks are, likewise.
  * @param variable the value of a variable of the environment; null if it is not set.
  */
 class CommandLine(
     console: Console,
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
+    private val hubs: () -> Hubs = Hubs::ofThisMachine,
     private val variable: (String) -> String? = System::getenv,
 ) {
     private val console = console.visible()
@@ -46,7 +49,7 @@ class CommandLine(
             FormatCommand(console),
             RobotCommand(console),
             LinkCommand(console),
-            SendCommand(console, towers),
+            SendCommand(console, towers, hubs),
             FirmwareCommand(console, towers),
             BrickCommand(console, towers),
             WebCommand(console),

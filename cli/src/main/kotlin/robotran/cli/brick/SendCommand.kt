@@ -14,8 +14,10 @@ import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
+import robotran.cli.files.FileContent
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.readFile
 import robotran.cli.files.readProgramFiles
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
@@ -25,20 +27,25 @@ import robotran.console.Console
 import robotran.console.ExitCode
 import robotran.console.LanguageOption
 import robotran.console.speaking
+import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.LegoLimits
 import robotran.tower.rcx.RcxTower
+import java.nio.file.Path
 
 /** `robotran send FILE..`: sends programs to a brick with leJOS, or into slots of one with LEGO's own firmware. */
-internal class SendCommand(private val process: Console, private val towers: () -> Towers) :
-    CoreCliktCommand("send") {
+internal class SendCommand(
+    private val process: Console,
+    private val towers: () -> Towers,
+    private val hubs: () -> Hubs,
+) : CoreCliktCommand("send") {
     private val files by argument(
         "FILE",
         help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
-            "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot",
+            "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: one .mpy",
     ).multiple(required = true)
     private val port by portOption()
     private val slot by option(
@@ -54,9 +61,11 @@ internal class SendCommand(private val process: Console, private val towers: () 
     private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) =
-        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower."
+        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, " +
+            "or to a hub with Pybricks, by USB."
 
     override fun run() {
+        if (files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub().status)
         val programs = when (val read = readProgramFiles(files, console.messages)) {
             is ProgramFiles.Success -> read.programs.also { read.notes.forEach(console::complain) }
             is ProgramFiles.Failure -> refuse(read.reason)
@@ -68,6 +77,16 @@ internal class SendCommand(private val process: Console, private val towers: () 
             else -> refuse(console.messages.twoFirmwares())
         }
         throw ProgramResult(code.status)
+    }
+
+    private fun sendToHub(): ExitCode {
+        val name = files.singleOrNull() ?: refuse(console.messages.oneProgramForHub())
+        val bytes = when (val read = readFile(Path.of(name), spoken.language)) {
+            is FileContent.Success -> read.bytes
+            is FileContent.Failure -> refuse(read.reason)
+        }
+        val program = HubProgram.read(bytes) ?: refuse(console.messages.noHubProgram(name))
+        return HubSession(console, hubs()).send(program, port)
     }
 
     private fun sendToLejos(programs: List<NamedProgram>): ExitCode {
@@ -114,5 +133,10 @@ internal class SendCommand(private val process: Console, private val towers: () 
     private fun refuse(lines: List<String>, code: ExitCode): Nothing {
         lines.forEach(console::complain)
         throw ProgramResult(code.status)
+    }
+
+    private companion object {
+        /** The ending of a compiled program for a hub. */
+        const val HUB_PROGRAM = ".mpy"
     }
 }

@@ -3,6 +3,9 @@ package robotran.cli.brick
 import robotran.cli.console.messages
 import robotran.console.Console
 import robotran.console.ExitCode
+import robotran.hublink.DownloadProgress
+import robotran.hublink.DownloadResult
+import robotran.hublink.sentences.sentence
 import robotran.tower.TransferProgress
 import robotran.tower.TransferResult
 
@@ -21,17 +24,22 @@ internal class TransferReport(
     private var tenth = 0
 
     fun show(progress: TransferProgress) = with(progress) {
-        show(progress, console.messages.blocksSent(confirmedBlocks, totalBlocks, secondsLeft))
+        show(confirmedBlocks, totalBlocks, console.messages.blocksSent(confirmedBlocks, totalBlocks, secondsLeft))
     }
 
     /** Shows how much of the datalog has come. */
     fun showEntries(progress: TransferProgress) = with(progress) {
-        show(progress, console.messages.entriesRead(confirmedBlocks, totalBlocks, secondsLeft))
+        show(confirmedBlocks, totalBlocks, console.messages.entriesRead(confirmedBlocks, totalBlocks, secondsLeft))
     }
 
-    private fun show(progress: TransferProgress, words: String) {
-        val share = progress.confirmedBlocks.toDouble() / progress.totalBlocks.coerceAtLeast(1)
+    private fun show(confirmed: Int, total: Int, words: String) {
+        val share = confirmed.toDouble() / total.coerceAtLeast(1)
         if (isTerminal) showBar(share, words) else showTenth((share * TENTHS).toInt(), words)
+    }
+
+    /** Shows how much of a program a hub has confirmed. */
+    fun show(progress: DownloadProgress) = with(progress) {
+        show(confirmedBytes, totalBytes, console.messages.bytesSent(confirmedBytes, totalBytes))
     }
 
     /** Clears the bar. */
@@ -51,6 +59,23 @@ internal class TransferReport(
             is TransferResult.Failure -> {
                 console.complain(console.messages.sentence(result.error))
                 console.complain(console.messages.sentence(result.remains, slot))
+                ExitCode.NO_BRICK
+            }
+        }
+    }
+
+    /** Tells the result of sending a program to a hub. */
+    fun end(result: DownloadResult): ExitCode {
+        clear()
+        return when (result) {
+            is DownloadResult.Success -> {
+                console.say(console.messages.programInHub(result.bytes))
+                ExitCode.DONE
+            }
+
+            is DownloadResult.Failure -> {
+                console.complain(result.error.sentence(console.language))
+                console.complain(result.remains.sentence(console.language))
                 ExitCode.NO_BRICK
             }
         }

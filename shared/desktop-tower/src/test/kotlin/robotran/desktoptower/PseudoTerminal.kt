@@ -27,19 +27,22 @@ internal class PseudoTerminal : AutoCloseable {
     }
 
     /** Lets [tower] hear what is written to the file, and the file what the tower hears. */
-    fun connect(tower: TowerPort, scope: CoroutineScope) {
+    fun connect(tower: TowerPort, scope: CoroutineScope) = connect(scope, tower::send, tower::receive)
+
+    /** Hands what is written to the file to [hear], and what [tell] returns to the file, until it returns null. */
+    fun connect(scope: CoroutineScope, hear: suspend (ByteArray) -> Boolean, tell: suspend () -> ByteArray?) {
         scope.launch(Dispatchers.IO) {
             val buffer = Memory(BUFFER)
             while (true) {
                 val count = LIBC.read(descriptor, buffer, BUFFER).toInt()
                 if (count < 0) break
-                tower.send(buffer.getByteArray(0, count))
+                hear(buffer.getByteArray(0, count))
             }
         }
         scope.launch(Dispatchers.IO) {
             while (true) {
-                val heard = tower.receive() ?: break
-                LIBC.write(descriptor, heard, heard.size.toLong())
+                val told = tell() ?: break
+                LIBC.write(descriptor, told, told.size.toLong())
             }
         }
     }

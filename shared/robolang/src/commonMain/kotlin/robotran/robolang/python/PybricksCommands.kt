@@ -1,0 +1,178 @@
+package robotran.robolang.python
+
+import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.Command
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.MoveDirection
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.PenPosition
+import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.syntax.TurnDirection
+
+/** Writes the commands to the robot; in a task each that takes time is awaited. */
+internal class PybricksCommands(
+    private val robot: PybricksRobot,
+    private val expressions: PythonExpressions,
+    private val devices: PybricksDevices,
+    private val uses: PythonUses,
+    private val notes: PythonNotes,
+    private val speeds: PybricksSpeeds,
+) {
+    private val hub = robot.hub
+    private val messages = notes.messages
+    private val motors = PybricksMotors(robot, expressions, devices, uses, notes, speeds)
+    private val numbers = PybricksNumbers(expressions)
+
+    /** The figures at the top of a program. */
+    val constants: List<String> get() = motors.constants
+
+    /** The names of those, and of the variables with speeds. */
+    val names: Set<String> get() = motors.names
+
+    /** Whether the wheels may turn when the program ends. */
+    val mayTurnAtEnd: Boolean get() = speeds.mayTurnAtEnd
+
+    /** Stops the wheels. */
+    fun stop(): List<String> = motors.stop()
+
+    fun linesOf(command: Command): List<String> = when (command) {
+        is Command.Move -> move(command)
+        is Command.Turn -> turn(command)
+        is Command.StartMoving -> motors.start(ahead = sign(command.direction), turn = 0)
+        is Command.StartTurning -> motors.start(ahead = 0, turn = sign(command.direction))
+        is Command.StopDriving -> motors.stop()
+        is Command.Power -> motors.power(command)
+        is Command.Motor -> motors.command(command)
+        is Command.MotorTurn -> motors.turn(command)
+        is Command.ResetMotor -> motors.reset(command)
+        is Command.Pen -> pen(command)
+        is Command.Wait -> listOf(wait(numbers.milliseconds(command.duration, command.unit)))
+        is Command.WaitUntil -> waitUntil(command)
+        is Command.ResetTimer -> listOf("${devices.timer()}.reset()")
+        is Command.Beep -> sound(command, "", "${PybricksFigures.BEEP_MILLISECONDS}")
+        is Command.Buzz -> sound(command, "$BUZZ", "${PybricksFigures.BUZZ_MILLISECONDS}")
+        is Command.Play -> play(command)
+        is Command.Show -> show(command)
+        is Command.ShowText -> showText(command)
+        is Command.ClearScreen -> clearScreen(command)
+    }
+
+    /** `wait(500)`, also in a task. */
+    fun wait(milliseconds: String): String = waiting("${uses.tool("wait")}($milliseconds)")
+
+    private fun waiting(call: String): String = expressions.waiting(call).text
+
+    private fun sign(direction: MoveDirection) = if (direction == MoveDirection.FORWARD) 1 else -1
+
+    /** A turn to the right is positive. */
+    private fun sign(direction: TurnDirection) = if (direction == TurnDirection.RIGHT) 1 else -1
+
+    private fun move(command: Command.Move): List<String> {
+        val sign = sign(command.direction)
+        val distance = command.distance ?: return motors.forTime(ahead = sign, turn = 0, time(command.duration))
+        notes.tell(command.range, messages.wheelDegrees())
+        return listOf(waiting("${devices.base()}.straight(${numbers.times(distance, sign * MILLIMETRES)})"))
+    }
+
+    private fun turn(command: Command.Turn): List<String> {
+        val sign = sign(command.direction)
+        val angle = command.angle ?: return motors.forTime(ahead = 0, turn = sign, time(command.duration))
+        notes.tell(command.range, messages.wheelDegrees())
+        val fraction = (expressions.literal(angle) as? NumberValue.Decimal)?.decimal
+        if (fraction != null && fraction != fraction.toInt().toFloat()) {
+            notes.tell(angle.range, messages.wholeDegrees())
+        }
+        return listOf(waiting("${devices.base()}.turn(${numbers.times(angle, sign)})"))
+    }
+
+    private fun time(duration: Expression?): String {
+        val time = checkNotNull(duration) { "A move has a measure or a duration." }
+        return wait(numbers.milliseconds(time, TimeUnit.SECONDS))
+    }
+
+    private fun pen(command: Command.Pen): List<String> {
+        val pen = robot.pen
+        if (pen == null) {
+            notes.tell(command.range, messages.noPen())
+            return emptyList()
+        }
+        devices.pen(pen.port)
+        val helper = if (command.position == PenPosition.DOWN) PythonHelper.PEN_DOWN else PythonHelper.PEN_UP
+        return listOf(waiting("${uses.use(helper)}()"))
+    }
+
+    private fun waitUntil(command: Command.WaitUntil): List<String> = listOf(
+        "while ${expressions.opposite(command.condition)}:",
+        "    ${wait("${PybricksFigures.PAUSE}")}",
+    )
+
+    /** A tone; without a [hertz] the usual one. */
+    private fun sound(command: Command, hertz: String, milliseconds: String): List<String> {
+        if (!hub.hasSpeaker) {
+            notes.tell(command.range, messages.noSpeaker())
+            devices.hub()
+            return listOf(waiting("${uses.use(PythonHelper.BLINK)}($milliseconds)"))
+        }
+        val arguments = if (hertz.isEmpty()) "" else "$hertz, $milliseconds"
+        return listOf(waiting("${devices.hub()}.speaker.beep($arguments)"))
+    }
+
+    private fun play(command: Command.Play): List<String> {
+        val time = numbers.milliseconds(command.duration, TimeUnit.SECONDS)
+        return sound(command, numbers.whole(command.frequency), time)
+    }
+
+    private fun show(command: Command.Show): List<String> {
+        val value = expressions.text(command.value)
+        if (expressions.typeOf(command.value) == ValueType.COLOUR ||
+            !hasDisplay(command)
+        ) {
+            return listOf("print($value)")
+        }
+        if (hub.hasMatrix && !isShort(command.value)) notes.tell(command.range, messages.smallDisplay())
+        devices.hub()
+        return listOf("${uses.use(PythonHelper.SHOW)}($value)")
+    }
+
+    private fun hasDisplay(command: Command): Boolean {
+        if (!hub.hasMatrix && !hub.hasScreen) notes.tell(command.range, messages.noDisplay())
+        return hub.hasMatrix || hub.hasScreen
+    }
+
+    private fun isShort(value: Expression): Boolean =
+        (expressions.known(value) as? NumberValue.Whole)?.value in -LARGEST_SHOWN..LARGEST_SHOWN
+
+    private fun showText(command: Command.ShowText): List<String> {
+        val text = pythonString(command.text)
+        val printed = "print($text)"
+        if (!hasDisplay(command)) return listOf(printed)
+        val display = devices.hub()
+        return when {
+            hub.hasScreen -> listOf(printed, "$display.screen.print($text)")
+            command.text.length == 1 -> listOf(printed, "$display.display.char($text)")
+
+            else -> {
+                notes.tell(command.range, messages.oneLetterAtATime())
+                listOf(printed, waiting("$display.display.text($text)"))
+            }
+        }
+    }
+
+    private fun clearScreen(command: Command): List<String> = when {
+        hub.hasMatrix -> listOf("${devices.hub()}.display.off()")
+        hub.hasScreen -> listOf("${devices.hub()}.screen.clear()")
+
+        else -> {
+            notes.tell(command.range, messages.noDisplay())
+            emptyList()
+        }
+    }
+
+    private companion object {
+        const val MILLIMETRES = 10
+        const val BUZZ = PybricksFigures.BUZZ_HERTZ
+
+        /** Two digits have room on the display. */
+        const val LARGEST_SHOWN = 99
+    }
+}

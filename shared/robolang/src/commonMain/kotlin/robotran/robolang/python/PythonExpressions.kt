@@ -1,0 +1,251 @@
+package robotran.robolang.python
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.Symbol
+import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.NumberValue
+import robotran.robolang.syntax.Sense
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.UnaryOperator
+import robotran.robolang.syntax.allStatements
+
+/** Writes expressions as Python, with the pupil's brackets and those that Python needs. */
+internal class PythonExpressions(
+    private val program: CheckedProgram,
+    private val names: PythonNames,
+    private val uses: PythonUses,
+    private val notes: PythonNotes,
+    private val awaited: AwaitedRoutines,
+    private val senses: (Sense, Expression) -> PythonText,
+) {
+    private val signs = Signs(program)
+    private val builtIns = PythonBuiltIns(this, uses)
+    private val constants: Map<Symbol, Expression.Number> = allStatements(program.tree)
+        .filterIsInstance<Statement.Declare>()
+        .filter { it.isConstant && it.value is Expression.Number }
+        .associate { program.symbolOf(it.name) to it.value as Expression.Number }
+
+    /** Whether it writes for a task, in which readings and calls that wait have to be awaited. */
+    var isInTask = false
+
+    fun typeOf(expression: Expression): ValueType = when {
+        expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
+        expression is Expression.Number -> ValueType.DECIMAL
+        else -> program.typeOf(expression)
+    }
+
+    fun isNeverBelow(expression: Expression): Boolean = signs.isNeverBelow(expression)
+
+    /** [expression] without brackets around all of it. */
+    fun text(expression: Expression): String = written(bare(expression)).text
+
+    /** [expression], with brackets unless it binds at least as tightly as [strength]. */
+    fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
+
+    /** [expression] for a place of the type [wanted]: a whole number becomes a decimal one. */
+    fun text(expression: Expression, wanted: ValueType): String {
+        val isWhole = typeOf(expression) == ValueType.WHOLE
+        if (wanted == ValueType.LIST_OF_DECIMAL) return listText(expression)
+        if (wanted != ValueType.DECIMAL || !isWhole) return text(expression)
+        val literal = (bare(expression) as? Expression.Number)?.value as? NumberValue.Whole
+        return if (literal != null) "${literal.value}.0" else "float(${text(expression)})"
+    }
+
+    private fun listText(expression: Expression): String {
+        val list = bare(expression) as? Expression.ListOf ?: return text(expression)
+        return list.elements.joinToString(prefix = "[", postfix = "]") { text(it, ValueType.DECIMAL) }
+    }
+
+    fun arguments(values: List<Expression>): String = values.joinToString { text(it) }
+
+    /** The arguments of a call of [routine], each of the type of its parameter. */
+    fun arguments(routine: Symbol, values: List<Expression>): String {
+        val declared = program.tree.routines.firstOrNull { program.symbolOf(it.name) == routine }
+        val types = declared?.parameters?.map { program.symbolOf(it).type }.orEmpty()
+        return values.withIndex().joinToString { (place, value) ->
+            types.getOrNull(place)?.let { text(value, it) } ?: text(value)
+        }
+    }
+
+    /** The value of a written number, or of a constant with one; null for anything else. */
+    fun literal(expression: Expression): NumberValue? = (bare(expression) as? Expression.Number)?.value
+
+    /** The same, also of a constant. */
+    fun known(expression: Expression): NumberValue? = when (val bare = bare(expression)) {
+        is Expression.Number -> bare.value
+        is Expression.Variable -> constants[program.symbolOf(bare.name)]?.value
+        else -> null
+    }
+
+    /** Whether it costs and changes nothing to write [expression] twice. */
+    fun isSimple(expression: Expression): Boolean =
+        bare(expression).let { it is Expression.Number || it is Expression.Variable }
+
+    fun bare(expression: Expression): Expression =
+        if (expression is Expression.Brackets) bare(expression.inner) else expression
+
+    /** The opposite of [condition] in natural Python. */
+    fun opposite(condition: Expression): String {
+        val bare = bare(condition)
+        if (bare is Expression.Unary && bare.operator == UnaryOperator.NOT) return text(bare.operand)
+        val operator = (bare as? Expression.Binary)?.let(::oppositeOf) ?: return negated(bare)
+        return compared(bare, operator).text
+    }
+
+    private fun negated(condition: Expression): String = "not " + text(condition, PythonStrength.NOT)
+
+    /** Comparisons of decimal numbers are not turned round, since all comparisons with nan are false. */
+    private fun oppositeOf(comparison: Expression.Binary): BinaryOperator? {
+        val areWhole = typeOf(comparison.left) == ValueType.WHOLE && typeOf(comparison.right) == ValueType.WHOLE
+        val opposite = when (comparison.operator) {
+            BinaryOperator.EQUAL -> return BinaryOperator.NOT_EQUAL
+            BinaryOperator.NOT_EQUAL -> return BinaryOperator.EQUAL
+            BinaryOperator.LESS -> BinaryOperator.GREATER_OR_EQUAL
+            BinaryOperator.LESS_OR_EQUAL -> BinaryOperator.GREATER
+            BinaryOperator.GREATER -> BinaryOperator.LESS_OR_EQUAL
+            BinaryOperator.GREATER_OR_EQUAL -> BinaryOperator.LESS
+            else -> return null
+        }
+        return opposite.takeIf { areWhole }
+    }
+
+    private fun written(expression: Expression): PythonText = when (expression) {
+        is Expression.Number -> number(expression)
+        is Expression.BooleanLiteral -> primary(if (expression.value) "True" else "False")
+        is Expression.ColourLiteral -> primary(uses.parameter("Color.${expression.colour.name}"))
+        is Expression.ListOf -> list(expression)
+        is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
+        is Expression.ListElement -> element(expression)
+        is Expression.Unary -> unary(expression)
+        is Expression.Binary -> binary(expression)
+        is Expression.Call -> call(expression)
+        is Expression.Sense -> senses(expression.sense, expression)
+        is Expression.Brackets -> inBrackets(expression)
+    }
+
+    private fun list(expression: Expression.ListOf): PythonText {
+        val type = program.typeOf(expression)
+        return primary(
+            if (type ==
+                ValueType.LIST_OF_DECIMAL
+            ) {
+                listText(expression)
+            } else {
+                "[${arguments(expression.elements)}]"
+            },
+        )
+    }
+
+    /** [number], which stands for [expression], if the hub can hold it. */
+    fun checked(number: Long, expression: Expression): String {
+        if (number > LARGEST || number < -LARGEST - 1) {
+            notes.lost(expression.range, notes.messages.numberTooLarge("$number"))
+        }
+        return "$number"
+    }
+
+    private fun number(expression: Expression.Number): PythonText {
+        val text = when (val value = expression.value) {
+            is NumberValue.Whole -> checked(value.value.toLong(), expression)
+            is NumberValue.Decimal -> decimal(expression.text)
+        }
+        return PythonText(text, if (text.startsWith("-")) PythonStrength.UNARY else PythonStrength.PRIMARY)
+    }
+
+    /** A decimal number as it is typed; Python takes `.5`, but a teacher writes `0.5`. */
+    private fun decimal(typed: String): String {
+        val digits = typed.replace(" ", "").removePrefix("-")
+        val text = if (digits.startsWith(".")) {
+            "0$digits"
+        } else if (digits.endsWith(".")) {
+            "${digits}0"
+        } else {
+            digits
+        }
+        return if (typed.startsWith("-")) "-$text" else text
+    }
+
+    /** [index] of an element, as an argument in square brackets. */
+    fun index(index: Expression): String {
+        if (!isNeverBelow(index)) notes.tell(index.range, notes.messages.negativeIndex())
+        return text(index)
+    }
+
+    private fun element(expression: Expression.ListElement): PythonText =
+        primary("${text(expression.list, PythonStrength.PRIMARY)}[${index(expression.index)}]")
+
+    private fun unary(expression: Expression.Unary): PythonText = when (expression.operator) {
+        UnaryOperator.NOT -> PythonText(negated(expression.operand), PythonStrength.NOT)
+
+        UnaryOperator.MINUS -> {
+            val operand = text(expression.operand, PythonStrength.UNARY)
+            PythonText(if (operand.startsWith("-")) "-($operand)" else "-$operand", PythonStrength.UNARY)
+        }
+    }
+
+    private fun binary(expression: Expression.Binary): PythonText = when {
+        expression.operator.isComparison -> compared(expression, expression.operator)
+        expression.operator == BinaryOperator.DIVIDE -> quotient(expression)
+        expression.operator == BinaryOperator.MOD -> remainder(expression)
+        else -> joined(expression, expression.operator.text, expression.operator.strength)
+    }
+
+    private fun joined(expression: Expression.Binary, operator: String, strength: Int): PythonText {
+        val left = text(expression.left, strength)
+        return PythonText("$left $operator ${text(expression.right, strength + 1)}", strength)
+    }
+
+    /** Both sides bind tighter than a comparison, so that no chain comes about. */
+    private fun compared(expression: Expression.Binary, operator: BinaryOperator): PythonText {
+        val left = text(expression.left, PythonStrength.SUM)
+        return PythonText(
+            "$left ${operator.text} ${text(expression.right, PythonStrength.SUM)}",
+            PythonStrength.COMPARISON,
+        )
+    }
+
+    private fun quotient(expression: Expression.Binary): PythonText {
+        if (program.typeOf(expression) == ValueType.DECIMAL) return joined(expression, "/", PythonStrength.PRODUCT)
+        notes.tell(expression.range, notes.messages.wholeDivision())
+        if (isNeverBelow(expression.left) && isNeverBelow(expression.right)) {
+            return joined(expression, "//", PythonStrength.PRODUCT)
+        }
+        return primary("${uses.use(PythonHelper.DIVIDE)}(${text(expression.left)}, ${text(expression.right)})")
+    }
+
+    private fun remainder(expression: Expression.Binary): PythonText {
+        val isWhole = program.typeOf(expression) == ValueType.WHOLE
+        if (isWhole && isNeverBelow(expression.left) && isNeverBelow(expression.right)) {
+            return joined(expression, "%", PythonStrength.PRODUCT)
+        }
+        val helper = if (isWhole) PythonHelper.REMAINDER else PythonHelper.DECIMAL_REMAINDER
+        return primary("${uses.use(helper)}(${text(expression.left)}, ${text(expression.right)})")
+    }
+
+    private fun call(expression: Expression.Call): PythonText {
+        val symbol = program.symbolOf(expression.name)
+        val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
+        return if (builtIn != null) builtIns.call(builtIn, expression) else call(symbol, expression.arguments)
+    }
+
+    /** A call of a routine of the program. */
+    fun call(routine: Symbol, arguments: List<Expression>): PythonText =
+        waiting("${names.of(routine)}(${arguments(routine, arguments)})", isInTask && routine in awaited)
+
+    /** [call], which is awaited in a task if it takes time. */
+    fun waiting(call: String, isAwaited: Boolean = isInTask): PythonText =
+        if (isAwaited) PythonText("await $call", PythonStrength.AWAIT) else primary(call)
+
+    /** The pupil's brackets, unless what is in them has no operator. */
+    private fun inBrackets(expression: Expression.Brackets): PythonText {
+        val inner = written(bare(expression))
+        return if (inner.strength >= PythonStrength.AWAIT) inner else primary("(${inner.text})")
+    }
+
+    private companion object {
+        const val LARGEST = PybricksFigures.LARGEST
+    }
+}

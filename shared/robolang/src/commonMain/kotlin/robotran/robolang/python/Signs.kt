@@ -1,0 +1,125 @@
+package robotran.robolang.python
+
+import robotran.robolang.check.CheckedProgram
+import robotran.robolang.check.Symbol
+import robotran.robolang.check.ValueType
+import robotran.robolang.syntax.AssignTarget
+import robotran.robolang.syntax.BinaryOperator
+import robotran.robolang.syntax.BuiltIn
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Sense
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.UnaryOperator
+import robotran.robolang.syntax.allExpressions
+import robotran.robolang.syntax.allStatements
+
+/**
+ * Finds whole numbers that are never below 0: Python divides those as Robolang does, and a list has places for them.
+ * What a variable, a parameter or a function can be comes from all lines that give it a value.
+ */
+internal class Signs(private val program: CheckedProgram) {
+    private val routines = program.tree.routines.associateBy { it.name.key }
+    private val values = sources()
+    private val neverBelow: MutableSet<Symbol> = values.keys.filterTo(HashSet()) { it.type == ValueType.WHOLE }
+
+    init {
+        do {
+            val negative = neverBelow.filter { symbol ->
+                values.getValue(symbol).any { it == null || !isNeverBelow(it) }
+            }
+            neverBelow -= negative.toSet()
+        } while (negative.isNotEmpty())
+    }
+
+    /** Whether the value of [expression] is never below 0. */
+    fun isNeverBelow(expression: Expression): Boolean = when (expression) {
+        is Expression.Number -> !expression.value.isNegative
+        is Expression.Variable -> program.symbolOf(expression.name) in neverBelow
+        is Expression.Brackets -> isNeverBelow(expression.inner)
+        is Expression.Unary -> expression.operator == UnaryOperator.MINUS && isZero(expression.operand)
+        is Expression.Binary -> ofBinary(expression)
+        is Expression.Call -> ofCall(expression)
+        is Expression.Sense -> expression.sense !is Sense.Turned
+        is Expression.BooleanLiteral, is Expression.ColourLiteral, is Expression.ListOf -> false
+        is Expression.ListElement -> false
+    }
+
+    private fun isZero(expression: Expression): Boolean = (expression as? Expression.Number)?.value?.decimal == 0f
+
+    private fun ofBinary(expression: Expression.Binary): Boolean = when (expression.operator) {
+        BinaryOperator.PLUS, BinaryOperator.TIMES, BinaryOperator.DIVIDE -> {
+            isNeverBelow(expression.left) && isNeverBelow(expression.right)
+        }
+
+        BinaryOperator.MOD -> isNeverBelow(expression.left)
+        else -> false
+    }
+
+    private fun ofCall(call: Expression.Call): Boolean {
+        val symbol = program.symbolOf(call.name)
+        val builtIn = if (symbol.declaredAt == null) BuiltIn.of(call.name.key) else null
+        return when (builtIn) {
+            null -> symbol in neverBelow
+
+            BuiltIn.ABS, BuiltIn.LENGTH, BuiltIn.SQRT -> true
+
+            BuiltIn.MAX -> call.arguments.any { isNeverBelow(it) }
+
+            BuiltIn.MIN, BuiltIn.RANDOM, BuiltIn.ROUND, BuiltIn.FLOOR, BuiltIn.CEIL -> {
+                call.arguments.all { isNeverBelow(it) }
+            }
+
+            BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN, BuiltIn.ATAN2, BuiltIn.POW -> false
+        }
+    }
+
+    /** All values that each symbol gets; null for one that can be anything. */
+    private fun sources(): Map<Symbol, List<Expression?>> {
+        val found = HashMap<Symbol, MutableList<Expression?>>()
+
+        fun add(symbol: Symbol, value: Expression?) {
+            found.getOrPut(symbol) { mutableListOf() } += value
+        }
+
+        for (statement in allStatements(program.tree)) {
+            when (statement) {
+                is Statement.Declare -> add(program.symbolOf(statement.name), statement.value)
+
+                is Statement.Assign -> (statement.target as? AssignTarget.Variable)?.let {
+                    add(program.symbolOf(it.name), statement.value)
+                }
+
+                is Statement.ForRange -> {
+                    val symbol = program.symbolOf(statement.variable)
+                    val step = statement.step
+                    val isUp = step == null || (step as? Expression.Number)?.value?.isNegative == false
+                    add(symbol, statement.from)
+                    if (!isUp) add(symbol, statement.to)
+                }
+
+                is Statement.ForEach -> {
+                    val elements = (statement.list as? Expression.ListOf)?.elements ?: listOf(null)
+                    elements.forEach { add(program.symbolOf(statement.variable), it) }
+                }
+
+                is Statement.Call -> addArguments(statement.name.key, statement.arguments, ::add)
+
+                else -> Unit
+            }
+        }
+        allExpressions(program.tree).filterIsInstance<Expression.Call>()
+            .forEach { addArguments(it.name.key, it.arguments, ::add) }
+        for (routine in program.tree.routines) {
+            val symbol = program.symbolOf(routine.name)
+            returnsIn(routine.body).forEach { add(symbol, it) }
+        }
+        return found
+    }
+
+    private fun addArguments(routine: String, arguments: List<Expression>, add: (Symbol, Expression?) -> Unit) {
+        routines[routine]?.parameters?.zip(arguments)?.forEach { (name, value) -> add(program.symbolOf(name), value) }
+    }
+
+    private fun returnsIn(statements: List<Statement>): List<Expression> =
+        withInner(statements).mapNotNull { (it as? Statement.Return)?.value }
+}

@@ -1,0 +1,8 @@
+package robotran.robolang.python
+
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.bodies
+
+/** [statements] with all that are inside them, in order. */
+internal fun withInner(statements: List<Statement>): List<Statement> =
+    statements.flatMap { listOf(it) + it.bodies.flatMap(::withInner) }

