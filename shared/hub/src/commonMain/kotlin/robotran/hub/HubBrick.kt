@@ -37,13 +37,7 @@ import robotran.hub.state.HubState
  * @param messages the language of the log and of [HubState.explanation].
  * @param firstSlot index of the program that is selected at first.
  */
-class HubBrick(
-    override val kind: BrickKind,
-    val model: HubModel,
-    programs: List<BrickProgram?>,
-    messages: HubMessages,
-    firstSlot: Int = 0,
-) : Brick {
+class HubBrick(val model: HubModel, programs: List<BrickProgram?>, messages: HubMessages, firstSlot: Int = 0) : Brick {
     init {
         require(programs.size <= BrickProgram.MAX_PROGRAMS && firstSlot in 0 until maxOf(1, programs.size)) {
             "There is no slot for each program."
@@ -56,9 +50,10 @@ class HubBrick(
     internal val hub: Hub = VirtualHub(hardware)
     private val shell = HubShell(programs, hardware, hub, messages, firstSlot)
 
+    override val kind: BrickKind get() = model.kind
+
     override val state: HubState
         get() = HubState(
-            kind = kind,
             model = model,
             milliseconds = hardware.milliseconds,
             poweredOn = true,
@@ -107,7 +102,7 @@ class HubBrick(
     override fun stopProgram() = shell.stopProgram()
 
     override fun runSnippet(program: BrickProgram) {
-        if (program is HubProgram) shell.runSnippet(program)
+        if (program is HubProgram && program.kind == kind) shell.runSnippet(program)
     }
 
     /** Plugs a motor into [port], or takes it out. */

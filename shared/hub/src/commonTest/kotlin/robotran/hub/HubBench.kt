@@ -1,7 +1,6 @@
 package robotran.hub
 
 import robotran.brick.controls.MotorPort
-import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.hub.messages.HubMessages
 import robotran.hub.model.HubDeviceKind
@@ -22,7 +21,7 @@ internal class HubBench(
     kind: HubMotorKind = model.motor,
     programs: List<BrickProgram?> = emptyList(),
 ) {
-    val brick = HubBrick(BrickKind.NXT, model, programs, HubMessages.of(Language.ENGLISH))
+    val brick = HubBrick(model, programs, HubMessages.of(Language.ENGLISH))
     private val motors = model.motorPorts.dropLast(if (model.motorPorts.size > 2) 1 else 0).mapNotNull { it.motorPort }
         .associateWith { TestMotor(it) }.toMutableMap()
 

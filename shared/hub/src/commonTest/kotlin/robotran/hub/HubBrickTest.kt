@@ -30,7 +30,7 @@ class HubBrickTest {
         hub.call(HubCall.on(HubNative.MOTOR_RUN, HubPort.A, 500), TEST_LINE)
         ProgramStatus.Running
     }
-    private val endless = ScriptedProgram(ProgramStatus.Running, "endless", drives)
+    private val endless = ScriptedProgram(ProgramStatus.Running, "endless", actions = arrayOf(drives))
     private val bench =
         HubBench(programs = listOf(endless, ScriptedProgram(name = "driven", actions = arrayOf(drives, ::waits))))
     private val brick = bench.brick
@@ -93,7 +93,8 @@ class HubBrickTest {
 
     @Test
     fun `the back button of an EV3 stops its program`() {
-        val ev3 = HubBench(HubModel.EV3, programs = listOf(endless))
+        val program = ScriptedProgram(ProgramStatus.Running, "endless", HubModel.EV3, drives)
+        val ev3 = HubBench(HubModel.EV3, programs = listOf(program))
         ev3.brick.press(BrickButton.ENTER)
         ev3.brick.release(BrickButton.ENTER)
         ev3.brick.press(BrickButton.ENTER)
@@ -106,7 +107,11 @@ class HubBrickTest {
     @Test
     fun `a program that fails leaves its motors rolling and says why`() {
         val failing =
-            ScriptedProgram(ProgramStatus.Failed(ProgramFailure("There is nothing to divide by.", 12)), "f", drives)
+            ScriptedProgram(
+                ProgramStatus.Failed(ProgramFailure("There is nothing to divide by.", 12)),
+                "f",
+                actions = arrayOf(drives),
+            )
         brick.runSnippet(failing)
         bench.wait(10)
         assertTrue(brick.state.run is RunState.Failed)

@@ -3,6 +3,7 @@ package robotran.hub
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramRun
 import robotran.brick.program.ProgramStatus
+import robotran.hub.model.HubModel
 import robotran.hub.program.Hub
 import robotran.hub.program.HubProgram
 
@@ -10,9 +11,10 @@ import robotran.hub.program.HubProgram
 internal class ScriptedProgram(
     private val statusAtEnd: ProgramStatus = ProgramStatus.Ended,
     override val name: String = "script",
+    private val model: HubModel = HubModel.SPIKE_PRIME,
     private vararg val actions: (Hub) -> ProgramStatus,
 ) : HubProgram {
-    override val kind: BrickKind get() = BrickKind.NXT
+    override val kind: BrickKind get() = model.kind
 
     override fun start(hub: Hub): ProgramRun = object : ProgramRun {
         private var done = 0

@@ -42,7 +42,7 @@ internal fun HubMessages.describe(call: HubCall): String {
 }
 
 /** Why a program ends whose [call] the hub refuses, in a sentence. */
-fun HubMessages.reason(error: HubError, call: HubCall): String = when (error) {
+fun HubErrorMessages.reason(error: HubError, call: HubCall): String = when (error) {
     HubError.NO_DEVICE -> noDevice(call.port?.name.orEmpty(), isMotor = call.numbers.getOrNull(1) == 0)
     HubError.BUSY -> busy(call.port?.name.orEmpty())
     HubError.WRONG_DEVICE -> wrongDevice(call.port?.name.orEmpty())

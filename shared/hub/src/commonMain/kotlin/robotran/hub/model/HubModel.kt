@@ -1,9 +1,11 @@
 package robotran.hub.model
 
+import robotran.brick.kind.BrickKind
+
 /**
  * The hubs that run programs with Pybricks. A row holds the facts of a hub.
  *
- * @property label what people call it.
+ * @property kind the same among all bricks.
  * @property motorPorts the ports for motors.
  * @property sensorPorts the ports for sensors, in the order of their numbers in other languages, from 1.
  * @property hasMatrix whether it has 5 by 5 lights.
@@ -20,7 +22,7 @@ package robotran.hub.model
  * @property fullMillivolts its voltage when its battery is full.
  */
 enum class HubModel(
-    val label: String,
+    val kind: BrickKind,
     val motorPorts: List<HubPort>,
     val sensorPorts: List<HubPort>,
     val hasMatrix: Boolean,
@@ -38,7 +40,7 @@ enum class HubModel(
 ) {
     /** Also the hub of Robot Inventor, which has the same parts. */
     SPIKE_PRIME(
-        label = "SPIKE Prime",
+        kind = BrickKind.SPIKE_PRIME,
         motorPorts = LETTERS,
         sensorPorts = LETTERS,
         hasMatrix = true,
@@ -55,7 +57,7 @@ enum class HubModel(
         fullMillivolts = 8_300,
     ),
     SPIKE_ESSENTIAL(
-        label = "SPIKE Essential",
+        kind = BrickKind.SPIKE_ESSENTIAL,
         motorPorts = LETTERS.take(2),
         sensorPorts = LETTERS.take(2),
         hasMatrix = false,
@@ -72,7 +74,7 @@ enum class HubModel(
         fullMillivolts = 8_300,
     ),
     TECHNIC_HUB(
-        label = "Technic Hub",
+        kind = BrickKind.TECHNIC_HUB,
         motorPorts = LETTERS.take(4),
         sensorPorts = LETTERS.take(4),
         hasMatrix = false,
@@ -89,7 +91,7 @@ enum class HubModel(
         fullMillivolts = 9_000,
     ),
     EV3(
-        label = "EV3",
+        kind = BrickKind.EV3,
         motorPorts = LETTERS.take(4),
         sensorPorts = NUMBERS,
         hasMatrix = false,
@@ -113,7 +115,7 @@ enum class HubModel(
         fullMillivolts = 8_000,
     ),
     NXT_PYBRICKS(
-        label = "NXT with Pybricks",
+        kind = BrickKind.NXT_PYBRICKS,
         motorPorts = LETTERS.take(3),
         sensorPorts = NUMBERS,
         hasMatrix = false,
@@ -136,6 +138,14 @@ enum class HubModel(
 
     /** All its ports. */
     val ports: List<HubPort> get() = (motorPorts + sensorPorts).distinct()
+
+    /** Whether the left motor of its usual driving base turns the other way round. */
+    val mirrorsLeft: Boolean get() = kind.hasLetteredInputs
+
+    companion object {
+        /** The hub of this kind; null if [kind] is none. */
+        fun of(kind: BrickKind): HubModel? = entries.find { it.kind == kind }
+    }
 }
 
 private val LETTERS: List<HubPort> get() = listOf(HubPort.A, HubPort.B, HubPort.C, HubPort.D, HubPort.E, HubPort.F)

@@ -59,7 +59,7 @@ internal class HubShell(
             return
         }
         when (button) {
-            HubButton.CENTER -> (programs.getOrNull(selectedSlot) as? HubProgram)?.let { start(it, isSnippet = false) }
+            HubButton.CENTER -> programOf(selectedSlot)?.let { start(it, isSnippet = false) }
             HubButton.LEFT, HubButton.UP -> select(-1)
             HubButton.RIGHT, HubButton.DOWN -> select(1)
             else -> Unit
@@ -96,6 +96,9 @@ internal class HubShell(
             is ProgramStatus.Failed -> fail(status.failure)
         }
     }
+
+    private fun programOf(slot: Int): HubProgram? =
+        (programs.getOrNull(slot) as? HubProgram)?.takeIf { it.kind == hardware.model.kind }
 
     private fun start(program: HubProgram, isSnippet: Boolean) {
         this.isSnippet = isSnippet

@@ -20,7 +20,6 @@ import robotran.hub.model.HubModel
  * @property heading degrees that it has turned to the right since the program started; null without a gyro.
  */
 data class HubState(
-    override val kind: BrickKind,
     val model: HubModel,
     override val milliseconds: Long,
     override val poweredOn: Boolean,
@@ -39,6 +38,7 @@ data class HubState(
     val heading: Int?,
     override val leftByProgram: HubScreen?,
 ) : BrickState {
+    override val kind: BrickKind get() = model.kind
     override val isSending: Boolean get() = false
     override val inputs: List<InputReading> get() = ports
 

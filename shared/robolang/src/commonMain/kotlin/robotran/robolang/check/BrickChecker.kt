@@ -1,5 +1,6 @@
 package robotran.robolang.check
 
+import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
@@ -26,17 +27,19 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     private val settings = context.tree.robot?.settings.orEmpty()
 
     /** The one that the program is for. */
-    private val brick = context.tree.robot?.brick?.kind ?: robot
+    private val brick =
+        context.tree.robot?.brick?.kind?.takeIf { BrickDialect.of(it).keyword != BrickDialect.of(robot).keyword }
+            ?: robot
 
     fun check() {
         val named = context.tree.robot?.brick
-        if (named != null && named.kind != robot) {
+        if (named != null && BrickDialect.of(named.kind).keyword != BrickDialect.of(robot).keyword) {
             context.report(DiagnosticCode.WRONG_BRICK, named.range, messages.wrongBrick(named.kind, robot))
         }
         settings.forEach(::setting)
         allStatements(context.tree).forEach(::statement)
         allExpressions(context.tree).forEach(::expression)
-        if (brick.sensorsOnPort == 1) checkPorts()
+        if (brick.sensorsOnPort == 1 && !BrickDialect.of(brick).asksRobot) checkPorts()
     }
 
     private fun setting(setting: RobotSetting) {
@@ -50,6 +53,12 @@ internal class BrickChecker(private val context: CheckContext, private val robot
 
     private fun statement(statement: Statement) {
         (statement as? Command)?.form?.needs?.let { need(it, statement.range) }
+        when (statement) {
+            is Command.Motor -> motor(statement.port, statement.range)
+            is Command.MotorTurn -> motor(statement.port, statement.range)
+            is Command.ResetMotor -> motor(statement.port, statement.range)
+            else -> Unit
+        }
     }
 
     private fun expression(expression: Expression) {
@@ -59,7 +68,11 @@ internal class BrickChecker(private val context: CheckContext, private val robot
             Sense.Distance -> need(BrickFeature.SONAR, expression.range)
             Sense.Colour -> need(BrickFeature.COLOUR_SENSOR, expression.range)
             Sense.Loudness -> need(BrickFeature.SOUND_SENSOR, expression.range)
-            is Sense.Turned -> need(BrickFeature.MOTOR_COUNTERS, expression.range)
+            is Sense.Turned -> {
+                need(BrickFeature.MOTOR_COUNTERS, expression.range)
+                motor(sense.port, expression.range)
+            }
+
             is Sense.Sensor -> port(sense.port, expression.range)
             is Sense.Button -> button(sense.button, expression.range)
             Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer, Sense.Battery -> Unit
@@ -71,6 +84,11 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         if (own == button || (own != null && BrickDialect.of(brick).takesButtonsOfOthers)) return
         val fix = own?.let { SourceFix(range, "button ${it.keyword.text}") }
         context.report(DiagnosticCode.BRICK_LACKS, range, messages.noNxtButton(), fix)
+    }
+
+    private fun motor(port: MotorPort, range: SourceRange) {
+        if (port in brick.motorPorts) return
+        context.report(DiagnosticCode.BRICK_LACKS, range, messages.noMotor(port.name, brick.motorPorts.map { it.name }))
     }
 
     private fun port(port: Int, range: SourceRange) {

@@ -12,8 +12,8 @@ internal val PEN_POSITIONS = listOf(Keyword.DOWN, Keyword.UP)
 internal val TIME_UNITS = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
 internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
 
-/** The bricks by their words. */
-internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.associateBy { BrickDialect.of(it).keyword }
+/** The bricks by their words; of several with one word the first. */
+internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.reversed().associateBy { BrickDialect.of(it).keyword }
 
 /** The letters of the motors that any brick has. */
 internal val MOTORS: List<String> =

@@ -1,6 +1,5 @@
 package robotran.simulation.nxt
 
-import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.NxtBrick
 import robotran.nxt.hardware.SensorPower
@@ -51,6 +50,7 @@ internal class NxtPorts(
 ) : BrickPorts {
     private val machine: SimulatedRobot = scene.machines[number]
     private val pressed = BooleanArray(robot.brick.inputPorts)
+    private val commands = brick::motor
     private val motors = robot.brick.motorPorts.toTypedArray()
     private var millivolts = 0
     private var lights = emptyList<NxtLightSensorModel>()
@@ -89,11 +89,9 @@ internal class NxtPorts(
     }
 
     override fun moveMotors(tick: Long) = machine.tick(
-        brick.motor(MotorPort.A),
-        brick.motor(MotorPort.B),
-        brick.motor(MotorPort.C),
         tick,
         brick.isRegulated(robot.drive.left) && brick.isRegulated(robot.drive.right),
+        commands,
     )
 
     private fun measureBattery() {

@@ -18,6 +18,10 @@ private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> =
         when (brick) {
             BrickKind.RCX -> exampleTexts
             BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
+
+            BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
+            BrickKind.NXT_PYBRICKS,
+            -> exampleTexts.mapValues { forHub(it.value) }
         }
     },
     ProgramLanguage.JAVA to { brick ->
@@ -38,6 +42,14 @@ private fun forNxtPenbot(text: String): String {
     if ("facing forward" in text) return text.replaceFirst("\nrobot\n", "\nrobot\n  brick rcx\n")
     return NXT_WORDS.fold(text) { changed, (rcx, nxt) -> changed.replace(rcx, nxt) }
 }
+
+/** The same for a robot with a hub, whose sensors are found without naming their ports. */
+private fun forHub(text: String): String {
+    if ("facing forward" in text) return forNxtPenbot(text)
+    return HUB_LINES.fold(text) { changed, line -> changed.replace(line, "") }.let(::forNxtPenbot)
+}
+
+private val HUB_LINES = listOf("  light sensor on 2 facing down\n", "  light sensor on 2\n")
 
 private val NXT_WORDS = listOf(
     "light sensor on 2" to "light sensor on 3",
