@@ -107,7 +107,7 @@ object ReadyRobots {
         pen = PenMount(MotorPort.C),
         brickAt = BrickMount(Point(0.0, 0.0)),
         parts = listOf(
-            SensorPart(4, SensorKind.COLOUR, Point(6.0, 0.0), height = 1.6, facing = Facing.Down),
+            SensorPart(4, SensorKind.COLOUR, Point(7.2, 0.0), height = 1.6, facing = Facing.Down),
             BumperPart(5, Point(9.2, 0.0), width = 10.0),
         ),
         base = "spike-penbot",
@@ -117,7 +117,7 @@ object ReadyRobots {
     val SPIKE_SCOUT = SPIKE_PENBOT.copy(
         title = "SPIKE scout",
         parts = listOf(
-            SensorPart(4, SensorKind.COLOUR, Point(6.0, 0.0), height = 1.6, facing = Facing.Down),
+            SensorPart(4, SensorKind.COLOUR, Point(7.2, 0.0), height = 1.6, facing = Facing.Down),
             sonar(6, Point(8.4, 0.0), height = 6.0, direction = 0.0),
         ),
         base = "spike-scout",
@@ -140,7 +140,7 @@ object ReadyRobots {
     val TECHNIC_PENBOT = SPIKE_PENBOT.copy(
         title = "Technic penbot",
         brick = BrickKind.TECHNIC_HUB,
-        parts = listOf(SensorPart(4, SensorKind.COLOUR, Point(6.0, 0.0), height = 1.6, facing = Facing.Down)),
+        parts = listOf(SensorPart(4, SensorKind.COLOUR, Point(7.2, 0.0), height = 1.6, facing = Facing.Down)),
         base = "technic-penbot",
     )
 

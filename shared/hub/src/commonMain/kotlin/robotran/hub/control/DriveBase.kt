@@ -39,6 +39,8 @@ internal class DriveBase(private val left: HubMotor, private val right: HubMotor
     override val angle: Double get() = exactHeading / scale.degreesOfDegree
     override val speed: Int get() = ((left.meanSpeed + right.meanSpeed) / 2 / scale.degreesOfMillimetre).toInt()
     override val turnRate: Int get() = ((left.meanSpeed - right.meanSpeed) / 2 / scale.degreesOfDegree).toInt()
+    override val straightLimit: Int get() = scale.straightLimit
+    override val turnLimit: Int get() = scale.turnLimit
     override val isDone: Boolean get() = way.isDone && heading.isDone
     override val isStalled: Boolean get() = way.isStalled || heading.isStalled
 

@@ -90,6 +90,12 @@ interface HubDriveBaseView {
     val commands: Int
     val isStalled: Boolean
     val settings: DriveBaseSettings
+
+    /** The highest speed that [settings] can have, mm/s. */
+    val straightLimit: Int
+
+    /** The highest turn rate that [settings] can have, deg/s. */
+    val turnLimit: Int
 }
 
 /**

@@ -1,6 +1,5 @@
 package robotran.robolang.check
 
-import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
@@ -53,12 +52,6 @@ internal class BrickChecker(private val context: CheckContext, private val robot
 
     private fun statement(statement: Statement) {
         (statement as? Command)?.form?.needs?.let { need(it, statement.range) }
-        when (statement) {
-            is Command.Motor -> motor(statement.port, statement.range)
-            is Command.MotorTurn -> motor(statement.port, statement.range)
-            is Command.ResetMotor -> motor(statement.port, statement.range)
-            else -> Unit
-        }
     }
 
     private fun expression(expression: Expression) {
@@ -68,11 +61,7 @@ internal class BrickChecker(private val context: CheckContext, private val robot
             Sense.Distance -> need(BrickFeature.SONAR, expression.range)
             Sense.Colour -> need(BrickFeature.COLOUR_SENSOR, expression.range)
             Sense.Loudness -> need(BrickFeature.SOUND_SENSOR, expression.range)
-            is Sense.Turned -> {
-                need(BrickFeature.MOTOR_COUNTERS, expression.range)
-                motor(sense.port, expression.range)
-            }
-
+            is Sense.Turned -> need(BrickFeature.MOTOR_COUNTERS, expression.range)
             is Sense.Sensor -> port(sense.port, expression.range)
             is Sense.Button -> button(sense.button, expression.range)
             Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer, Sense.Battery -> Unit
@@ -84,11 +73,6 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         if (own == button || (own != null && BrickDialect.of(brick).takesButtonsOfOthers)) return
         val fix = own?.let { SourceFix(range, "button ${it.keyword.text}") }
         context.report(DiagnosticCode.BRICK_LACKS, range, messages.noNxtButton(), fix)
-    }
-
-    private fun motor(port: MotorPort, range: SourceRange) {
-        if (port in brick.motorPorts) return
-        context.report(DiagnosticCode.BRICK_LACKS, range, messages.noMotor(port.name, brick.motorPorts.map { it.name }))
     }
 
     private fun port(port: Int, range: SourceRange) {

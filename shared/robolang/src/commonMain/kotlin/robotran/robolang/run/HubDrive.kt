@@ -18,6 +18,7 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
     private val speeds = MotorPort.entries.associateWith {
         HubConstants.speedOf(HubConstants.FIRST_POWER)
     }.toMutableMap()
+    private val base get() = calls.hub.driveBase
     private var move = 0
 
     /** Drives ahead or back by [ahead] 1 or -1, or turns to the right or left by [turn]. */
@@ -47,14 +48,17 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
     fun turn(degrees: Int, sourceLine: Int) = begin { calls.of(HubNative.DRIVE_BASE_TURN, sourceLine, degrees) }
 
     /** Whether the last move goes on; not if a later command took its place. */
-    val isMoving: Boolean get() = calls.hub.driveBase?.let { it.commands == move && !it.isDone } == true
+    val isMoving: Boolean get() = base?.let { it.commands == move && !it.isDone } == true
 
     fun setPower(side: PowerSide, power: Int, sourceLine: Int) {
         val speed = HubConstants.speedOf(power)
         if (side != PowerSide.RIGHT) speeds[robot.left] = speed
         if (side != PowerSide.LEFT) speeds[robot.right] = speed
         if (!uses.areWheelsApart) {
-            calls.of(HubNative.DRIVE_BASE_SETTINGS, sourceLine, speedAhead(speed), turnRate(speed))
+            // A hub refuses what its motors cannot do.
+            val straight = minOf(speedAhead(speed), base?.straightLimit ?: Int.MAX_VALUE)
+            val turn = minOf(turnRate(speed), base?.turnLimit ?: Int.MAX_VALUE)
+            calls.of(HubNative.DRIVE_BASE_SETTINGS, sourceLine, straight, turn)
         }
     }
 
@@ -69,7 +73,7 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
 
     private inline fun begin(call: () -> Unit) {
         call()
-        move = calls.hub.driveBase?.commands ?: 0
+        move = base?.commands ?: 0
     }
 
     /** Millimetres a second of wheels that turn [degrees] a second. */

@@ -1,7 +1,5 @@
 package robotran.robolang.syntax
 
-import robotran.brick.kind.BrickKind
-
 /** The limits of a program, so that no source can exhaust the stack, the memory or the time. */
 object RobolangLimits {
     /** The max source length in UTF-16 characters: several times the longest program that a class could write. */
@@ -12,9 +10,6 @@ object RobolangLimits {
 
     /** The max nesting of brackets, operators and calls, for the same reason. */
     const val NESTED_EXPRESSIONS = 100
-
-    /** The numbers of the inputs of all bricks; an RCX has no 4, and those of a hub with letters count from A. */
-    val SENSOR_PORTS: IntRange = 1..BrickKind.entries.maxOf { it.inputPorts }
 
     /** The power of a motor. */
     val POWERS: IntRange = 0..7

@@ -13,7 +13,8 @@ internal val TIME_UNITS = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
 internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
 
 /** The bricks by their words; of several with one word the first. */
-internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.reversed().associateBy { BrickDialect.of(it).keyword }
+internal val KINDS: Map<Keyword, BrickKind> =
+    BrickKind.entries.distinctBy { BrickDialect.of(it).keyword }.associateBy { BrickDialect.of(it).keyword }
 
 /** The letters of the motors that any brick has. */
 internal val MOTORS: List<String> =

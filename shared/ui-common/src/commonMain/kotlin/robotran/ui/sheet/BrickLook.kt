@@ -155,7 +155,7 @@ private open class HubLook(halfWidth: Float, halfLength: Float, private val port
 }
 
 /** 5.6 by 8.8 cm, with 5 by 5 lights. */
-private object PrimeLook : HubLook(halfWidth = 2.7f, halfLength = 4.3f, ports = 3) {
+private object PrimeLook : HubLook(halfWidth = 3.1f, halfLength = 4.3f, ports = 3) {
     private const val LIGHTS = 5
 
     override fun DrawTarget.drawDisplay(top: BrickTop) {
@@ -176,7 +176,7 @@ private object EssentialLook : HubLook(halfWidth = 2f, halfLength = 2.8f, ports 
 }
 
 /** 4.8 by 7.2 cm, without a display. */
-private object TechnicLook : HubLook(halfWidth = 2.4f, halfLength = 3.6f, ports = 2) {
+private object TechnicLook : HubLook(halfWidth = 3.1f, halfLength = 3.6f, ports = 2) {
     override fun DrawTarget.drawDisplay(top: BrickTop) = Unit
 }
 

@@ -40,14 +40,14 @@ class BrickBuild internal constructor(
             NxtMotor,
         )
 
-        /** 5.6 by 8.8 cm, with three ports at each side. */
-        private val SPIKE = hub(seatWidth = 5.4, seatLength = 8.6)
+        /** 5.6 by 8.8 cm, with the plugs at its sides. */
+        private val SPIKE = hub(seatWidth = 6.2, seatLength = 8.6)
 
         /** 4 by 5.6 cm. */
         private val ESSENTIAL = hub(seatWidth = 4.0, seatLength = 5.6)
 
-        /** 4.8 by 7.2 cm. */
-        private val TECHNIC = hub(seatWidth = 4.8, seatLength = 7.2)
+        /** 4.8 by 7.2 cm, with the plugs at its sides. */
+        private val TECHNIC = hub(seatWidth = 6.2, seatLength = 7.2)
 
         /** 7.2 by 11.2 cm. */
         private val EV3 = hub(seatWidth = 6.8, seatLength = 10.4)
