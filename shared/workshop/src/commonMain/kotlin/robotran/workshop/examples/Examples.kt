@@ -3,6 +3,7 @@ package robotran.workshop.examples
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
+import robotran.world.ReadyRobots
 
 /** The built-in example programs in this language for the [BrickKind.default], text by name. */
 val ProgramLanguage.examples: Map<String, String> get() = examplesFor(BrickKind.default)
@@ -21,7 +22,7 @@ private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> =
 
             BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
             BrickKind.NXT_PYBRICKS,
-            -> exampleTexts.mapValues { forHub(it.value) }
+            -> exampleTexts.mapValues { forHub(it.value, brick) }
         }
     },
     ProgramLanguage.JAVA to { brick ->
@@ -43,13 +44,19 @@ private fun forNxtPenbot(text: String): String {
     return NXT_WORDS.fold(text) { changed, (rcx, nxt) -> changed.replace(rcx, nxt) }
 }
 
-/** The same for a robot with a hub, whose sensors are found without naming their ports. */
-private fun forHub(text: String): String {
+/**
+ * The same for a robot with a hub, whose sensors are found without naming their ports, and whose wheels have other
+ * motors.
+ */
+private fun forHub(text: String, brick: BrickKind): String {
     if ("facing forward" in text) return forNxtPenbot(text)
-    return HUB_LINES.fold(text) { changed, line -> changed.replace(line, "") }.let(::forNxtPenbot)
+    val drive = ReadyRobots.defaultOf(brick).drive
+    val wheels = mapOf("A" to drive.left.name, "C" to drive.right.name)
+    val withoutHeader = text.replace("robot\n  light sensor on 2 facing down\nend\n\n", "")
+    return forNxtPenbot(MOTOR.replace(withoutHeader) { "motor ${wheels.getValue(it.groupValues[1])}" })
 }
 
-private val HUB_LINES = listOf("  light sensor on 2 facing down\n", "  light sensor on 2\n")
+private val MOTOR = Regex("\\bmotor ([AC])\\b")
 
 private val NXT_WORDS = listOf(
     "light sensor on 2" to "light sensor on 3",
