@@ -87,6 +87,7 @@ internal class SendCommand(
 
     private fun sendToHub(): ExitCode {
         val name = files.singleOrNull() ?: refuse(console.messages.oneProgramForHub())
+        if (slot != 1) refuse(console.messages.hubChoosesSlot())
         val program = hub?.takeUnless { name.endsWith(HUB_PROGRAM) }?.let { compiled(name, it) } ?: compiledBefore(name)
         return HubSession(console, hubs()).send(program, port)
     }

@@ -11,8 +11,11 @@ import robotran.robolang.python.PybricksHub
 
 /** What a hub runs of a Robolang program. */
 internal sealed interface HubProgramOfFile {
-    /** @property warnings what the hub does nearly the same, one line each. */
-    class Success(val program: HubProgram, val warnings: List<String>) : HubProgramOfFile
+    /**
+     * @property python what was compiled.
+     * @property warnings what the hub does nearly the same, one line each.
+     */
+    class Success(val program: HubProgram, val python: String, val warnings: List<String>) : HubProgramOfFile
 
     /** @property lines what is wrong, one line each. */
     class Failure(val lines: List<String>, val code: ExitCode) : HubProgramOfFile
@@ -28,14 +31,19 @@ internal fun hubProgramOf(name: String, hub: PybricksHub, language: Language): H
     val translation = python.translation
     return when (val compiled = runBlocking { JvmMpyCompiler().compile(translation.fileName, translation.python) }) {
         is MpyResult.Failure -> {
-            val line = compiled.line?.let(translation.lineMap::robolangLineOf)?.let { ":$it" }.orEmpty()
+            val line = compiled.line?.let(translation.lineMap::sourceLineOf)?.let { ":$it" }.orEmpty()
             HubProgramOfFile.Failure(listOf("$name$line: ${compiled.message}"), ExitCode.PROGRAM_FAILED)
         }
 
         is MpyResult.Success -> {
             val program = HubProgram(compiled.mpy)
-            val mistake = program.mistake() ?: return HubProgramOfFile.Success(program, python.changed)
-            HubProgramOfFile.Failure(listOf("$name: ${mistake.sentence(language)}"), ExitCode.PROGRAM_FAILED)
+            when (val mistake = program.mistake()) {
+                null -> HubProgramOfFile.Success(program, translation.python, python.changed)
+                else -> HubProgramOfFile.Failure(
+                    listOf("$name: ${mistake.sentence(language)}"),
+                    ExitCode.PROGRAM_FAILED,
+                )
+            }
         }
     }
 }

@@ -37,7 +37,7 @@ internal fun pythonOf(name: String, hub: PybricksHub, language: Language): Pytho
 
         is RobolangFile.Ready -> {
             val messages = PythonTranslationMessages.of(language)
-            val translation = translateToPython(file.program, PybricksRobot.usual(hub), messages)
+            val translation = translateToPython(file.program, PybricksRobot.defaultFor(hub), messages)
             val (lost, changed) = translation.notes.partition { it.isLost }
             val line = { note: PythonNote -> "$name:${note.range.line}:${note.range.column}: ${note.message}" }
             val warning = { note: PythonNote -> CommandMessages.of(language).warning(line(note)) }

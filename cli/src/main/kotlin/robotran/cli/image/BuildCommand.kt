@@ -27,7 +27,6 @@ import robotran.console.Console
 import robotran.console.ExitCode
 import robotran.console.LanguageOption
 import robotran.console.speaking
-import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.FirmwareLimits
 import robotran.legofirmware.image.RcxImage
 import robotran.legofirmware.image.toBytes
@@ -54,7 +53,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         help = "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy); if not given, only its " +
             "size is told",
     )
-    private val listing by option("--listing", help = "prints the image in words").flag()
+    private val listing by option("--listing", help = "prints the image in words, for a hub the Python").flag()
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
@@ -113,7 +112,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         return when (val built = hubProgramOf(name, hub, spoken.language)) {
             is HubProgramOfFile.Success -> {
                 built.warnings.forEach(console::say)
-                write(built.program)
+                write(built)
             }
 
             is HubProgramOfFile.Failure -> {
@@ -123,9 +122,11 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         }
     }
 
-    private fun write(program: HubProgram): ExitCode {
-        output?.let { name -> writeFile(name, program.bytes, sentences)?.let { return refuse(it) } }
-        console.say(sentences.hubProgramBuilt(output, program.bytes.size.toString()))
+    private fun write(built: HubProgramOfFile.Success): ExitCode {
+        val bytes = built.program.bytes
+        output?.let { name -> writeFile(name, bytes, sentences)?.let { return refuse(it) } }
+        if (listing) console.say(built.python.trimEnd('\n'))
+        console.say(sentences.hubProgramBuilt(output, bytes.size.toString()))
         return ExitCode.DONE
     }
 

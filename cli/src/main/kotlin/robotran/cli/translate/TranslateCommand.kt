@@ -76,7 +76,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
             "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, " +
                 "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks " +
                 "(if --brick is one)",
-    ).convert { text -> TargetLanguage.of(text) ?: fail("$text is none of java, nqc, lasm and python") }
+    ).convert { text ->
+        TargetLanguage.of(text)
+            ?: fail("$text is none of ${TargetLanguage.entries.joinToString { it.word }}")
+    }
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
     private val chosen by chosenBrickOption()
@@ -92,7 +95,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        val javaKit = kit.takeIf { output == null && programs.all { isNamed(it, JAVA) } }
+        val javaKit = kit.takeIf { output == null && chosen?.hub == null && programs.all { isNamed(it, JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")

@@ -72,6 +72,12 @@ class SendToHubTest : CommandTest() {
     }
 
     @Test
+    fun `a hub chooses the slot itself`() {
+        assertEquals(2, send(null, hello, "--slot", "2"))
+        assertContains(console.complaints.single(), "leave --slot out")
+    }
+
+    @Test
     fun `a packed program gets onto the hub as it is`() {
         val hub = hub()
         assertEquals(0, send(reached(hub), HubProgram(hello).bytes, "--port", "COM3"))

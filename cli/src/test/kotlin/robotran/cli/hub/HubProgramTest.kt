@@ -3,6 +3,7 @@ package robotran.cli.hub
 import robotran.cli.CommandTest
 import robotran.hublink.program.HubProgram
 import robotran.hublink.program.MpyFile
+import robotran.robolang.python.PybricksHub
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
@@ -35,13 +36,15 @@ class HubProgramTest : CommandTest() {
         assertEquals(2, run("translate", square, "--to", "python"))
         assertEquals(2, run("translate", square, "--to", "java", "--brick", "spike-prime"))
         assertEquals(2, run("translate", square, "--to", "python", "--brick", "nxt"))
+        assertEquals(2, run("translate", square, "--brick", "spike-prime", "--kit", "$folder/kit.zip"))
+        assertContains(console.complaints.removeLast(), "--kit goes with Java only")
         console.complaints.forEach { assertContains(it, "--to python goes with a hub, such as --brick spike-prime") }
     }
 
     @Test
     fun `every hub that is told can be chosen`() {
-        for (word in ChosenBrick.words.drop(2)) {
-            assertEquals(0, run("translate", square, "--brick", word), console.complaints.joinToString())
+        for (hub in PybricksHub.entries) {
+            assertEquals(0, run("translate", square, "--brick", hub.word), console.complaints.joinToString())
         }
     }
 
@@ -60,6 +63,12 @@ class HubProgramTest : CommandTest() {
         val program = assertNotNull(HubProgram.read(file.readBytes()))
         assertNotNull(MpyFile.read(program.modules.single().mpy))
         assertContains(console.said.last(), "$file is written. The program has ${file.readBytes().size} bytes.")
+    }
+
+    @Test
+    fun `the listing of a program for a hub is its Python`() {
+        assertEquals(0, run("build", square, "--brick", "spike-prime", "--listing"))
+        assertContains(console.said[console.said.size - 2], "    robot.straight(200)")
     }
 
     @Test

@@ -12,11 +12,11 @@ data class HubCapabilities(val messageBytes: Int, val flags: Long, val programBy
     val takesPrograms: Boolean get() = flags and MULTI_MPY_6 != 0L
 
     /** The bytes of a program that a command has room for. */
-    val payload: Int get() = messageBytes.coerceIn(LEAST_MESSAGE, MOST_MESSAGE) - COMMAND_HEAD
+    val payload: Int get() = messageBytes.coerceIn(MIN_MESSAGE, MAX_MESSAGE) - COMMAND_HEAD
 
     /** The longest program that a hub of [kind] takes, in bytes. */
     fun roomFor(kind: HubKind): Int = when {
-        kind == HubKind.NXT || programBytes > MOST_PROGRAM -> NXT_ROOM
+        kind == HubKind.NXT || programBytes > MAX_PROGRAM -> NXT_ROOM
         else -> programBytes.toInt()
     }
 
@@ -35,11 +35,11 @@ data class HubCapabilities(val messageBytes: Int, val flags: Long, val programBy
         private const val COMMAND_HEAD = 5
 
         /** What goes over Bluetooth without any agreement, and what never goes. */
-        private const val LEAST_MESSAGE = 20
-        private const val MOST_MESSAGE = 512
+        private const val MIN_MESSAGE = 20
+        private const val MAX_MESSAGE = 512
 
         /** More than any hub has. An NXT reports nearly 4 GB, because its storage has 0 bytes and the sum wraps. */
-        private const val MOST_PROGRAM = 16_000_000L
+        private const val MAX_PROGRAM = 16_000_000L
 
         /** The memory that an NXT has for a program and its data together. */
         private const val NXT_ROOM = 10_000

@@ -7,11 +7,11 @@ import kotlin.math.abs
 /** The lines of the drawing to trace, as one would drive along them; null if that takes too many words. */
 internal fun RobotScene.drawing(): List<String>? {
     val strokes = world.template?.strokes.orEmpty().filter { it.size > 1 }
-    if (strokes.isEmpty() || strokes.size > MOST_STROKES) return null
+    if (strokes.isEmpty() || strokes.size > MAX_STROKES) return null
     return strokes.mapIndexed { index, points ->
         val ways = points.zipWithNext { from, to -> directionOf(to.x - from.x, to.y - from.y) to apart(from, to) }
         val groups = gathered(movesAlong(points, ways))
-        if (groups.sumOf { it.moves.size } > MOST_STEPS) return null
+        if (groups.sumOf { it.moves.size } > MAX_STEPS) return null
         val begin = points.first()
         messages.stroke(
             (index + 1).takeIf { strokes.size > 1 },
@@ -48,8 +48,8 @@ private fun RobotScene.told(group: MoveGroup): String {
 /** In whole degrees; what is nearly straight on is. */
 private fun straightened(degrees: Double): Int = wholeDegrees(degrees).takeIf { abs(it) > STRAIGHT } ?: 0
 
-private const val MOST_STROKES = 4
-private const val MOST_STEPS = 10
+private const val MAX_STROKES = 4
+private const val MAX_STEPS = 10
 
 /** In degrees. */
 private const val STRAIGHT = 1

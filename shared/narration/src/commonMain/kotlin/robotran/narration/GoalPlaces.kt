@@ -24,12 +24,12 @@ internal fun RobotScene.goals(language: Language): List<String> {
     val told = leaves(world.goals, session.goals)
     val places = mutableSetOf<String>()
     return buildList {
-        told.take(MOST_GOALS).forEachIndexed { index, (goal, progress) ->
+        told.take(MAX_GOALS).forEachIndexed { index, (goal, progress) ->
             val place = if (progress.status == GoalStatus.MET) emptyList() else placeOf(goal).filter(places::add)
             val sentence = messages.goal(numberOf(index, told), words.wordFor(progress.status), progress.sentence)
             add((listOf(sentence) + place).joinToString(" "))
         }
-        if (told.size > MOST_GOALS) add(messages.moreGoals(told.size - MOST_GOALS))
+        if (told.size > MAX_GOALS) add(messages.moreGoals(told.size - MAX_GOALS))
     }
 }
 
@@ -133,4 +133,4 @@ private fun RobotScene.nearest(ground: Ground, point: Point): String {
     return messages.nearestAway(words, centimetres(pose.distanceTo(point)), turnTo(point))
 }
 
-private const val MOST_GOALS = 6
+private const val MAX_GOALS = 6

@@ -26,7 +26,7 @@ internal fun groundAt(world: World, session: SessionState, point: Point): List<G
             if (flat(region.region).contains(point.x, point.y)) add(Ground(region.kind))
         }
     }
-    return found.distinct().take(MOST_GROUNDS).ifEmpty { listOf(Ground(GroundKind.PAPER)) }
+    return found.distinct().take(MAX_GROUNDS).ifEmpty { listOf(Ground(GroundKind.PAPER)) }
 }
 
 internal fun groundOf(mark: Mark): Ground = when (mark.figure) {
@@ -70,7 +70,7 @@ private fun grey(lightness: Double): Tone = when {
 
 /** How near to a drawing a finger is on it, in centimetres. */
 private const val LINE_REACH = 0.4
-private const val MOST_GROUNDS = 3
+private const val MAX_GROUNDS = 3
 
 /** Of 255: colours whose parts differ by less look grey. */
 private const val FAINT = 40

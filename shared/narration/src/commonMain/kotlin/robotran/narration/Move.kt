@@ -66,7 +66,7 @@ internal fun gathered(moves: List<Move>): List<MoveGroup> = buildList {
     var next = 0
     while (next < moves.size) {
         val start = next
-        val (period, times) = (1..MOST_IN_GROUP)
+        val (period, times) = (1..MAX_IN_GROUP)
             .map { it to repeats(moves, start, it) }
             .filter { (_, times) -> times > 1 }
             .maxByOrNull { (period, times) -> period * (times - 1) }
@@ -87,4 +87,4 @@ private fun repeats(moves: List<Move>, start: Int, period: Int): Int {
     return times
 }
 
-private const val MOST_IN_GROUP = 6
+private const val MAX_IN_GROUP = 6

@@ -19,11 +19,11 @@ class RunStory internal constructor(
     internal val goals: List<GoalProgress>,
     internal val end: ProgramEnd,
 ) {
-    /** The story in at most [MOST_SENTENCES] sentences. */
+    /** The story in at most [MAX_SENTENCES] sentences. */
     fun sentences(language: Language): List<String> = storySentences(this, language)
 
     companion object {
-        const val MOST_SENTENCES = 8
+        const val MAX_SENTENCES = 8
     }
 }
 
@@ -96,7 +96,7 @@ private fun arrivals(world: World, states: List<SessionState>): List<Arrival> {
     val found = mutableMapOf<Ground, Long>()
     val sheet = SheetReader(world)
     for (state in states.takeIf { world.marks.isNotEmpty() }.orEmpty()) {
-        if (found.size >= MOST_ARRIVALS) break
+        if (found.size >= MAX_ARRIVALS) break
         val pose = state.robots.firstOrNull()?.robot?.pose ?: continue
         val mark = sheet.markAt(pose.point) ?: continue
         if (mark.name != null) found.getOrPut(groundOf(mark)) { state.milliseconds }
@@ -123,4 +123,4 @@ private val TouchKind.thing: ThingKind
 /** A turn on the spot takes a few times as long, so it is seen in states that are no further apart. */
 private const val FINE_MILLISECONDS = 160L
 private const val FIRMWARE_SOUND_MILLISECONDS = 200L
-private const val MOST_ARRIVALS = 2
+private const val MAX_ARRIVALS = 2

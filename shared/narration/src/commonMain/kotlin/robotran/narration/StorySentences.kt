@@ -28,7 +28,7 @@ internal fun storySentences(story: RunStory, language: Language): List<String> {
         endTold(story.end, messages)?.let { add(Told(it, 1)) }
         goalsTold(story.goals, language, messages).forEach { add(Told(it, 0)) }
     }
-    val kept = told.sortedBy { it.rank }.take(RunStory.MOST_SENTENCES).toSet()
+    val kept = told.sortedBy { it.rank }.take(RunStory.MAX_SENTENCES).toSet()
     return told.filter { it in kept }.map { it.sentence }
 }
 
@@ -50,13 +50,13 @@ private fun movesTold(robot: RobotStory, number: Int, messages: StoryMessages): 
 
 private fun wayTold(who: String?, groups: List<MoveGroup>, messages: StoryMessages): List<String> = buildList {
     var next = 0
-    while (next < groups.size && size < MOST_MOVE_SENTENCES) {
+    while (next < groups.size && size < MAX_MOVE_SENTENCES) {
         val group = groups[next]
         if (group.times > 1) {
             add(messages.repeated(who, isEmpty(), group.times, group.moves.map { it.told(messages) }))
             next++
         } else {
-            val single = groups.drop(next).takeWhile { it.times == 1 }.take(MOST_IN_SENTENCE).map { it.moves.single() }
+            val single = groups.drop(next).takeWhile { it.times == 1 }.take(MAX_IN_SENTENCE).map { it.moves.single() }
             add(messages.did(who, isEmpty(), single.map { it.told(messages) }))
             next += single.size
         }
@@ -96,7 +96,7 @@ private fun goalsTold(goals: List<GoalProgress>, language: Language, messages: S
         messages.missed((number + 1).takeIf { goals.size > 1 }, words.sentenceFor(shortfall))
     }
     val count = if (goals.size > 1) listOf(messages.someMet(met, goals.size)) else emptyList()
-    return count + missed.take(MOST_MISSED)
+    return count + missed.take(MAX_MISSED)
 }
 
 /** What a robot drove is no more exact than its wheels. */
@@ -114,6 +114,6 @@ private const val HALF = 0.5
 
 private const val LEFT_OUT = 5
 private const val OFTEN_LEFT_OUT = 10
-private const val MOST_MOVE_SENTENCES = 3
-private const val MOST_IN_SENTENCE = 5
-private const val MOST_MISSED = 2
+private const val MAX_MOVE_SENTENCES = 3
+private const val MAX_IN_SENTENCE = 5
+private const val MAX_MISSED = 2

@@ -19,12 +19,12 @@ fun whatIsAt(point: Point, world: World, session: SessionState, language: Langua
     val things = bodies.filter { it.contains(point) }.map { it.thing } +
         lamps.filter { apart(it.second, point) <= LAMP_RADIUS }.map { it.first }
     val ground = groundAt(world, session, point).map { messages.ground(it.kind, it.name, it.tone) }
-    val here = things.take(MOST_THINGS).map { messages.thing(it.kind, it.name) }
+    val here = things.take(MAX_THINGS).map { messages.thing(it.kind, it.name) }
     val goal = wantedFrom(point, world, session)
     return buildList {
         // What stands there hides the paper.
         add(messages.spotHas(centimetres(point.x), centimetres(point.y), here.ifEmpty { ground }))
-        lampsSeenAt(world, session, point).take(MOST_LAMPS).forEach { add(messages.inLight(world.lamps[it].name)) }
+        lampsSeenAt(world, session, point).take(MAX_LAMPS).forEach { add(messages.inLight(world.lamps[it].name)) }
         goal?.takeIf {
             apart(it.point, point) > THERE
         }?.let { add(messages.toGoal(it.number, stepsTo(it.point, point, messages))) }
@@ -88,8 +88,8 @@ private const val THERE = 1.0
 
 /** What is no further away is told beside a goal. */
 private const val NEAR = 10.0
-private const val MOST_THINGS = 3
-private const val MOST_LAMPS = 2
+private const val MAX_THINGS = 3
+private const val MAX_LAMPS = 2
 
 /** In degrees: what is less beside a direction lies in it. */
 private const val STRAIGHT = 20

@@ -128,7 +128,7 @@ internal class RobotScene(
         val lamps = world.lamps.zip(session.lamps) { lamp, now ->
             if (now.on) away(Thing(ThingKind.LAMP, lamp.name), now.place) else messages.lampOff(lamp.name)
         }
-        return near.take(MOST_THINGS) + lamps.take(MOST_LAMPS)
+        return near.take(MAX_THINGS) + lamps.take(MAX_LAMPS)
     }
 
     /** By how much the robot has to turn to [point]; straight ahead and straight behind are 0 and 180. */
@@ -155,8 +155,8 @@ internal class RobotScene(
 
         /** In centimetres. */
         const val TOUCHING = 0.3
-        const val MOST_THINGS = 5
-        const val MOST_LAMPS = 3
+        const val MAX_THINGS = 5
+        const val MAX_LAMPS = 3
 
         /** In degrees. */
         const val STRAIGHT = 2

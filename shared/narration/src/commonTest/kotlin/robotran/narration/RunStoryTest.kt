@@ -74,7 +74,7 @@ class RunStoryTest {
             world,
         )
         val story = run.story(world)
-        assertTrue(story.size <= RunStory.MOST_SENTENCES, "$story")
+        assertTrue(story.size <= RunStory.MAX_SENTENCES, "$story")
         assertTrue(story.any { "it came to the line \"track\"" in it }, "$story")
     }
 
@@ -104,7 +104,7 @@ class RunStoryTest {
     fun `of several robots each is named`() = runTest {
         val sumo = worldOf("sumo")
         val story = runOf("forward 60", sumo).story(sumo)
-        assertTrue(story.size <= RunStory.MOST_SENTENCES, "$story")
+        assertTrue(story.size <= RunStory.MAX_SENTENCES, "$story")
         assertTrue(story.any { it.startsWith("The robot \"yellow\" drove") }, "$story")
         assertTrue(story.any { it.startsWith("The robot \"red\" drove") }, "$story")
     }

@@ -44,11 +44,11 @@ class NarrationProperties :
                     for (robot in world.robots.indices) {
                         check(
                             whereIs(robot, world, state, language),
-                            MOST_PLACE_SENTENCES,
+                            MAX_PLACE_SENTENCES,
                         )
                     }
-                    check(whatIsAt(Point(pose.x, pose.y), world, state, language), MOST_SPOT_SENTENCES)
-                    check(storyOf(world, states, state.goals).sentences(language), RunStory.MOST_SENTENCES)
+                    check(whatIsAt(Point(pose.x, pose.y), world, state, language), MAX_SPOT_SENTENCES)
+                    check(storyOf(world, states, state.goals).sentences(language), RunStory.MAX_SENTENCES)
                 }
             }
         }
@@ -59,7 +59,7 @@ private fun check(sentences: List<String>, most: Int) {
         (sentences.isNotEmpty()) shouldBe true
         sentences.size shouldBeLessThanOrEqual most
         for (sentence in sentences) {
-            sentence.length shouldBeLessThan MOST_CHARACTERS
+            sentence.length shouldBeLessThan MAX_CHARACTERS
             sentence.isBlank() shouldBe false
             NOT_SAID.any { it in sentence } shouldBe false
         }
@@ -70,8 +70,8 @@ private fun check(sentences: List<String>, most: Int) {
 private val NOT_SAID = listOf("NaN", "Infinity", "null", ", select", ", plural", "kotlin.")
 
 /** Of where a robot is: itself, the four sides, what is under it, things, lamps, goals. */
-private const val MOST_PLACE_SENTENCES = 3 + 4 + 2 + 5 + 3 + 7
-private const val MOST_SPOT_SENTENCES = 5
+private const val MAX_PLACE_SENTENCES = 3 + 4 + 2 + 5 + 3 + 7
+private const val MAX_SPOT_SENTENCES = 5
 
 /** A goal's own sentence may have 500. */
-private const val MOST_CHARACTERS = 700
+private const val MAX_CHARACTERS = 700

@@ -41,7 +41,7 @@ internal class TranslatedProgramCompiler(
 
     /** A line that every translation has belongs to no line of the program. */
     private fun located(name: String, translation: Translation, diagnostic: Diagnostic): Diagnostic {
-        val line = diagnostic.range?.let { translation.lineMap.robolangLineOf(it.line) }
+        val line = diagnostic.range?.let { translation.lineMap.sourceLineOf(it.line) }
         val range = line?.let { SourceRange(it, 1, 1) }
         return Diagnostic(Severity.ERROR, name, range, messages.inTranslation(diagnostic.message))
     }

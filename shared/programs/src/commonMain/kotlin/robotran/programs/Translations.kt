@@ -64,4 +64,4 @@ internal val NQC_TRANSLATOR = ProgramTranslator { written, compiled, _, _ ->
 }
 
 private fun originsOf(text: String, map: LineMap, file: String): List<SourceLine?> =
-    List(text.count { it == '\n' } + 1) { line -> map.robolangLineOf(line + 1)?.let { SourceLine(file, it) } }
+    List(text.count { it == '\n' } + 1) { line -> map.sourceLineOf(line + 1)?.let { SourceLine(file, it) } }

@@ -121,10 +121,7 @@ class SerialHub(private val port: BytePort) : HubConnection {
 }
 
 /** The answer with [error], 0 for none. */
-internal fun answerOf(error: Long): CommandAnswer = if (error ==
-    0L
-) {
-    CommandAnswer.Accepted
-} else {
-    CommandAnswer.Refused(error.coerceAtMost(Int.MAX_VALUE.toLong()).toInt())
+internal fun answerOf(error: Long): CommandAnswer = when (error) {
+    0L -> CommandAnswer.Accepted
+    else -> CommandAnswer.Refused(error.coerceAtMost(Int.MAX_VALUE.toLong()).toInt())
 }

@@ -8,7 +8,7 @@ import robotran.hublink.HubError
 import robotran.hublink.Remains
 import robotran.hublink.connection.CommandAnswer
 import robotran.hublink.protocol.HubCommand
-import robotran.hublink.protocol.HubRefusal
+import robotran.hublink.protocol.HubErrorCode
 
 /**
  * One program on its way into the chosen slot. Each piece goes after the answer to the one before. There is no checksum:
@@ -82,10 +82,10 @@ internal class HubDownload(
     }
 
     private fun endOf(refusal: CommandAnswer.Refused): End = when (refusal.code) {
-        HubRefusal.BUSY, HubRefusal.DOWNLOAD_STATE -> End.Again(HubError.Busy)
+        HubErrorCode.BUSY, HubErrorCode.DOWNLOAD_STATE -> End.Again(HubError.Busy)
         // What is wrong, a browser does not say.
         null -> End.Again(HubError.Refused(null))
-        HubRefusal.NOT_ALLOWED -> End.Failed(HubError.TooLarge(program.size, hub.programRoom))
+        HubErrorCode.NOT_ALLOWED -> End.Failed(HubError.TooLarge(program.size, hub.programRoom))
         else -> End.Failed(HubError.Refused(refusal.code))
     }
 
@@ -99,6 +99,6 @@ internal class HubDownload(
 
     private companion object {
         /** The hub was busy with a program, or did not know the command. */
-        val NOTHING_DONE = setOf(HubRefusal.BUSY, HubRefusal.INVALID, HubRefusal.NOT_ALLOWED)
+        val NOTHING_DONE = setOf(HubErrorCode.BUSY, HubErrorCode.INVALID, HubErrorCode.NOT_ALLOWED)
     }
 }

@@ -8,8 +8,8 @@ import kotlinx.coroutines.withTimeoutOrNull
 import robotran.hublink.connection.CommandAnswer
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.output.HubConsole
-import robotran.hublink.output.LineMap
 import robotran.hublink.output.OutputReader
+import robotran.hublink.output.SourceMap
 import robotran.hublink.protocol.HubEvent
 import kotlin.time.Duration
 
@@ -32,7 +32,7 @@ internal class HubLine(private val connection: HubConnection) {
     }
 
     /** Begins a new console, for a program with the lines of [map]. */
-    fun expectProgram(map: LineMap?) {
+    fun expectProgram(map: SourceMap?) {
         output = OutputReader(map)
         change { it.copy(console = HubConsole()) }
     }

@@ -13,7 +13,7 @@ import robotran.hublink.HubDescription
 import robotran.hublink.HubError
 import robotran.hublink.HubResult
 import robotran.hublink.connection.HubConnection
-import robotran.hublink.output.LineMap
+import robotran.hublink.output.SourceMap
 import robotran.hublink.program.HubProgram
 
 /**
@@ -69,7 +69,7 @@ class HubLink(private val connection: HubConnection, private val scope: Coroutin
      *
      * @param map where errors and marks of the program belong.
      */
-    suspend fun start(map: LineMap? = null): HubResult<Unit> = exclusively {
+    suspend fun start(map: SourceMap? = null): HubResult<Unit> = exclusively {
         val hub = state.value.description ?: return@exclusively HubResult.Failure(HubError.OutOfReach)
         line.expectProgram(map)
         startProgram(line, hub)

@@ -5,7 +5,7 @@ import robotran.hublink.HubError
 import robotran.hublink.HubResult
 import robotran.hublink.connection.CommandAnswer
 import robotran.hublink.protocol.HubCommand
-import robotran.hublink.protocol.HubRefusal
+import robotran.hublink.protocol.HubErrorCode
 
 /** Starts the program in the chosen slot. */
 internal suspend fun startProgram(line: HubLine, hub: HubDescription): HubResult<Unit> {
@@ -24,9 +24,9 @@ internal suspend fun startProgram(line: HubLine, hub: HubDescription): HubResult
 }
 
 private fun startError(code: Int?): HubError = when (code) {
-    HubRefusal.BUSY -> HubError.Busy
-    HubRefusal.INVALID -> HubError.NoProgram
-    HubRefusal.NOT_ALLOWED -> HubError.NotAProgram
+    HubErrorCode.BUSY -> HubError.Busy
+    HubErrorCode.INVALID -> HubError.NoProgram
+    HubErrorCode.NOT_ALLOWED -> HubError.NotAProgram
     else -> HubError.Refused(code)
 }
 
@@ -44,4 +44,4 @@ internal suspend fun stopProgram(line: HubLine): HubError? {
 }
 
 /** A program runs already, perhaps this one, and what a browser does not tell. */
-private val UNSURE = setOf(HubRefusal.BUSY, null)
+private val UNSURE = setOf(HubErrorCode.BUSY, null)

@@ -8,7 +8,7 @@ package robotran.hublink.output
  *
  * @param map of the program that runs, if it is known.
  */
-class OutputReader(private val map: LineMap?) {
+class OutputReader(private val map: SourceMap?) {
     private val decoder = TextDecoder()
     private val tracebacks = TracebackReader(map)
     private val unfinished = StringBuilder()

@@ -1,7 +1,7 @@
 package robotran.hublink.output
 
 /** Finds Python's tracebacks among the lines that a hub prints. */
-internal class TracebackReader(private val lines: LineMap?) {
+internal class TracebackReader(private val lines: SourceMap?) {
     /** The places of the traceback that is being read, the innermost last: file and line; null outside of one. */
     private var places: MutableList<Pair<String, Int>>? = null
 

@@ -37,8 +37,8 @@ internal object HubCommand {
         byteArrayOf(APP_DATA.toByte(), offset.toByte(), (offset shr Byte.SIZE_BITS).toByte()) + bytes
 }
 
-/** How a hub refuses a command, over Bluetooth as the error of the write. */
-internal object HubRefusal {
+/** The error of a command; over Bluetooth the ATT error of the write. */
+internal object HubErrorCode {
     const val DOWNLOAD_STATE = 0x0E
     const val NOT_ALLOWED = 0x13
     const val INVALID = 0x80

@@ -15,8 +15,8 @@ import robotran.hublink.bytesOf
 import robotran.hublink.connection.HubWay
 import robotran.hublink.hexOf
 import robotran.hublink.mpyOf
-import robotran.hublink.output.LineMap
 import robotran.hublink.output.OutputReader
+import robotran.hublink.output.SourceMap
 import robotran.hublink.program.HubProgram
 import robotran.hublink.simulated.SimulatedBluetooth
 import robotran.hublink.simulated.SimulatedModel
@@ -202,7 +202,7 @@ class HubLinkTest {
             val test = TestHub(this, way, program = failing)
             test.open()
             test.link.send(square)
-            test.link.start(LineMap("p.py", listOf("a", "b"), mapOf(2 to 9)))
+            test.link.start(SourceMap("p.py", listOf("a", "b"), mapOf(2 to 9)))
             delay(500.milliseconds)
             assertEquals(9, test.link.state.value.console.runningLine, "$way")
             delay(1.seconds)

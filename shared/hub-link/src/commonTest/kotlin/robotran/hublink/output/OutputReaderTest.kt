@@ -13,9 +13,9 @@ class OutputReaderTest {
         "pair = [Port.A, Port.B]",
         "print(1 // 0)",
     )
-    private val map = LineMap("prog.py", python, mapOf(3 to 1, 5 to 7))
+    private val map = SourceMap("prog.py", python, mapOf(3 to 1, 5 to 7))
 
-    private fun read(text: String, pieces: Int = 19, map: LineMap? = this.map): HubConsole {
+    private fun read(text: String, pieces: Int = 19, map: SourceMap? = this.map): HubConsole {
         val reader = OutputReader(map)
         text.encodeToByteArray().toList().chunked(pieces).forEach { reader.add(it.toByteArray()) }
         return reader.console

@@ -27,7 +27,7 @@ data class PybricksRobot(
         private const val TRACK = 112.0
 
         /** A usual driving base with [hub], and with what its ports have room for. */
-        fun usual(hub: PybricksHub): PybricksRobot = when (hub) {
+        fun defaultFor(hub: PybricksHub): PybricksRobot = when (hub) {
             PybricksHub.PRIME -> PybricksRobot(
                 hub,
                 LEFT,

@@ -120,7 +120,7 @@ class TranslateToNqcTest {
     fun `lines know where they come from`() {
         val translation = translationOf("// Drives.\nforward 20\n\nbeep")
         val line = translation.nqc.lines().indexOf("    PlaySound(SOUND_CLICK);") + 1
-        assertEquals(4, translation.lineMap.robolangLineOf(line))
+        assertEquals(4, translation.lineMap.sourceLineOf(line))
     }
 
     private fun linesOf(source: String) = translationOf(source).nqc.lines().map { it.trim() }

@@ -9,7 +9,7 @@ import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.testNxt
 
 /** A usual driving base with a SPIKE Prime: a colour sensor looks down, a bumper and a distance sensor are in front. */
-internal val sonarRobot = PybricksRobot.usual(PybricksHub.PRIME)
+internal val sonarRobot = PybricksRobot.defaultFor(PybricksHub.PRIME)
 
 /** The same with a second bumper instead of the distance sensor. */
 internal val bumperRobot = sonarRobot.copy(
@@ -17,10 +17,10 @@ internal val bumperRobot = sonarRobot.copy(
 )
 
 /** The smallest hub, with wheels alone. */
-internal val essentialRobot = PybricksRobot.usual(PybricksHub.ESSENTIAL)
+internal val essentialRobot = PybricksRobot.defaultFor(PybricksHub.ESSENTIAL)
 
 /** An NXT with its own sensors. */
-internal val nxtRobot = PybricksRobot.usual(PybricksHub.NXT)
+internal val nxtRobot = PybricksRobot.defaultFor(PybricksHub.NXT)
 
 /** The robot of those above that has what [text] asks for. */
 internal fun robotFor(text: String): PybricksRobot = when {

@@ -213,13 +213,13 @@ class PythonTrapsTest {
     fun `power 7 is no more than the motors of a hub can do`() {
         assertContains(mainLinesOf("power 7\nforward 10"), "robot.settings(straight_speed=411, turn_rate=420)")
         assertContains(
-            mainLinesOf("power 7\nforward 10", PybricksRobot.usual(PybricksHub.EV3)),
+            mainLinesOf("power 7\nforward 10", PybricksRobot.defaultFor(PybricksHub.EV3)),
             "robot.settings(straight_speed=390, turn_rate=400)",
         )
         val program = "power 2 + 5\nstart forward"
         assertContains(pythonOf(program).python, "    power = max(power, 1 / 3)\n")
         assertContains(
-            pythonOf(program, PybricksRobot.usual(PybricksHub.EV3)).python,
+            pythonOf(program, PybricksRobot.defaultFor(PybricksHub.EV3)).python,
             "    power = min(max(power, 1 / 3), 800 / 120)\n",
         )
     }

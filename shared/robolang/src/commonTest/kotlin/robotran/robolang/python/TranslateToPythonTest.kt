@@ -68,8 +68,8 @@ class TranslateToPythonTest {
         val problems = allPrograms.filterValues { it.isComplete }.flatMap { (name, translation) ->
             val tree = checkNotNull(programForHub(sources.getValue(name), name)).checked.tree
             (linesWithJava(tree) - linesOfEnds(tree)).filter { line ->
-                val lines = translation.lineMap.javaLinesOf(line)
-                lines.isEmpty() || lines.any { translation.lineMap.robolangLineOf(it) != line }
+                val lines = translation.lineMap.targetLinesOf(line)
+                lines.isEmpty() || lines.any { translation.lineMap.sourceLineOf(it) != line }
             }.map { "$name:$it" }
         }
         assertEquals(emptyList(), problems)

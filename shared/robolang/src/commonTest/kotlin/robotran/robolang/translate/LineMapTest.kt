@@ -13,10 +13,10 @@ class LineMapTest {
         val problems = programsForBoth.flatMap { (path, program) ->
             val lineMap = translateRobolang(program).lineMap
             linesWithJava(program.checked.tree).mapNotNull { line ->
-                val javaLines = lineMap.javaLinesOf(line)
+                val javaLines = lineMap.targetLinesOf(line)
                 when {
                     javaLines.isEmpty() -> "$path:$line has no Java"
-                    javaLines.any { lineMap.robolangLineOf(it) != line } -> "$path:$line is not where $javaLines lead"
+                    javaLines.any { lineMap.sourceLineOf(it) != line } -> "$path:$line is not where $javaLines lead"
                     else -> null
                 }
             }
@@ -31,7 +31,7 @@ class LineMapTest {
             val own = translation.java.lines().takeWhile { it.trim() != METHODS_BELOW }
             own.withIndex()
                 .filter { (index, text) ->
-                    translation.lineMap.robolangLineOf(index + 1) == null &&
+                    translation.lineMap.sourceLineOf(index + 1) == null &&
                         !isCommon(text.trim())
                 }
                 .map { (index, text) -> "$path: line ${index + 1} of the Java came from nowhere: $text" }
@@ -48,10 +48,10 @@ class LineMapTest {
         assertEquals(
             expected,
             expected.keys.associateWith {
-                java[translation.lineMap.javaLinesOf(it).first() - 1].trim()
+                java[translation.lineMap.targetLinesOf(it).first() - 1].trim()
             },
         )
-        assertEquals("}", java[translation.lineMap.javaLinesOf(5).single() - 1].trim())
+        assertEquals("}", java[translation.lineMap.targetLinesOf(5).single() - 1].trim())
     }
 
     @Test
@@ -60,7 +60,7 @@ class LineMapTest {
         val java = translation.java.lines()
         assertEquals(
             listOf("Motor.A.forward();", "Motor.C.forward();"),
-            translation.lineMap.javaLinesOf(1).map { java[it - 1].trim() },
+            translation.lineMap.targetLinesOf(1).map { java[it - 1].trim() },
         )
     }
 
@@ -69,16 +69,16 @@ class LineMapTest {
         val translation = translationOf("forward 20")
         val helper = translation.java.lines().indexOfFirst { "static void forwardCentimetres" in it } + 1
         assertTrue(helper > 0)
-        assertNull(translation.lineMap.robolangLineOf(helper))
-        assertNull(translation.lineMap.robolangLineOf(100_000))
-        assertNull(translation.lineMap.robolangLineOf(0))
-        assertEquals(emptyList(), translation.lineMap.javaLinesOf(7))
+        assertNull(translation.lineMap.sourceLineOf(helper))
+        assertNull(translation.lineMap.sourceLineOf(100_000))
+        assertNull(translation.lineMap.sourceLineOf(0))
+        assertEquals(emptyList(), translation.lineMap.targetLinesOf(7))
     }
 
     @Test
     fun `a light sensor in the header leads to the line that switches it on`() {
         val translation = translationOf("robot\n  light sensor on 3 facing down\nend\nshow light")
-        val java = translation.java.lines()[translation.lineMap.javaLinesOf(2).single() - 1]
+        val java = translation.java.lines()[translation.lineMap.targetLinesOf(2).single() - 1]
         assertContains(java, "Sensor.S3.activate();")
     }
 

@@ -41,7 +41,7 @@ internal class HubRun(all: List<String>, val end: String) {
 internal fun runOnHub(program: RobolangProgram, robot: PybricksRobot): HubRun {
     val hub = RecordingHub(robot, PybricksSpeeds(program.checked.tree, robot).areApart)
     val run = program.run(hub, Durations(program.robot))
-    var left = MOST_RESUMES
+    var left = MAX_RESUMES
     while (true) {
         when (val status = run.resume(STEPS)) {
             ProgramStatus.Running -> if (left-- == 0) return HubRun(hub.calls, "time is up")
@@ -49,7 +49,7 @@ internal fun runOnHub(program: RobolangProgram, robot: PybricksRobot): HubRun {
             is ProgramStatus.Waiting -> {
                 if (status.untilMilliseconds > LIMIT) return HubRun(hub.calls, "time is up")
                 hub.milliseconds = maxOf(hub.milliseconds, status.untilMilliseconds)
-                left = MOST_RESUMES
+                left = MAX_RESUMES
             }
 
             ProgramStatus.Ended -> return HubRun(hub.calls, "end")
@@ -60,7 +60,7 @@ internal fun runOnHub(program: RobolangProgram, robot: PybricksRobot): HubRun {
 }
 
 private const val STEPS = 1000
-private const val MOST_RESUMES = 100
+private const val MAX_RESUMES = 100
 
 /** As in the fake modules. */
 private const val LIMIT = 20_000

@@ -40,7 +40,7 @@ class PythonRunTest {
     @Test
     fun `translations of examples and solutions run on each hub without an error`() {
         if (!MicroPython.isHere) return
-        val robots = PybricksHub.entries.associate { it.name to PybricksRobot.usual(it) }
+        val robots = PybricksHub.entries.associate { it.name to PybricksRobot.defaultFor(it) }
         val programs = compiled(examplePrograms + lessonPrograms)
         val complete = robots.flatMap { (hub, robot) ->
             programs.map { (name, program) -> "$hub $name" to translateToPython(program, robot, messages) }

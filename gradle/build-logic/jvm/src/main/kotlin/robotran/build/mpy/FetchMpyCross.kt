@@ -49,6 +49,7 @@ abstract class FetchMpyCross
             val work = temporaryDir
             work.listFiles()?.forEach { it.deleteRecursively() }
             for (file in listOf(packageFile, lock)) file.get().asFile.let { it.copyTo(File(work, it.name)) }
+            logger.lifecycle("Fetching MicroPython's cross compiler from the npm registry, once.")
             install(work)
             val found = File(work, "node_modules/@pybricks/mpy-cross-v6")
             val module = File(found, "build/$MODULE")

@@ -7,7 +7,7 @@ package robotran.hublink.output
  * @property python the lines of the Python, to tell which port a line is about.
  * @property lines from a line of the Python to one of the pupil's program. A line without one belongs to none.
  */
-class LineMap(val file: String, private val python: List<String>, private val lines: Map<Int, Int>) {
+class SourceMap(val file: String, private val python: List<String>, private val lines: Map<Int, Int>) {
     /** The pupil's line of [pythonLine]; null if it has none. */
     fun lineOf(pythonLine: Int): Int? = lines[pythonLine]
 
