@@ -39,6 +39,7 @@ kotlin {
             api(project(":shared:language-support"))
             api(project(":shared:rcx-rom"))
             api(project(":shared:nxt"))
+            api(project(":shared:hub"))
         }
         commonTest {
             kotlin.srcDir("../nxt/src/fakeNxtTest/kotlin")

@@ -24,6 +24,7 @@ kotlin {
     sourceSets {
         commonMain.dependencies {
             api(project(":shared:nxt"))
+            api(project(":shared:hub"))
             api(project(":shared:rcx-rom"))
             api(project(":shared:world"))
         }

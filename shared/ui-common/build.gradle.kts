@@ -8,6 +8,7 @@ kotlin {
             api(project(":shared:uikit"))
             api(project(":shared:workshop"))
             implementation(project(":shared:nxt"))
+            implementation(project(":shared:hub"))
             implementation(project(":shared:scene3d"))
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)

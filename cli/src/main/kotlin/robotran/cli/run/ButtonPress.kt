@@ -1,6 +1,7 @@
 package robotran.cli.run
 
 import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
 
 /**
  * A press of a brick button.
@@ -26,9 +27,9 @@ internal sealed interface ButtonPressResult {
 internal fun readButtonPress(text: String, longest: Int): ButtonPressResult {
     fun refuse(reason: String) = ButtonPressResult.Failure("$reason, as in run@2.5 or run@2.5+1.")
     val (name, times) = text.split('@').takeIf { it.size == 2 } ?: return refuse("$text is not a button and a time")
-    val button = BrickButton.entries.find { buttonName(it) == name.lowercase() }
+    val button = BrickKind.allButtons.find { buttonName(it) == name.lowercase() }
         ?: return refuse(
-            "There is no button $name, only ${BrickButton.entries.joinToString {
+            "There is no button $name, only ${BrickKind.allButtons.joinToString {
                 buttonName(it)
             }}; write one with its time",
         )

@@ -8,8 +8,10 @@ import robotran.blockediting.palette.introductions
 import robotran.blockediting.palette.ownBlocks
 import robotran.blockediting.palette.searchPalette
 import robotran.blockediting.palette.textAt
+import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
+import robotran.hub.model.HubModel
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
@@ -42,7 +44,10 @@ class PaletteTest {
 
     @Test
     fun `every block is a valid program of the blocks that it names`() = BrickKind.entries.forEach { brick ->
-        val robot = if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
+        val robot = when (val hub = HubModel.of(brick)) {
+            null -> if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
+            else -> RobotTarget.Hub(hub, 56.0, 112.0, MotorPort.A, MotorPort.B, pen = null)
+        }
         for (block in Palette.blocksFor(brick)) {
             if (block.isValue) {
                 val line = blocksOf(

@@ -7,4 +7,10 @@ val READY_ROBOT_WORDS: Map<String, Words> = mapOf(
     "line-follower" to RobotTexts::readyLineFollower,
     "sumo" to RobotTexts::readySumo,
     "both-sides" to RobotTexts::readyBothSides,
+    "spike-penbot" to RobotTexts::readySpikePenbot,
+    "spike-scout" to RobotTexts::readySpikeScout,
+    "essential-rover" to RobotTexts::readyEssentialRover,
+    "technic-penbot" to RobotTexts::readyTechnicPenbot,
+    "ev3-penbot" to RobotTexts::readyEv3Penbot,
+    "nxt-pybricks-penbot" to RobotTexts::readyNxtPybricksPenbot,
 )

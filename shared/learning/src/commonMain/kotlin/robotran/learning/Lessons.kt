@@ -3,6 +3,7 @@ package robotran.learning
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.programs.support
 import robotran.world.World
 import robotran.world.file.WorldFileResult
 import robotran.world.file.readWorld
@@ -41,7 +42,11 @@ object Lessons {
 
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
         val plain by lazy { plainVersion(files) }
-        val others = (BrickKind.entries - BrickKind.default).associateWith { brick ->
+        val languages = files.keys.mapNotNull { ProgramLanguage.ofFile(it) }
+        // A brick without Java has only the lessons whose language runs on it.
+        val bricks = (BrickKind.entries - BrickKind.default)
+            .filter { brick -> brick.java != null || languages.all { brick in it.support.bricks } }
+        val others = bricks.associateWith { brick ->
             lazy { lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
         }
         return lesson(folder, BrickKind.default, files, { plain }, others)

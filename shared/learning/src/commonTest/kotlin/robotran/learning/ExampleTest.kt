@@ -12,6 +12,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.ProgramSource
 import robotran.programs.support
+import robotran.projects.penbotTarget
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
@@ -28,7 +29,9 @@ class ExampleTest {
     @Test
     fun `every example in Robolang runs to its end on the plain sheet`() = runTest {
         for (help in examples(ProgramLanguage.ROBOLANG).filterNot(::isForNxt)) {
-            runs(help.word, Program("${help.word}.robo", ProgramLanguage.ROBOLANG, help.example.orEmpty()))
+            val text = help.example.orEmpty()
+            val brick = HUBS.entries.firstOrNull { it.key in text }?.value ?: BrickKind.RCX
+            runs(help.word, Program("${help.word}.robo", ProgramLanguage.ROBOLANG, text), brick)
         }
     }
 
@@ -74,7 +77,12 @@ class ExampleTest {
             .filter { it.example != null }.distinctBy { it.example }
 
     private suspend fun runs(word: String, source: ProgramSource, brick: BrickKind = BrickKind.RCX) {
-        val result = (if (brick == BrickKind.NXT) nxtReader else reader).compileOrThrow(source)
+        val compiler = when (brick) {
+            BrickKind.RCX -> reader
+            BrickKind.NXT -> nxtReader
+            else -> ProgramCompiler(brick.penbotTarget, language = Language.ENGLISH)
+        }
+        val result = compiler.compileOrThrow(source)
         val ready = assertIs<ProgramResult.Success>(result, "$word: ${(result as? ProgramResult.Failure)?.diagnostics}")
         assertEquals(emptyList<Diagnostic>(), ready.warnings, word)
         val session =
@@ -93,5 +101,13 @@ class ExampleTest {
             )
         val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4), language = Language.ENGLISH)
         const val LONG_ENOUGH = 30_000
+
+        /** The hubs, by what a header says. */
+        val HUBS = mapOf(
+            "brick spike" to BrickKind.SPIKE_PRIME,
+            "brick essential" to BrickKind.SPIKE_ESSENTIAL,
+            "brick technic" to BrickKind.TECHNIC_HUB,
+            "brick ev3" to BrickKind.EV3,
+        )
     }
 }

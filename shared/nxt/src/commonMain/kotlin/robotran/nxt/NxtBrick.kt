@@ -14,6 +14,7 @@ import robotran.brick.sound.SoundTrack
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.hardware.Clock
 import robotran.nxt.hardware.I2cDevice
+import robotran.nxt.hardware.MotorPorts
 import robotran.nxt.hardware.NxtColour
 import robotran.nxt.hardware.SensorPortState
 import robotran.nxt.messages.NxtMessages
@@ -184,10 +185,10 @@ private class NxtStateParts(private val hardware: NxtHardware) {
         }
         private set
 
-    var motorDegrees: List<Int> = List(MotorPort.entries.size) { 0 }
+    var motorDegrees: List<Int> = List(MotorPorts.PORTS) { 0 }
         get() {
             val isSame = field.indices.all { field[it] == hardware.motors.tachoCount(it) }
-            if (!isSame) field = List(MotorPort.entries.size) { hardware.motors.tachoCount(it) }
+            if (!isSame) field = List(MotorPorts.PORTS) { hardware.motors.tachoCount(it) }
             return field
         }
         private set

@@ -16,7 +16,6 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
-import robotran.brick.controls.MotorPort
 import robotran.brick.log.toLogText
 import robotran.brick.state.RunState
 import robotran.language.Language
@@ -95,7 +94,7 @@ class BrickProperties :
                 repeat(4) { if (brick.state.poweredOn) brick.push(BrickButton.ESCAPE) }
                 brick.state.poweredOn shouldBe false
                 brick.tick(10)
-                MotorPort.entries.all { brick.motor(it).mode == MotorMode.FLOAT } shouldBe true
+                brick.kind.motorPorts.all { brick.motor(it).mode == MotorMode.FLOAT } shouldBe true
                 brick.state.motorDegrees shouldBe listOf(0, 0, 0)
                 brick.state.bluetooth shouldBe emptyList()
                 brick.state.inputs.none { it.isActive } shouldBe true

@@ -1,6 +1,7 @@
 package robotran.projects
 
 import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
 import robotran.tinyvm.config.TinyVmMode
 import robotran.tinyvm.config.TinyVmSpeed
@@ -13,4 +14,4 @@ internal val MODES: Map<String, TinyVmMode> = TinyVmMode.entries.associateBy { w
 internal val SPEEDS: Map<String, TinyVmSpeed> = TinyVmSpeed.entries.associateBy { wordFor(it) }
 
 /** As on the brick and on the command line. */
-internal val BUTTONS: Map<String, BrickButton> = BrickButton.entries.associateBy { wordFor(it).replace(' ', '-') }
+internal val BUTTONS: Map<String, BrickButton> = BrickKind.allButtons.associateBy { wordFor(it).replace(' ', '-') }

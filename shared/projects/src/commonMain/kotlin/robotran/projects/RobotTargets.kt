@@ -1,7 +1,9 @@
 package robotran.projects
 
 import robotran.brick.kind.BrickKind
+import robotran.hub.model.HubModel
 import robotran.robolang.robot.RobotTarget
+import robotran.simulation.hub.hubSensors
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.robot.RobotParameters
@@ -28,7 +30,21 @@ val RobotDescription.target: RobotTarget
             pen?.motor,
             drive.reversed,
         )
+
+        BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
+        -> RobotTarget.Hub(
+            checkNotNull(HubModel.of(brick)),
+            MILLIMETRES * drive.wheelDiameter / drive.gear,
+            MILLIMETRES * drive.track,
+            drive.left,
+            drive.right,
+            pen?.motor,
+            drive.reversed,
+            hubSensors,
+        )
     }
+
+private const val MILLIMETRES = 10
 
 /** What the compiler must know of the penbot with the [BrickKind.default]. */
 val PENBOT_TARGET: RobotTarget = BrickKind.default.penbotTarget

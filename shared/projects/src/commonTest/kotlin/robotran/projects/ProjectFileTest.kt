@@ -199,8 +199,8 @@ class ProjectFileTest {
         assertEquals("settings.java.mode must be \"brick\" or \"forgiving\".", refusalWith("\"forgiving\"", "\"kind\""))
         assertEquals("inputs[1].at must not be before the input above it.", refusalWith("\"at\": 0,", "\"at\": 11,"))
         assertEquals(
-            "inputs[0].button must be \"on-off\", \"view\", \"prgm\", \"run\", \"enter\", \"left\", \"right\" or " +
-                "\"escape\".",
+            "inputs[0].button must be \"on-off\", \"view\", \"prgm\", \"run\", \"enter\", \"left\", \"right\", " +
+                "\"escape\", \"bluetooth\", \"up\" or \"down\".",
             refusalWith("\"on-off\"", "\"off\""),
         )
         assertEquals(

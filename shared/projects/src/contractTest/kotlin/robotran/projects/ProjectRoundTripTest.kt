@@ -3,7 +3,7 @@ package robotran.projects
 import kotlinx.coroutines.test.runTest
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonPrimitive
-import robotran.brick.controls.BrickButton
+import robotran.brick.kind.BrickKind
 import robotran.json.nearestDecimal
 import robotran.language.Language
 import robotran.language.ProgramLanguage
@@ -103,8 +103,8 @@ class ProjectRoundTripTest {
     }
 
     private fun input(): SessionInput = when (random.nextInt(10)) {
-        0 -> SessionInput.Press(BrickButton.entries.random(random), robot())
-        1 -> SessionInput.Release(BrickButton.entries.random(random), robot())
+        0 -> SessionInput.Press(BrickKind.allButtons.random(random), robot())
+        1 -> SessionInput.Release(BrickKind.allButtons.random(random), robot())
         2 -> SessionInput.Stop
         3 -> SessionInput.PlaceRobot(robot(), Pose(far(), far(), far()))
         8 -> SessionInput.PlaceBlock(block(), Pose(far(), far(), far()))

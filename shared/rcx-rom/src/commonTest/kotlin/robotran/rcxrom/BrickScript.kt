@@ -1,7 +1,6 @@
 package robotran.rcxrom
 
 import robotran.brick.controls.BrickButton
-import robotran.brick.controls.MotorPort
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
 import robotran.brick.sound.SoundEvent
@@ -111,7 +110,7 @@ internal class BrickScript(private val path: String, private val text: String) {
         "sounds" -> newSounds().joinToString(transform = ::wordsFor).ifEmpty { "none" }
         "says" -> brick.state.explanation ?: "nothing"
         "motors" -> brick.state.motors.joinToString { "${it.mode.name.lowercase()} ${it.power}" }
-        "outputs" -> MotorPort.entries.joinToString { brick.motorOutput(it).name.lowercase() }
+        "outputs" -> brick.kind.motorPorts.joinToString { brick.motorOutput(it).name.lowercase() }
         "active" -> brick.state.sensors.filter { it.active }.joinToString { it.port.toString() }.ifEmpty { "none" }
         "log" -> brick.log.entries.last().meaning
         "outcome" -> brick.log.entries.last().outcome.name.lowercase().replace('_', ' ')

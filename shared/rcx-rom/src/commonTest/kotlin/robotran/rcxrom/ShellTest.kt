@@ -130,7 +130,7 @@ class ShellTest {
         driving.push(BrickButton.ON_OFF)
         driving.tick()
         assertEquals(RunState.Idle, driving.state.run)
-        assertTrue(MotorPort.entries.all { driving.motorOutput(it) == MotorMode.FLOAT })
+        assertTrue(driving.kind.motorPorts.all { driving.motorOutput(it) == MotorMode.FLOAT })
         driving.push(BrickButton.ON_OFF)
         assertEquals(RunState.Idle, driving.state.run)
     }

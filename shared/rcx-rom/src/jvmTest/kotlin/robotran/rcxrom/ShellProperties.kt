@@ -13,7 +13,6 @@ import io.kotest.property.arbitrary.map
 import io.kotest.property.checkAll
 import robotran.brick.controls.BrickButton
 import robotran.brick.controls.MotorMode
-import robotran.brick.controls.MotorPort
 import robotran.brick.log.toLogText
 import robotran.brick.program.ProgramFailure
 import robotran.brick.program.ProgramStatus
@@ -92,7 +91,7 @@ class ShellProperties :
                 if (brick.state.poweredOn) brick.push(BrickButton.ON_OFF)
                 brick.tick(200)
                 brick.state.poweredOn shouldBe false
-                MotorPort.entries.all { brick.motorOutput(it) == MotorMode.FLOAT } shouldBe true
+                brick.kind.motorPorts.all { brick.motorOutput(it) == MotorMode.FLOAT } shouldBe true
                 brick.push(BrickButton.ON_OFF)
                 brick.state.poweredOn shouldBe true
                 brick.state.glass.number shouldBe "9.0"

@@ -3,6 +3,8 @@ package robotran.robolang
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.program.DebuggableRun
+import robotran.hub.program.Hub
+import robotran.hub.program.HubProgram
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
@@ -10,7 +12,9 @@ import robotran.rcxrom.program.Rom
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RobolangRunMessages
 import robotran.robolang.robot.Durations
+import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.run.HubDevice
 import robotran.robolang.run.NxtDevice
 import robotran.robolang.run.RcxDevice
 import robotran.robolang.run.RobolangRun
@@ -26,7 +30,7 @@ import robotran.robolang.syntax.ParsedText
 sealed class RobolangProgram(
     override val name: String,
     internal val checked: CheckedProgram,
-    private val messages: RobolangRunMessages,
+    internal val messages: RobolangRunMessages,
 ) : BrickProgram {
     internal abstract val robot: RobotTarget
 
@@ -55,6 +59,7 @@ sealed class RobolangProgram(
         ): RobolangProgram = when (robot) {
             is RobotTarget.Rcx -> RobolangRcxProgram(name, checked, robot, messages)
             is RobotTarget.Nxt -> RobolangNxtProgram(name, checked, robot, messages)
+            is RobotTarget.Hub -> RobolangHubProgram(name, checked, robot, messages)
         }
     }
 }
@@ -86,4 +91,18 @@ class RobolangNxtProgram internal constructor(
     override val kind: BrickKind get() = robot.kind
 
     override fun start(nxt: Nxt): DebuggableRun = run(NxtDevice(nxt, robot), Durations(robot))
+}
+
+/** A Robolang program for a robot with a hub that runs Pybricks. */
+class RobolangHubProgram internal constructor(
+    name: String,
+    checked: CheckedProgram,
+    override val robot: RobotTarget.Hub,
+    messages: RobolangRunMessages,
+) : RobolangProgram(name, checked, messages),
+    HubProgram {
+    override val kind: BrickKind get() = robot.kind
+
+    override fun start(hub: Hub): DebuggableRun =
+        run(HubDevice(hub, robot, HubUses(checked.tree, robot), messages), Durations(robot))
 }

@@ -65,7 +65,7 @@ private fun RobotDescription.bumperFields(number: Int, part: BumperPart): List<F
 private fun RobotDescription.sensorFields(number: Int, part: SensorPart): List<Field<RobotEdit>> {
     val ahead = part.facing as? Facing.Ahead
     val motors = listOf(Option<MotorPort?>(null, RobotTexts::fixed)) +
-        MotorPort.entries.map { port -> Option(port, { _: Language -> port.name }) }
+        brick.motorPorts.map { port -> Option(port, { _: Language -> port.name }) }
     return listOfNotNull(
         if (part.sensor.seesSurfaces) facingField(number, part) else null,
         ahead?.let {

@@ -134,10 +134,14 @@ private fun RobotDescription.chassisFields(): List<Field<RobotEdit>> {
 
 private fun RobotDescription.changed(what: String, chassis: Chassis) = RobotEdit.Change(copy(chassis = chassis), what)
 
-private fun motor(tag: String, label: Words, motor: MotorPort?, with: (MotorPort) -> RobotDescription) =
-    chips(tag, label, MotorPort.entries.map { port -> Option(port, { port.name }) }, motor ?: MotorPort.B) {
-        RobotEdit.Change(with(it))
-    }
+private fun RobotDescription.motor(
+    tag: String,
+    label: Words,
+    motor: MotorPort?,
+    with: (MotorPort) -> RobotDescription,
+) = chips(tag, label, brick.motorPorts.map { port -> Option(port, { port.name }) }, motor ?: MotorPort.B) {
+    RobotEdit.Change(with(it))
+}
 
 private const val TENTHS = 10.0
 private const val HUNDREDTHS = 100.0

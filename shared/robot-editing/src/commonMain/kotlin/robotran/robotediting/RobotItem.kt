@@ -76,7 +76,7 @@ internal fun RobotDescription.added(item: RobotItem, at: Point?): Outcome {
 val RobotDescription.freeMotor: MotorPort?
     get() {
         val taken = setOf(drive.left, drive.right, pen?.motor) + things.map { (it as? SensorPart)?.turret }
-        return MotorPort.entries.firstOrNull { it !in taken }
+        return brick.motorPorts.firstOrNull { it !in taken }
     }
 
 private fun RobotDescription.addedCaster(at: Point?): Outcome {

@@ -1,6 +1,5 @@
 package robotran.robotediting
 
-import robotran.brick.controls.MotorPort
 import robotran.world.PenMount
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
@@ -41,8 +40,10 @@ internal class ArbitraryRobotEdits(private val seed: Long) {
     private fun Random.changed(robot: RobotDescription): RobotDescription = when (nextInt(6)) {
         0 -> robot.copy(title = listOf("", "A", "Long ".repeat(12), "Ä\nB").random(this))
         1 -> robot.copy(chassis = robot.chassis.copy(mass = nextDouble(-1.0, 9.0), height = nextDouble(0.0, 50.0)))
-        2 -> robot.copy(drive = robot.drive.copy(gear = nextDouble(0.0, 20.0), right = MotorPort.entries.random(this)))
-        3 -> robot.copy(pen = PenMount(MotorPort.entries.random(this)))
+        2 -> robot.copy(
+            drive = robot.drive.copy(gear = nextDouble(0.0, 20.0), right = robot.brick.motorPorts.random(this)),
+        )
+        3 -> robot.copy(pen = PenMount(robot.brick.motorPorts.random(this)))
         4 -> robot.copy(drive = robot.drive.copy(tyreFriction = nextDouble(0.0, 3.0), reversed = nextBoolean()))
         else -> robot.copy(brickAt = robot.brickAt.copy(at = point()))
     }

@@ -44,7 +44,8 @@ enum class ChartLane {
 
     private fun isOn(kind: BrickKind): Boolean = when {
         isSensor -> port < kind.inputPorts
-        isDegrees -> kind.hasMotorCounters
+        isDegrees -> kind.hasMotorCounters && port < kind.motorPorts.size
+        isMotor -> port < kind.motorPorts.size
         this == BATTERY -> kind.chartsBattery
         else -> true
     }

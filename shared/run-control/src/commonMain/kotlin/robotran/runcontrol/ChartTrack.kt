@@ -97,7 +97,7 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
          * null if nothing is measured.
          */
         fun valueOf(robot: RobotSnapshot, lane: ChartLane, kind: SensorKind?): Int? = when {
-            lane.isMotor -> signedPower(robot.brick.motors[lane.port], robot.brick.kind)
+            lane.isMotor -> robot.brick.motors.getOrNull(lane.port)?.let { signedPower(it, robot.brick.kind) }
             lane.isDegrees -> robot.brick.motorDegrees.getOrElse(lane.port) { 0 }
             lane == ChartLane.BATTERY -> robot.brick.batteryMillivolts
             kind != null -> robot.brick.inputs.getOrNull(lane.port)?.measured(kind)

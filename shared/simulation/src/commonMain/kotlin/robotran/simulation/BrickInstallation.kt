@@ -1,6 +1,9 @@
 package robotran.simulation
 
 import robotran.brick.kind.BrickKind
+import robotran.hub.HubBrick
+import robotran.hub.messages.HubMessages
+import robotran.hub.model.HubModel
 import robotran.language.Language
 import robotran.nxt.NxtBrick
 import robotran.nxt.bluetooth.BluetoothNetwork
@@ -9,6 +12,7 @@ import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
+import robotran.simulation.hub.HubPorts
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.nxt.NxtPorts
 import robotran.simulation.robot.BrickPorts
@@ -57,6 +61,17 @@ internal class BrickInstallation(
             lightOf,
             { simulation.temperature },
             air,
+            streams,
+            world.realism,
+        )
+
+        BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
+        -> HubPorts(
+            robot,
+            HubBrick(checkNotNull(HubModel.of(robot.brick)), load.programs, HubMessages.of(language), load.firstSlot),
+            simulation.scene,
+            number,
+            facing,
             streams,
             world.realism,
         )

@@ -15,12 +15,14 @@ import io.kotest.property.checkAll
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
+import robotran.hub.model.HubModel
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
+import robotran.simulation.hub.hubSensors
 import robotran.simulation.nxt.ScriptedNxt
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -182,6 +184,17 @@ private fun targetOf(robot: RobotDescription): RobotTarget = with(robot.drive) {
         }
 
         BrickKind.NXT -> RobotTarget.Nxt(wheelDiameter / gear, track, left, right, robot.pen?.motor, reversed)
+
+        else -> RobotTarget.Hub(
+            checkNotNull(HubModel.of(robot.brick)),
+            10 * wheelDiameter / gear,
+            10 * track,
+            left,
+            right,
+            robot.pen?.motor,
+            reversed,
+            robot.hubSensors,
+        )
     }
 }
 

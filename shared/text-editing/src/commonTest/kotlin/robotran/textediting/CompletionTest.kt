@@ -91,7 +91,10 @@ class CompletionTest {
     fun `in the header its lines are offered`() {
         assertEquals(listOf("light sensor on 2 facing down"), labels("robot\n  li|\nend"))
         assertEquals(listOf("sonar on 4", "sound sensor on 2"), labels("robot\n  brick nxt\n  so|\nend"))
-        assertEquals(listOf("rcx", "nxt"), labels("robot\n  brick |\nend", isExplicit = true))
+        assertEquals(
+            listOf("rcx", "nxt", "spike", "essential", "technic", "ev3"),
+            labels("robot\n  brick |\nend", isExplicit = true),
+        )
     }
 
     @Test

@@ -11,11 +11,14 @@ enum class BrickButton(val label: String) {
     PRGM("Prgm"),
     RUN("Run"),
 
-    /** The orange button of an NXT. */
+    /** The orange button of an NXT, and the one in the middle of a hub. */
     ENTER("Enter"),
     LEFT("Left"),
     RIGHT("Right"),
 
-    /** The dark grey button of an NXT. */
+    /** The dark grey button of an NXT, and the one of an EV3 that goes back. */
     ESCAPE("Escape"),
+    BLUETOOTH("Bluetooth"),
+    UP("Up"),
+    DOWN("Down"),
 }

@@ -1,7 +1,7 @@
 package robotran.brick.controls
 
-/** The output ports of a brick. */
-enum class MotorPort { A, B, C }
+/** The output ports of all bricks; [robotran.brick.kind.BrickKind.motorPorts] says which one has. */
+enum class MotorPort { A, B, C, D, E, F }
 
 /** The command for a motor; [code] is the number for it in the RCX's ROM and in leJOS NXJ. */
 enum class MotorMode(val code: Int) { FORWARD(1), BACKWARD(2), BRAKE(3), FLOAT(4) }

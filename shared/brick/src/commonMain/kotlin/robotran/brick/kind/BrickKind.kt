@@ -1,6 +1,7 @@
 package robotran.brick.kind
 
 import robotran.brick.controls.BrickButton
+import robotran.brick.controls.MotorPort
 import robotran.brick.controls.PowerUnit
 import robotran.brick.log.CallGroup
 import robotran.brick.sensors.SensorCase
@@ -11,7 +12,9 @@ import robotran.brick.sensors.SensorKind
  * can do asks for a fact of its row, never which kind it is. What a module has for each kind is in one file of that module.
  *
  * @property label what people call it.
- * @property inputPorts number of ports for sensors, numbered from 1 on the brick.
+ * @property motorPorts its ports for motors, in their order.
+ * @property inputPorts number of ports for sensors, numbered from 1.
+ * @property hasLetteredInputs whether those have letters on the brick, A for 1, and take motors as well.
  * @property sensors those that it can read.
  * @property sensorsOnPort how many of them fit on one port, one on the other.
  * @property sensorCase what its simple sensors are built into.
@@ -32,7 +35,9 @@ import robotran.brick.sensors.SensorKind
  */
 enum class BrickKind(
     val label: String,
+    val motorPorts: List<MotorPort>,
     val inputPorts: Int,
+    val hasLetteredInputs: Boolean,
     val sensors: Set<SensorKind>,
     val sensorsOnPort: Int,
     val sensorCase: SensorCase,
@@ -54,7 +59,9 @@ enum class BrickKind(
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
         label = "RCX",
+        motorPorts = listOf(MotorPort.A, MotorPort.B, MotorPort.C),
         inputPorts = 3,
+        hasLetteredInputs = false,
         sensors = setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION),
         sensorsOnPort = 2,
         sensorCase = SensorCase.STUDDED,
@@ -77,7 +84,9 @@ enum class BrickKind(
     /** LEGO's brick of 2006, with leJOS NXJ. */
     NXT(
         label = "NXT",
+        motorPorts = listOf(MotorPort.A, MotorPort.B, MotorPort.C),
         inputPorts = 4,
+        hasLetteredInputs = false,
         sensors = SensorKind.entries.toSet(),
         sensorsOnPort = 1,
         sensorCase = SensorCase.ROUNDED,
@@ -96,7 +105,97 @@ enum class BrickKind(
         hasLegoFirmware = false,
         receivesPrograms = false,
     ),
+
+    /** The hub of SPIKE Prime and Robot Inventor, with Pybricks; so are those below. */
+    SPIKE_PRIME(
+        label = "SPIKE Prime",
+        motorPorts = MotorPort.entries,
+        inputPorts = 6,
+        hasLetteredInputs = true,
+        sensors = POWERED_UP_SENSORS,
+        buttons = listOf(BrickButton.LEFT, BrickButton.ENTER, BrickButton.RIGHT, BrickButton.BLUETOOTH),
+        displayRows = 1,
+    ),
+    SPIKE_ESSENTIAL(
+        label = "SPIKE Essential",
+        motorPorts = MotorPort.entries.take(2),
+        inputPorts = 2,
+        hasLetteredInputs = true,
+        sensors = POWERED_UP_SENSORS,
+        buttons = listOf(BrickButton.ENTER),
+        displayRows = 0,
+    ),
+    TECHNIC_HUB(
+        label = "Technic Hub",
+        motorPorts = MotorPort.entries.take(4),
+        inputPorts = 4,
+        hasLetteredInputs = true,
+        sensors = POWERED_UP_SENSORS,
+        buttons = listOf(BrickButton.ENTER),
+        displayRows = 0,
+    ),
+    EV3(
+        label = "EV3",
+        motorPorts = MotorPort.entries.take(4),
+        inputPorts = 4,
+        hasLetteredInputs = false,
+        sensors = POWERED_UP_SENSORS + SensorKind.GYRO,
+        buttons = listOf(
+            BrickButton.LEFT,
+            BrickButton.ENTER,
+            BrickButton.RIGHT,
+            BrickButton.UP,
+            BrickButton.DOWN,
+            BrickButton.ESCAPE,
+        ),
+        displayRows = 8,
+    ),
+    NXT_PYBRICKS(
+        label = "NXT with Pybricks",
+        motorPorts = MotorPort.entries.take(3),
+        inputPorts = 4,
+        hasLetteredInputs = false,
+        sensors = POWERED_UP_SENSORS + SensorKind.LIGHT + SensorKind.SOUND,
+        buttons = listOf(BrickButton.LEFT, BrickButton.ENTER, BrickButton.RIGHT, BrickButton.ESCAPE),
+        displayRows = 8,
+    ),
     ;
+
+    /** A hub with Pybricks. */
+    constructor(
+        label: String,
+        motorPorts: List<MotorPort>,
+        inputPorts: Int,
+        hasLetteredInputs: Boolean,
+        sensors: Set<SensorKind>,
+        buttons: List<BrickButton>,
+        displayRows: Int,
+    ) : this(
+        label,
+        motorPorts,
+        inputPorts,
+        hasLetteredInputs,
+        sensors,
+        sensorsOnPort = 1,
+        SensorCase.ROUNDED,
+        readsInUnits = true,
+        buttons,
+        startButton = BrickButton.ENTER,
+        PowerUnit.PERCENT,
+        hasMotorCounters = true,
+        chartsBattery = true,
+        displayRows,
+        hasInfrared = false,
+        hasSoftSound = true,
+        hasRom = false,
+        callGroups = CallGroup.COMMON + CallGroup.SYSTEM,
+        java = null,
+        hasLegoFirmware = false,
+        receivesPrograms = false,
+    )
+
+    /** What is printed beside the port for sensors with this [number], from 1. */
+    fun inputLabel(number: Int): String = if (hasLetteredInputs) MotorPort.entries[number - 1].name else "$number"
 
     companion object {
         /**
@@ -108,6 +207,11 @@ enum class BrickKind(
         /** The brick that runs programs for LEGO's own firmware. */
         val ofLegoFirmware: BrickKind = entries.single { it.hasLegoFirmware }
 
+        /** The buttons that any brick has, in the order of [BrickButton]. */
+        val allButtons: List<BrickButton> = BrickButton.entries.filter { button ->
+            entries.any { button in it.buttons }
+        }
+
         /** The brick with this [java]. */
         fun with(java: JavaPlatform): BrickKind = entries.single { it.java == java }
 
@@ -115,3 +219,7 @@ enum class BrickKind(
         fun ofJavaRoot(root: String): BrickKind? = entries.firstOrNull { it.java?.root == root }
     }
 }
+
+/** What a hub reads with Pybricks that all of them read. */
+private val POWERED_UP_SENSORS: Set<SensorKind>
+    get() = setOf(SensorKind.TOUCH, SensorKind.COLOUR, SensorKind.ULTRASONIC)

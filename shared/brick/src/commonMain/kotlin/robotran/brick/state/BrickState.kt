@@ -17,9 +17,9 @@ import robotran.brick.kind.BrickKind
  * @property explanation what the display shows, or why the robot stopped, and what to do now, in whole sentences; null
  * if nothing needs an explanation.
  * @property isSnippet whether [run] is about a program that was sent to run at once, not about one in a slot.
- * @property motors the output ports A, B and C, in this order.
+ * @property motors the output ports that the [kind] has, in their order.
  * @property inputs the last readings of the input ports, in their order; as many as the [kind] has.
- * @property motorDegrees what the counters of the motors A, B and C say; empty for a kind of brick without counters.
+ * @property motorDegrees what the counters of the [motors] say; empty for a kind of brick without counters.
  * @property leftByProgram what a program left on the display when it ended or was stopped, until the next one starts.
  * Null if none has, and for a kind of brick whose display is explained by [screen] alone.
  * @property isSending whether the brick sends a message by light or radio.
@@ -42,6 +42,6 @@ interface BrickState {
     val motorDegrees: List<Int> get() = emptyList()
     val leftByProgram: Screen? get() = null
 
-    /** This state with other [modes] of the motors A, B and C, and another [run]. */
+    /** This state with other [modes] of the [motors], and another [run]. */
     fun withRun(modes: List<MotorMode>, run: RunState): BrickState
 }

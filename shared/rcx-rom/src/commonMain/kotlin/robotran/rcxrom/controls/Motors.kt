@@ -3,6 +3,7 @@ package robotran.rcxrom.controls
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
 import robotran.brick.controls.MotorState
+import robotran.brick.kind.BrickKind
 import robotran.rcxrom.memory.RcxMemory
 
 /**
@@ -12,7 +13,7 @@ import robotran.rcxrom.memory.RcxMemory
  */
 internal class Motors(private val memory: RcxMemory) {
     /** The commands for the ports, in the order of [MotorPort]. */
-    var states: List<MotorState> = MotorPort.entries.map { MotorState(it, MotorMode.FLOAT, power = 0) }
+    var states: List<MotorState> = BrickKind.RCX.motorPorts.map { MotorState(it, MotorMode.FLOAT, power = 0) }
         private set
 
     init {
@@ -46,7 +47,7 @@ internal class Motors(private val memory: RcxMemory) {
     /** Advances by one millisecond: rotates the waveforms and sets the output latch. */
     fun tick() {
         var output = memory.readByte(DIRECTIONS)
-        for (port in MotorPort.entries) {
+        for (port in BrickKind.RCX.motorPorts) {
             val waveform = memory.readByte(WAVEFORMS + port.ordinal)
             val slotIsOn = waveform and 1 == 1
             memory.writeByte(WAVEFORMS + port.ordinal, (waveform shr 1) or (if (slotIsOn) TOP_BIT else 0))
@@ -79,7 +80,7 @@ internal class Motors(private val memory: RcxMemory) {
     private fun shift(port: MotorPort): Int = when (port) {
         MotorPort.A -> 6
         MotorPort.B -> 2
-        MotorPort.C -> 0
+        else -> 0
     }
 
     companion object {

@@ -2,6 +2,7 @@ package robotran.rcxrom.routines
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCode
 import robotran.rcxrom.controls.Motors
@@ -24,7 +25,7 @@ internal class MotorRoutines(
 
     private fun control(arguments: List<Int>): RomEffect {
         val (code, modeCode, powerWord) = arguments
-        val port = MotorPort.entries.find { it.romCode == code } ?: return refused(messages.unknownCode(code))
+        val port = BrickKind.RCX.motorPorts.find { it.romCode == code } ?: return refused(messages.unknownCode(code))
         val mode = MotorMode.entries.find { it.code == modeCode }
         val power = powerWord % POWERS
         motors.control(port, mode, power)
@@ -33,8 +34,8 @@ internal class MotorRoutines(
 
     private fun controlInternally(arguments: List<Int>): RomEffect {
         val (code, pointer) = arguments
-        val port =
-            MotorPort.entries.getOrNull(code - RomCode.INTERNAL_MOTOR_A) ?: return refused(messages.unknownCode(code))
+        val port = BrickKind.RCX.motorPorts.getOrNull(code - RomCode.INTERNAL_MOTOR_A)
+            ?: return refused(messages.unknownCode(code))
         val power = memory.readByte(pointer)
         motors.control(port, modeBits = memory.readByte(pointer + 1), power % POWERS)
         return said(port, ignoredMode = null, power)

@@ -1,7 +1,7 @@
 package robotran.rcxrom.shell
 
 import robotran.brick.controls.MotorMode
-import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.ProgramFailure
 import robotran.rcxrom.call.RomAddress
 import robotran.rcxrom.call.RomCall
@@ -87,7 +87,7 @@ internal class Firmware(private val rom: Rom, private val speaker: Speaker) {
 
     /** Sets all motors to [mode] with power 0. */
     fun controlMotors(mode: MotorMode) =
-        MotorPort.entries.forEach { call(RomAddress.CONTROL_MOTOR, it.romCode, mode.code, 0) }
+        BrickKind.RCX.motorPorts.forEach { call(RomAddress.CONTROL_MOTOR, it.romCode, mode.code, 0) }
 
     /** Takes a received message; copies up to [longest] bytes to [FirmwareMemory.MESSAGE]. */
     fun receive(longest: Int) {

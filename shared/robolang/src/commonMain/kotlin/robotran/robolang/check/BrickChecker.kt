@@ -26,17 +26,19 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     private val settings = context.tree.robot?.settings.orEmpty()
 
     /** The one that the program is for. */
-    private val brick = context.tree.robot?.brick?.kind ?: robot
+    private val brick =
+        context.tree.robot?.brick?.kind?.takeIf { BrickDialect.of(it).keyword != BrickDialect.of(robot).keyword }
+            ?: robot
 
     fun check() {
         val named = context.tree.robot?.brick
-        if (named != null && named.kind != robot) {
+        if (named != null && BrickDialect.of(named.kind).keyword != BrickDialect.of(robot).keyword) {
             context.report(DiagnosticCode.WRONG_BRICK, named.range, messages.wrongBrick(named.kind, robot))
         }
         settings.forEach(::setting)
         allStatements(context.tree).forEach(::statement)
         allExpressions(context.tree).forEach(::expression)
-        if (brick.sensorsOnPort == 1) checkPorts()
+        if (brick.sensorsOnPort == 1 && !BrickDialect.of(brick).asksRobot) checkPorts()
     }
 
     private fun setting(setting: RobotSetting) {

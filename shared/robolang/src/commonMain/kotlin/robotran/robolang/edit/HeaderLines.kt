@@ -6,6 +6,7 @@ import robotran.languagesupport.CompletionKind
 import robotran.languagesupport.TextLines
 import robotran.robolang.words.LineForm
 import robotran.robolang.words.Vocabulary
+import robotran.robolang.words.KINDS as BY_KEYWORD
 
 /**
  * What the header of a program says.
@@ -38,7 +39,7 @@ internal fun settingsOn(brick: BrickKind): List<Completion> {
     return (settings + otherBricks).distinct().map { Completion(it, CompletionKind.WORD) }
 }
 
-private val KINDS = BrickKind.entries.associateBy { it.name.lowercase() }
+private val KINDS = BY_KEYWORD.mapKeys { it.key.text }
 
 private const val MAX_LINES = 500
 

@@ -65,7 +65,9 @@ private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: Di
             place.role == LineRole.CLOSES -> LinePhrase(LineForm.END)
             else -> phrases[line.number]
         }
-        val parts = phrase?.let { PhraseBuilder(line.tokens, offsets).line(it.form.choices, it.claims) }
+        val parts = phrase?.let {
+            PhraseBuilder(line.tokens, offsets, diagnostics.brick).line(it.form.choices, it.claims)
+        }
         OutlineLine(
             index,
             offsets.line(index),

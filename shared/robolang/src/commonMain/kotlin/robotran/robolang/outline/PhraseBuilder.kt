@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceSpan
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BuiltIn
@@ -7,6 +8,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
+import robotran.robolang.words.MOTORS
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
 
@@ -14,7 +16,11 @@ import robotran.robolang.words.ValueUse
 internal class Claim(val column: Int, val endColumn: Int, val part: (PhraseBuilder) -> PhrasePart)
 
 /** The parts of a line: what is claimed, and words and choices between. */
-internal class PhraseBuilder(private val tokens: List<Token>, private val offsets: LineOffsets) {
+internal class PhraseBuilder(
+    private val tokens: List<Token>,
+    private val offsets: LineOffsets,
+    private val brick: BrickKind,
+) {
     private var position = 0
 
     /** The parts of the whole line; null if it does not have all that is claimed, because of a mistake. */
@@ -47,8 +53,12 @@ internal class PhraseBuilder(private val tokens: List<Token>, private val offset
         val span = offsets.span(token.range)
         val spelling = token.keyword?.text ?: if (token.kind == TokenKind.WORD) token.text.uppercase() else token.text
         val options = choices.firstOrNull { spelling in it } ?: return PhrasePart.Word(span)
-        return PhrasePart.Choice(span, options)
+        return PhrasePart.Choice(span, if (options === MOTORS) motorsFor(spelling) else options)
     }
+
+    /** The letters of the motors that the brick has; all if it lacks this one. */
+    private fun motorsFor(letter: String): List<String> =
+        brick.motorPorts.map { it.name }.takeIf { letter in it } ?: MOTORS
 
     /** The next token as a part of its own. */
     fun single(part: (SourceSpan) -> PhrasePart): PhrasePart = part(offsets.span(tokens[position++].range))

@@ -2,6 +2,8 @@ package robotran.robolang.robot
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.hub.model.HubDeviceKind
+import robotran.hub.model.HubModel
 import kotlin.math.PI
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
@@ -69,8 +71,45 @@ sealed interface RobotTarget {
             const val FULL_TURN = 360
         }
     }
+
+    /**
+     * A robot with a hub that runs Pybricks.
+     *
+     * @property wheelDiameter in millimetres, of a wheel that turns as often as its motor.
+     * @property track the distance between the middles of the drive wheels, in millimetres.
+     * @property sensors what is on its ports for sensors, by their numbers from 1.
+     */
+    data class Hub(
+        val model: HubModel,
+        val wheelDiameter: Double,
+        val track: Double,
+        override val left: MotorPort,
+        override val right: MotorPort,
+        override val pen: MotorPort?,
+        override val isReversed: Boolean = false,
+        val sensors: Map<Int, HubDeviceKind> = emptyMap(),
+    ) : RobotTarget {
+        override val kind: BrickKind get() = model.kind
+
+        /** A wheel turns once a second at its usual speed. */
+        override val millisecondsPerCentimetre: Double get() = MILLISECONDS_PER_TURN_OF_CM / (PI * wheelDiameter)
+        override val millisecondsPerDegree: Double get() = PI * track / FULL_TURN_OF_CM * millisecondsPerCentimetre
+
+        /** Whether the motor turns the other way round when the robot drives ahead. */
+        fun isCounterclockwise(motor: MotorPort): Boolean = when (motor) {
+            left -> isReversed != model.mirrorsLeft
+            right -> isReversed
+            else -> false
+        }
+
+        private companion object {
+            /** A second, for lengths in millimetres. */
+            const val MILLISECONDS_PER_TURN_OF_CM = 10_000
+            const val FULL_TURN_OF_CM = 3600
+        }
+    }
 }
 
 /** The motor that drives no wheel: the pen's, if there is a pen. */
 internal val RobotTarget.thirdMotor: MotorPort
-    get() = pen ?: MotorPort.entries.first { it != left && it != right }
+    get() = pen ?: kind.motorPorts.first { it != left && it != right }

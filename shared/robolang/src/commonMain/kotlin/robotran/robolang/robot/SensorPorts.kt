@@ -76,7 +76,7 @@ internal class SensorPorts(tree: SyntaxTree, kind: BrickKind) {
         return used.firstOrNull { portOf(it) == port }
             ?: settingAt(port)
             ?: usual.firstOrNull { portOf(it) == port }
-            ?: usual[port - 1]
+            ?: usual.getOrElse(port - 1) { Sense.LeftBumper }
     }
 
     /** The sensors of an NXT that the program uses, in the order in which it names them first. */

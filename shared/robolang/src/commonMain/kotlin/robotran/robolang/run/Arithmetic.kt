@@ -5,17 +5,17 @@ import robotran.robolang.messages.RobolangRunMessages
 
 /** The arithmetic of one number type, on the 32 bits on the stack, with Java's semantics. */
 internal sealed interface Arithmetic {
-    fun plus(left: Int, right: Int): Int
+    fun plus(left: Int, right: Int, messages: RobolangRunMessages): Int
 
-    fun minus(left: Int, right: Int): Int
+    fun minus(left: Int, right: Int, messages: RobolangRunMessages): Int
 
-    fun times(left: Int, right: Int): Int
+    fun times(left: Int, right: Int, messages: RobolangRunMessages): Int
 
     fun divide(left: Int, right: Int, messages: RobolangRunMessages): Int
 
     fun modulo(left: Int, right: Int, messages: RobolangRunMessages): Int
 
-    fun negate(value: Int): Int
+    fun negate(value: Int, messages: RobolangRunMessages): Int
 
     fun isLess(left: Int, right: Int): Boolean
 
@@ -28,11 +28,11 @@ internal sealed interface Arithmetic {
 
     /** `int`: 32 bits with overflow; division truncates. */
     data object Whole : Arithmetic {
-        override fun plus(left: Int, right: Int) = left + right
+        override fun plus(left: Int, right: Int, messages: RobolangRunMessages) = left + right
 
-        override fun minus(left: Int, right: Int) = left - right
+        override fun minus(left: Int, right: Int, messages: RobolangRunMessages) = left - right
 
-        override fun times(left: Int, right: Int) = left * right
+        override fun times(left: Int, right: Int, messages: RobolangRunMessages) = left * right
 
         /** Division by -1 is a negation: the smallest number has no opposite, and some processors trap. */
         override fun divide(left: Int, right: Int, messages: RobolangRunMessages): Int = when (right) {
@@ -47,7 +47,7 @@ internal sealed interface Arithmetic {
             else -> left % right
         }
 
-        override fun negate(value: Int) = -value
+        override fun negate(value: Int, messages: RobolangRunMessages) = -value
 
         override fun isLess(left: Int, right: Int) = left < right
 
@@ -60,11 +60,11 @@ internal sealed interface Arithmetic {
 
     /** `float`: division by zero gives an infinite number, as on the brick. */
     data object Decimal : Arithmetic {
-        override fun plus(left: Int, right: Int) = bits(decimal(left) + decimal(right))
+        override fun plus(left: Int, right: Int, messages: RobolangRunMessages) = bits(decimal(left) + decimal(right))
 
-        override fun minus(left: Int, right: Int) = bits(decimal(left) - decimal(right))
+        override fun minus(left: Int, right: Int, messages: RobolangRunMessages) = bits(decimal(left) - decimal(right))
 
-        override fun times(left: Int, right: Int) = bits(decimal(left) * decimal(right))
+        override fun times(left: Int, right: Int, messages: RobolangRunMessages) = bits(decimal(left) * decimal(right))
 
         override fun divide(left: Int, right: Int, messages: RobolangRunMessages) = bits(decimal(left) / decimal(right))
 
@@ -75,7 +75,7 @@ internal sealed interface Arithmetic {
             return bits(dividend - divisor * (dividend / divisor).toInt())
         }
 
-        override fun negate(value: Int) = bits(-decimal(value))
+        override fun negate(value: Int, messages: RobolangRunMessages) = bits(-decimal(value))
 
         override fun isLess(left: Int, right: Int) = decimal(left) < decimal(right)
 
@@ -99,6 +99,10 @@ internal sealed interface Arithmetic {
     }
 
     companion object {
-        fun of(type: ValueType): Arithmetic = if (type == ValueType.DECIMAL) Decimal else Whole
+        /** @param isShort whether whole numbers have 31 bits and division by 0 is always a mistake. */
+        fun of(type: ValueType, isShort: Boolean): Arithmetic = when {
+            type == ValueType.DECIMAL -> if (isShort) HubDecimal else Decimal
+            else -> if (isShort) HubWhole else Whole
+        }
     }
 }

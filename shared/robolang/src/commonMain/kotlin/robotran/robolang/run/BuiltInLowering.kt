@@ -30,13 +30,13 @@ internal class BuiltInLowering(
     /** Functions whose result is decimal if an operand is. */
     private fun lowerOfBothTypes(builtIn: BuiltIn, call: Expression.Call) {
         val type = scope.typeOf(call)
-        val arithmetic = Arithmetic.of(type)
+        val arithmetic = scope.arithmeticOf(type)
         call.arguments.forEach { expressions.lower(it, type) }
         emitter.emit(
             when (builtIn) {
                 BuiltIn.ABS -> StackInstruction {
                     if (arithmetic.sign(it.peek()) < 0) {
-                        it.push(arithmetic.negate(it.pop()))
+                        it.push(arithmetic.negate(it.pop(), it.machine.messages))
                     }
                 }
 
@@ -56,6 +56,7 @@ internal class BuiltInLowering(
             BuiltIn.CEIL -> emitter.emit { it.push(ceilToWhole(it.popDecimal())) }
             else -> emitter.emit { it.push(roundToWhole(it.popDecimal())) }
         }
+        if (scope.hasShortNumbers) emitter.emit { it.push(short(it.pop().toLong(), it.machine.messages)) }
     }
 
     private fun lowerDecimal(builtIn: BuiltIn, call: Expression.Call) {

@@ -8,6 +8,7 @@ import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit
+import robotran.robolang.words.BrickDialect
 
 /** Lowers the commands to the robot, and waits. */
 internal class CommandLowering(
@@ -15,6 +16,8 @@ internal class CommandLowering(
     private val expressions: ExpressionLowering,
     private val kind: BrickKind,
 ) {
+    private val waitsForOutput = BrickDialect.of(kind).waitsForOutput
+
     fun lower(command: Command) {
         when (command) {
             is Command.Move -> lowerMove(command)
@@ -34,11 +37,11 @@ internal class CommandLowering(
 
             is Command.WaitUntil -> lowerWaitUntil(command)
             is Command.ResetTimer -> emitter.emit { it.machine.timer.reset() }
-            is Command.Beep -> robot { beep(it) }
-            is Command.Buzz -> robot { buzz(it) }
+            is Command.Beep -> lowerTone { beep(it) }
+            is Command.Buzz -> lowerTone { buzz(it) }
             is Command.Play -> lowerPlay(command)
             is Command.Show -> lowerShow(command)
-            is Command.ShowText -> robot { showText(command.text, it) }
+            is Command.ShowText -> lowerTone { showText(command.text, it) }
             is Command.ClearScreen -> robot { clearScreen(it) }
         }
     }
@@ -104,7 +107,7 @@ internal class CommandLowering(
     private fun lowerMotorTurn(statement: Command.MotorTurn) {
         val port = statement.port
         withNumber(statement.angle) { activity, angle ->
-            activity.machine.robot.turnMotor(port, angle, activity.currentLine)
+            activity.machine.robot.turnMotor(port, angle, statement.waits, activity.currentLine)
             if (statement.waits) activity.waitFor(0)
         }
         if (!statement.waits) return
@@ -182,6 +185,14 @@ internal class CommandLowering(
         emitter.jump(next)
         emitter.put(done)
         emitter.drop(2)
+    }
+
+    /** Does what some bricks wait for. */
+    private fun lowerTone(act: RobotDevice.(line: Int) -> Unit) {
+        robot(act)
+        if (!waitsForOutput) return
+        emitter.emit { it.waitFor(it.machine.robot.outputMilliseconds) }
+        robot { endTone(it) }
     }
 
     private fun robot(act: RobotDevice.(line: Int) -> Unit) = emitter.emit {

@@ -13,6 +13,8 @@ import robotran.robolang.syntax.UnaryOperator
 internal class ExpressionLowering(private val emitter: Emitter, private val scope: LoweringScope) {
     private val builtIns = BuiltInLowering(emitter, scope, this)
 
+    fun arithmeticOf(type: ValueType): Arithmetic = scope.arithmeticOf(type)
+
     /** Pushes the value as [wanted]: the expression's own type, or decimal for a whole number. */
     fun lower(expression: Expression, wanted: ValueType = scope.typeOf(expression)) {
         when (expression) {
@@ -95,10 +97,10 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
     }
 
     private fun lowerUnary(expression: Expression.Unary) {
-        val arithmetic = Arithmetic.of(scope.typeOf(expression))
+        val arithmetic = scope.arithmeticOf(scope.typeOf(expression))
         lower(expression.operand)
         when (expression.operator) {
-            UnaryOperator.MINUS -> emitter.emit { it.push(arithmetic.negate(it.pop())) }
+            UnaryOperator.MINUS -> emitter.emit { it.push(arithmetic.negate(it.pop(), it.machine.messages)) }
             UnaryOperator.NOT -> emitter.emit { it.pushTruth(it.pop() == 0) }
         }
     }
@@ -111,7 +113,7 @@ internal class ExpressionLowering(private val emitter: Emitter, private val scop
         val type = if (scope.typeOf(expression.right) == ValueType.DECIMAL) ValueType.DECIMAL else left
         lower(expression.left, type)
         lower(expression.right, type)
-        emitter.emit(operation(expression.operator, Arithmetic.of(type)))
+        emitter.emit(operation(expression.operator, scope.arithmeticOf(type)))
     }
 
     /** Evaluates the right operand only if the left one does not decide, as in Java. */

@@ -72,7 +72,7 @@ internal class LoopLowering(
 
     private fun lowerForRange(statement: Statement.ForRange, line: Int) {
         val type = expressions.typeOf(statement.variable)
-        val arithmetic = Arithmetic.of(type)
+        val arithmetic = expressions.arithmeticOf(type)
         val first = Label()
         val loop = OpenLoop()
         emitter.statement(line)
@@ -86,7 +86,7 @@ internal class LoopLowering(
         emitter.put(loop.round)
         emitter.statement(line)
         expressions.load(statement.variable)
-        emitter.emit { it.push(arithmetic.plus(it.pop(), it.peek())) }
+        emitter.emit { it.push(arithmetic.plus(it.pop(), it.peek(), it.machine.messages)) }
         expressions.store(statement.variable)
         emitter.put(first)
         expressions.load(statement.variable)

@@ -8,12 +8,16 @@ import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.NumberValue
+import robotran.robolang.words.BrickDialect
 
 /** The types and symbols that lowering needs. */
 internal class LoweringScope(private val program: CheckedProgram, val kind: BrickKind) {
     private val routines: List<RoutineCode> = program.tree.routines.map { RoutineCode(it, program.slotsOf(it)) }
 
     val ports = SensorPorts(program.tree, kind)
+
+    /** Whether whole numbers have 31 bits. */
+    val hasShortNumbers = BrickDialect.of(kind).hasShortNumbers
 
     /** Whether the wheels are stopped before the program ends. */
     val stopsAtEnd = stopsAtEnd(program.tree, kind)
@@ -34,6 +38,8 @@ internal class LoweringScope(private val program: CheckedProgram, val kind: Bric
         is Expression.Brackets -> typeOf(expression.inner)
         else -> program.typeOf(expression)
     }
+
+    fun arithmeticOf(type: ValueType): Arithmetic = Arithmetic.of(type, hasShortNumbers)
 
     private val parameterTypes: Map<RoutineCode, List<ValueType>> =
         routines.zip(program.tree.routines) { code, routine ->

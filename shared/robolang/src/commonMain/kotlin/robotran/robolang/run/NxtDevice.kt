@@ -97,7 +97,7 @@ internal class NxtDevice private constructor(
 
     override fun brake(motor: MotorPort, sourceLine: Int) = motors.stop(motor, sourceLine)
 
-    override fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int) {
+    override fun turnMotor(motor: MotorPort, angle: NumberValue, waits: Boolean, sourceLine: Int) {
         val degrees = if (angle is NumberValue.Whole) angle.value else roundToWhole(angle.decimal)
         motors.rotateTo(motor, motors.position(motor) + degrees, sourceLine)
     }

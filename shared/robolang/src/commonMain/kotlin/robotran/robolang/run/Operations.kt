@@ -20,9 +20,9 @@ internal fun operation(operator: BinaryOperator, arithmetic: Arithmetic): StackI
             arithmetic.isEqual(left, right)
     }
 
-    BinaryOperator.PLUS -> calculation { _, left, right -> arithmetic.plus(left, right) }
-    BinaryOperator.MINUS -> calculation { _, left, right -> arithmetic.minus(left, right) }
-    BinaryOperator.TIMES -> calculation { _, left, right -> arithmetic.times(left, right) }
+    BinaryOperator.PLUS -> calculation { machine, left, right -> arithmetic.plus(left, right, machine.messages) }
+    BinaryOperator.MINUS -> calculation { machine, left, right -> arithmetic.minus(left, right, machine.messages) }
+    BinaryOperator.TIMES -> calculation { machine, left, right -> arithmetic.times(left, right, machine.messages) }
     BinaryOperator.DIVIDE -> calculation { machine, left, right -> arithmetic.divide(left, right, machine.messages) }
     BinaryOperator.MOD -> calculation { machine, left, right -> arithmetic.modulo(left, right, machine.messages) }
     BinaryOperator.AND, BinaryOperator.OR -> error("These decide before both operands are known.")

@@ -154,7 +154,7 @@ internal class RcxDevice(private val rom: Rom, private val robot: RobotTarget.Rc
         control(motor, MotorMode.BRAKE, RobotConstants.BRAKING_POWER, sourceLine)
     }
 
-    override fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int) = notOnThisBrick()
+    override fun turnMotor(motor: MotorPort, angle: NumberValue, waits: Boolean, sourceLine: Int) = notOnThisBrick()
 
     override fun isTurning(motor: MotorPort): Boolean = notOnThisBrick()
 

@@ -62,13 +62,23 @@ internal interface RobotDevice : RobotSenses {
 
     fun brake(motor: MotorPort, sourceLine: Int)
 
-    /** Begins to turn a motor by so many degrees; only on an NXT, as the other members below. */
-    fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int)
+    /**
+     * Begins to turn a motor by so many degrees; only on a brick that counts, as the other members below.
+     *
+     * @param waits whether the program waits for it.
+     */
+    fun turnMotor(motor: MotorPort, angle: NumberValue, waits: Boolean, sourceLine: Int)
 
     fun isTurning(motor: MotorPort): Boolean
 
     /** Counts the degrees of a motor that stands from 0 again. */
     fun resetMotor(motor: MotorPort, sourceLine: Int)
+
+    /** How long the brick itself waits for the tone of `beep`, `buzz` or the letters of a text, in milliseconds. */
+    val outputMilliseconds: Int get() = 0
+
+    /** After a tone that the brick waits for. */
+    fun endTone(sourceLine: Int) = Unit
 
     fun beep(sourceLine: Int)
 

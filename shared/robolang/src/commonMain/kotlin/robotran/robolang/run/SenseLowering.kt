@@ -3,6 +3,7 @@ package robotran.robolang.run
 import robotran.brick.kind.BrickKind
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.Sense
+import robotran.robolang.words.BrickDialect
 
 /** Pushes a sensor's value. */
 internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind: BrickKind) {
@@ -11,7 +12,7 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
         Sense.RightBumper -> lowerBumper(ports.rightBumperPort, emitter)
         Sense.Light -> ports.lightPort.let { port -> emitter.emit { it.push(it.machine.robot.light(port)) } }
 
-        is Sense.Sensor -> if (kind.readsInUnits) {
+        is Sense.Sensor -> if (kind.readsInUnits && !readsWhatIsThere(sense, ports, kind)) {
             lowerAt(sense.port, ports.senseAt(sense.port), emitter)
         } else {
             emitter.emit { it.push(it.machine.robot.value(sense.port)) }
@@ -24,6 +25,10 @@ internal fun lowerSense(sense: Sense, emitter: Emitter, ports: SensorPorts, kind
         is Sense.Turned -> emitter.emit { it.push(it.machine.robot.turned(sense.port)) }
     }
 }
+
+/** Whether `sensor 4` is whatever the robot has there, not what the words of the program say. */
+private fun readsWhatIsThere(sense: Sense.Sensor, ports: SensorPorts, kind: BrickKind): Boolean =
+    BrickDialect.of(kind).asksRobot && ports.senseAt(sense.port) != Sense.Colour
 
 private fun lowerBumper(port: Int, emitter: Emitter) = emitter.emit { it.pushTruth(it.machine.robot.isPressed(port)) }
 

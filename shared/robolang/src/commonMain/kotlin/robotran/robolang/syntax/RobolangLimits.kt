@@ -11,9 +11,6 @@ object RobolangLimits {
     /** The max nesting of brackets, operators and calls, for the same reason. */
     const val NESTED_EXPRESSIONS = 100
 
-    /** The numbers of the inputs of the bricks, as printed on them; an RCX has no 4. */
-    val SENSOR_PORTS: IntRange = 1..4
-
     /** The power of a motor. */
     val POWERS: IntRange = 0..7
 

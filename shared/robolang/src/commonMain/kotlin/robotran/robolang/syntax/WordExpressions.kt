@@ -61,20 +61,22 @@ private fun button(reader: LineReader, diagnostics: DiagnosticSink): Sense? {
 /** Reads the letter of a motor. */
 internal fun readMotor(reader: LineReader, diagnostics: DiagnosticSink): MotorPort? {
     val letter = reader.next?.text?.uppercase()
-    val port = MotorPort.entries.firstOrNull { it.name == letter }
+    val port = diagnostics.brick.motorPorts.firstOrNull { it.name == letter }
     if (port == null) {
         val range = reader.next?.range ?: reader.gap
-        diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, range, diagnostics.messages.missingMotor())
+        val letters = diagnostics.brick.motorPorts.map { it.name }
+        val message = diagnostics.messages.missingMotor(letters.dropLast(1).joinToString(), letters.last())
+        diagnostics.report(reader, DiagnosticCode.MISSING_MOTOR, range, message)
     } else {
         reader.advance()
     }
     return port
 }
 
-/** Reads the number of an input, 1..4. The checker refuses those that the brick does not have. */
+/** Reads the number of an input, 1..4 or as many as the brick has. The checker refuses those that the brick does not have. */
 internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     val token = reader.take(TokenKind.NUMBER)
-    val port = token?.text?.toIntOrNull()?.takeIf { it in RobolangLimits.SENSOR_PORTS }
+    val port = token?.text?.toIntOrNull()?.takeIf { it in 1..maxOf(MOST_PRINTED, diagnostics.brick.inputPorts) }
     if (port == null) {
         val range = (token ?: reader.next)?.range ?: reader.gap
         diagnostics.report(
@@ -86,3 +88,6 @@ internal fun readPort(reader: LineReader, diagnostics: DiagnosticSink): Int? {
     }
     return port
 }
+
+/** The highest number beside an input of an RCX, an NXT or an EV3. */
+private const val MOST_PRINTED = 4

@@ -12,10 +12,13 @@ internal val PEN_POSITIONS = listOf(Keyword.DOWN, Keyword.UP)
 internal val TIME_UNITS = listOf(Keyword.SECONDS, Keyword.MILLISECONDS)
 internal val FACINGS = listOf(Keyword.DOWN, Keyword.FORWARD)
 
-/** The bricks by their words. */
-internal val KINDS: Map<Keyword, BrickKind> = BrickKind.entries.associateBy { BrickDialect.of(it).keyword }
+/** The bricks by their words; of several with one word the first. */
+internal val KINDS: Map<Keyword, BrickKind> =
+    BrickKind.entries.distinctBy { BrickDialect.of(it).keyword }.associateBy { BrickDialect.of(it).keyword }
 
-internal val MOTORS: List<String> = MotorPort.entries.map { it.name }
+/** The letters of the motors that any brick has. */
+internal val MOTORS: List<String> =
+    MotorPort.entries.filter { port -> BrickKind.entries.any { port in it.motorPorts } }.map { it.name }
 
 /** The numbers of the inputs of each brick. */
 internal val PORTS: Map<BrickKind, List<String>> =

@@ -6,6 +6,9 @@ import robotran.brick.kind.BrickKind
  * What the language means on a kind of brick, apart from the words that need a [BrickFeature].
  *
  * @property keyword what the header calls the brick.
+ * @property asksRobot whether `light` and other words read the sensor of that kind that the robot has, on whichever port.
+ * @property hasShortNumbers whether whole numbers have 31 bits, and larger ones and divisions by 0 end a program.
+ * @property waitsForOutput whether a program waits while a tone sounds or letters are shown.
  * @property rightBumperPort the port of the right bumper; that of the left one is 1.
  * @property lightPort the port of the light sensor, unless the header names another.
  * @property hasSeveralOfAKind whether the header can have sensors of the same kind on several ports.
@@ -29,6 +32,9 @@ internal class BrickDialect private constructor(
     val dividesByShort: Boolean,
     val rollsOn: Boolean,
     val waitsForSensors: Boolean,
+    val asksRobot: Boolean = false,
+    val hasShortNumbers: Boolean = false,
+    val waitsForOutput: Boolean = false,
 ) {
     fun shows(character: Char): Boolean = if (showsAscii) {
         character in ' '..'~'
@@ -64,9 +70,39 @@ internal class BrickDialect private constructor(
             waitsForSensors = true,
         )
 
+        private val SPIKE_PRIME = hub(Keyword.SPIKE, lightPort = 4)
+        private val SPIKE_ESSENTIAL = hub(Keyword.ESSENTIAL, lightPort = 2)
+        private val TECHNIC_HUB = hub(Keyword.TECHNIC, lightPort = 4)
+        private val EV3 = hub(Keyword.EV3, lightPort = 3)
+
+        /** Its programs are those of an NXT. */
+        private val NXT_PYBRICKS = hub(Keyword.NXT, lightPort = 3)
+
+        private fun hub(keyword: Keyword, lightPort: Int) = BrickDialect(
+            keyword,
+            rightBumperPort = 2,
+            lightPort,
+            hasSeveralOfAKind = true,
+            takesButtonsOfOthers = true,
+            textLength = 100,
+            showsAscii = true,
+            freesLists = true,
+            dividesByShort = false,
+            rollsOn = true,
+            waitsForSensors = false,
+            asksRobot = true,
+            hasShortNumbers = true,
+            waitsForOutput = true,
+        )
+
         fun of(brick: BrickKind): BrickDialect = when (brick) {
             BrickKind.RCX -> RCX
             BrickKind.NXT -> NXT
+            BrickKind.SPIKE_PRIME -> SPIKE_PRIME
+            BrickKind.SPIKE_ESSENTIAL -> SPIKE_ESSENTIAL
+            BrickKind.TECHNIC_HUB -> TECHNIC_HUB
+            BrickKind.EV3 -> EV3
+            BrickKind.NXT_PYBRICKS -> NXT_PYBRICKS
         }
     }
 }

@@ -1,7 +1,6 @@
 package robotran.robolang.nqc
 
 import robotran.brick.controls.BrickButton
-import robotran.brick.controls.MotorPort
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.nqc.NqcResult
@@ -50,7 +49,7 @@ class SameDrivingTest {
         for (millisecond in 0 until LONGEST) {
             brick.tick()
             if (millisecond > START && brick.state.run !is RunState.Running) break
-            val motors = MotorPort.entries.joinToString(" ") { brick.motor(it).mode.name }
+            val motors = brick.kind.motorPorts.joinToString(" ") { brick.motor(it).mode.name }
             val last = phases.lastOrNull()
             if (last?.first == motors) {
                 phases[phases.lastIndex] = motors to last.second + 1

@@ -13,7 +13,11 @@ internal fun brickBody(
     halfLength: Double,
 ): Body = when (kind) {
     BrickKind.RCX -> rcxBody(build, palette, round, halfWidth, halfLength)
-    BrickKind.NXT -> nxtBody(build, palette, round, halfWidth, halfLength)
+    BrickKind.NXT, BrickKind.NXT_PYBRICKS -> nxtBody(build, palette, round, halfWidth, halfLength)
+
+    BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3 -> {
+        hubBody(kind, build, palette, round, halfWidth, halfLength)
+    }
 }
 
 /** An RCX with its display and buttons, without the details of the penbot's. */
@@ -79,4 +83,40 @@ private fun nxtBody(
     )
 }
 
+/** A hub around the origin: a light face in a frame of the robot's colour, with its display, if any, and its button. */
+private fun hubBody(
+    kind: BrickKind,
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body {
+    val top = RobotPlan3D.BRICK_TOP
+    val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+    val face = Round.plate(
+        HUB_FRAME - halfWidth,
+        HUB_FRAME - halfLength,
+        halfWidth - HUB_FRAME,
+        halfLength - HUB_FRAME,
+        top,
+        palette.nxtFace,
+    )
+    val glass = Round.plate(
+        -halfWidth * HUB_SHARE,
+        -halfLength * HUB_RISE,
+        halfWidth * HUB_SHARE,
+        halfLength * HUB_SHARE,
+        top,
+        palette.glass,
+    )
+    val button = round.disc(0.0, -halfLength * HUB_SHARE, top, HUB_BUTTON, palette.bumper)
+    val decals = listOfNotNull(face, glass.takeIf { kind.displayRows > 0 }, button)
+    return prism(outline, RobotPlan3D.CHASSIS_TOP, top, palette.brick(build.colour), topDecals = decals)
+}
+
+private const val HUB_FRAME = 0.35
+private const val HUB_SHARE = 0.6
+private const val HUB_RISE = 0.2
+private const val HUB_BUTTON = 0.6
 private const val NXT_HALF_LENGTH = 5.1

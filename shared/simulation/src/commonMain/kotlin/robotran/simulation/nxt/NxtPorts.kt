@@ -1,6 +1,5 @@
 package robotran.simulation.nxt
 
-import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.nxt.NxtBrick
 import robotran.nxt.hardware.SensorPower
@@ -51,6 +50,8 @@ internal class NxtPorts(
 ) : BrickPorts {
     private val machine: SimulatedRobot = scene.machines[number]
     private val pressed = BooleanArray(robot.brick.inputPorts)
+    private val commands = brick::motor
+    private val motors = robot.brick.motorPorts.toTypedArray()
     private var millivolts = 0
     private var lights = emptyList<NxtLightSensorModel>()
     private var sonars = emptyList<SonarBeam>()
@@ -81,18 +82,16 @@ internal class NxtPorts(
     }
 
     override fun sense(tick: Long) {
-        for (port in MOTORS) brick.setHubDegrees(port, floor(machine.motorDegrees(port) + HALF).toInt())
+        for (port in motors) brick.setHubDegrees(port, floor(machine.motorDegrees(port) + HALF).toInt())
         if (tick % SAMPLE_MILLISECONDS != 0L) return
         for (port in sensors.indices) sensors[port]?.measure()
         if (realism > 0) measureBattery()
     }
 
     override fun moveMotors(tick: Long) = machine.tick(
-        brick.motor(MotorPort.A),
-        brick.motor(MotorPort.B),
-        brick.motor(MotorPort.C),
         tick,
         brick.isRegulated(robot.drive.left) && brick.isRegulated(robot.drive.right),
+        commands,
     )
 
     private fun measureBattery() {
@@ -190,7 +189,6 @@ internal class NxtPorts(
     private fun touchRaw(isPressed: Boolean) = if (isPressed) PRESSED else OPEN
 
     private companion object {
-        val MOTORS = MotorPort.entries.toTypedArray()
         const val HALF = 0.5
         const val DEGREES = 360
 

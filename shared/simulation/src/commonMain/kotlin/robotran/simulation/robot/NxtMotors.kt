@@ -1,6 +1,5 @@
 package robotran.simulation.robot
 
-import robotran.brick.controls.MotorPort
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
 import robotran.simulation.noise.WheelNoise
@@ -17,15 +16,17 @@ internal class NxtMotors(
     private val streams: NoiseStreams,
     private val realism: Double,
 ) {
-    private val hasTurret = robot.parts.any { it is SensorPart && it.turret != null }
+    private val turrets = robot.parts.mapNotNull { (it as? SensorPart)?.turret }
+    private val hasTurret = turrets.isNotEmpty()
     private val degreesOfCentimetre =
         robot.drive.gear * FULL_TURN / parameters.wheelCircumference * (if (robot.drive.reversed) -1 else 1)
 
     val left = NxtMotor(parameters)
     val right = NxtMotor(parameters)
 
-    /** The port of [third]. */
-    val thirdPort = MotorPort.entries.first { it != robot.drive.left && it != robot.drive.right }
+    /** The port of [third]; null if the brick has no port for one. */
+    val thirdPort = (listOfNotNull(robot.pen?.motor) + turrets + robot.brick.motorPorts)
+        .firstOrNull { it != robot.drive.left && it != robot.drive.right }
 
     /** The motor that drives no wheel. */
     val third = thirdMotor()

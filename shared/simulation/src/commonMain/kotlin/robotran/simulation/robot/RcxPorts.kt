@@ -1,6 +1,5 @@
 package robotran.simulation.robot
 
-import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.rcxrom.RcxBrick
 import robotran.rcxrom.memory.MemorySnapshot
@@ -51,6 +50,7 @@ internal class RcxPorts(
 
     /** The ports whose touch sensor the user presses. */
     private val pressed = BooleanArray(SensorCode.PORTS)
+    private val commands = brick::motor
     private var millivolts = 0
 
     override val firmwareState: RcxFirmwareState? get() = brick.firmwareState
@@ -71,8 +71,7 @@ internal class RcxPorts(
         }
     }
 
-    override fun moveMotors(tick: Long) =
-        machine.tick(brick.motor(MotorPort.A), brick.motor(MotorPort.B), brick.motor(MotorPort.C), tick)
+    override fun moveMotors(tick: Long) = machine.tick(tick, command = commands)
 
     private fun measure() {
         for (port in sensors.indices) {

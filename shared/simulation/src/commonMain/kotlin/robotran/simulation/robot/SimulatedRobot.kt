@@ -83,7 +83,7 @@ internal class SimulatedRobot(
             touched = kindsOf(touchedKinds),
             penDepth = if (nxt == null) pen?.depth ?: 0.0 else nxt.penDepth,
             pressed = pressed,
-            motorDegrees = if (nxt == null) emptyList() else MotorPort.entries.map(::motorDegrees),
+            motorDegrees = if (nxt == null) emptyList() else robot.brick.motorPorts.map(::motorDegrees),
             turret = turret,
         )
 
@@ -95,20 +95,21 @@ internal class SimulatedRobot(
         nxt == null -> 0.0
         port == robot.drive.left -> nxt.degreesOf(leftWheel.motorTravel)
         port == robot.drive.right -> nxt.degreesOf(rightWheel.motorTravel)
-        else -> nxt.third.degrees
+        port == nxt.thirdPort -> nxt.third.degrees
+        else -> 0.0
     }
 
     /**
-     * Advances by the millisecond number [tick] with the commands of the motors A, B and C.
+     * Advances by the millisecond number [tick] with the commands of the motors, which [command] tells.
      *
      * @param isRegulated whether something makes up for a strong or weak motor of the wheels.
      */
-    fun tick(a: MotorState, b: MotorState, c: MotorState, tick: Long, isRegulated: Boolean = false) {
-        if (leftNoise.isOn) battery.tick(nxt?.currents ?: (driven(a) + driven(b) + driven(c)))
-        leftWheel.tick(left.of(command(robot.drive.left, a, b, c)), battery.share, tick, isRegulated)
-        rightWheel.tick(right.of(command(robot.drive.right, a, b, c)), battery.share, tick, isRegulated)
-        pen?.tick(command(checkNotNull(robot.pen).motor, a, b, c))
-        nxt?.third?.tick(command(nxt.thirdPort, a, b, c), battery.share, tick)
+    fun tick(tick: Long, isRegulated: Boolean = false, command: (MotorPort) -> MotorState) {
+        if (leftNoise.isOn) battery.tick(nxt?.currents ?: robot.brick.motorPorts.sumOf { driven(command(it)) })
+        leftWheel.tick(left.of(command(robot.drive.left)), battery.share, tick, isRegulated)
+        rightWheel.tick(right.of(command(robot.drive.right)), battery.share, tick, isRegulated)
+        pen?.tick(command(checkNotNull(robot.pen).motor))
+        nxt?.thirdPort?.let { nxt.third.tick(command(it), battery.share, tick) }
         touch(tick)
     }
 
@@ -162,12 +163,6 @@ internal class SimulatedRobot(
             bumps++
             bumpedAt = tick
         }
-    }
-
-    private fun command(port: MotorPort, a: MotorState, b: MotorState, c: MotorState) = when (port) {
-        MotorPort.A -> a
-        MotorPort.B -> b
-        MotorPort.C -> c
     }
 
     private fun isPressed(side: BumperSide) =

@@ -52,7 +52,7 @@ internal class NxjBrickRun(
         while (brick.state.milliseconds < longest && endedAt < 0) {
             val time = brick.state.milliseconds
             inputs.filter { it.milliseconds == time }.forEach(::happen)
-            MotorPort.entries.forEach(::turn)
+            brick.kind.motorPorts.forEach(::turn)
             brick.tick()
             val state = brick.state
             val run = state.run

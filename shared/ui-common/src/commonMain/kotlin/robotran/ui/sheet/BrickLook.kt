@@ -25,7 +25,11 @@ interface BrickLook {
     companion object {
         fun of(brick: BrickKind): BrickLook = when (brick) {
             BrickKind.RCX -> RcxLook
-            BrickKind.NXT -> NxtLook
+            BrickKind.NXT, BrickKind.NXT_PYBRICKS -> NxtLook
+            BrickKind.SPIKE_PRIME -> PrimeLook
+            BrickKind.SPIKE_ESSENTIAL -> EssentialLook
+            BrickKind.TECHNIC_HUB -> TechnicLook
+            BrickKind.EV3 -> Ev3Look
         }
     }
 }
@@ -102,6 +106,82 @@ internal object NxtLook : BrickLook {
         Rect(it - 0.5f, y - 0.1f, it + 0.5f, y + 0.6f)
     }
 }
+
+/**
+ * A hub from above: a light case in a frame of the robot's colour, its lights or screen, its button, and its ports at the
+ * sides.
+ *
+ * @param ports how many ports each side has.
+ */
+private open class HubLook(halfWidth: Float, halfLength: Float, private val ports: Int) : BrickLook {
+    override val body = Rect(-halfWidth, -halfLength, halfWidth, halfLength)
+    override val display = Rect(-halfWidth * SHARE, -halfLength * SHARE, halfWidth * SHARE, halfLength * RISE)
+    private val face = body.deflate(FRAME)
+    private val button = Offset(0f, halfLength * SHARE)
+
+    override fun DrawTarget.drawBrick(top: BrickTop, colour: RobotColour) {
+        box(top.box, RobotColours.brick(colour), 0.6f, RobotColours.edge(colour))
+        box(top.rect(face), RobotColours.NXT_FACE, 0.5f, RobotColours.edge(colour))
+        drawDisplay(top)
+        disc(top.point(button), BUTTON, RobotColours.BUMPER)
+        for (place in portsOf()) box(top.rect(place), RobotColours.CHASSIS, 0.1f)
+    }
+
+    protected open fun DrawTarget.drawDisplay(top: BrickTop) = box(top.display, RobotColours.GLASS, 0.15f)
+
+    private fun portsOf(): List<Rect> = List(ports) { number ->
+        val y = body.top + body.height * (number + 1) / (ports + 1)
+        listOf(
+            Rect(body.left, y - PORT, body.left + PORT, y + PORT),
+            Rect(
+                body.right - PORT,
+                y - PORT,
+                body.right,
+                y + PORT,
+            ),
+        )
+    }.flatten()
+
+    override fun motors(robot: RobotDescription, chassis: Rect, side: Float): List<MotorTop> =
+        with(NxtLook) { motors(robot, chassis, side) }
+
+    private companion object {
+        const val SHARE = 0.6f
+        const val RISE = 0.2f
+        const val FRAME = 0.35f
+        const val BUTTON = 0.6f
+        const val PORT = 0.45f
+    }
+}
+
+/** 5.6 by 8.8 cm, with 5 by 5 lights. */
+private object PrimeLook : HubLook(halfWidth = 3.1f, halfLength = 4.3f, ports = 3) {
+    private const val LIGHTS = 5
+
+    override fun DrawTarget.drawDisplay(top: BrickTop) {
+        box(top.display, RobotColours.BUMPER_EDGE, 0.15f)
+        val (width, height) = display.width / LIGHTS to display.height / LIGHTS
+        for (row in 0..<LIGHTS) {
+            for (column in 0..<LIGHTS) {
+                val middle = Offset(display.left + (column + 0.5f) * width, display.top + (row + 0.5f) * height)
+                disc(top.point(middle), width * 0.3f, RobotColours.NXT_FACE)
+            }
+        }
+    }
+}
+
+/** 4 by 5.6 cm, without a display. */
+private object EssentialLook : HubLook(halfWidth = 2f, halfLength = 2.8f, ports = 1) {
+    override fun DrawTarget.drawDisplay(top: BrickTop) = Unit
+}
+
+/** 4.8 by 7.2 cm, without a display. */
+private object TechnicLook : HubLook(halfWidth = 3.1f, halfLength = 3.6f, ports = 2) {
+    override fun DrawTarget.drawDisplay(top: BrickTop) = Unit
+}
+
+/** 7.2 by 11.2 cm, with a screen. */
+private object Ev3Look : HubLook(halfWidth = 3.4f, halfLength = 5.2f, ports = 4)
 
 /** What stays free at the edge of the chassis. */
 private const val EDGE = 0.4f

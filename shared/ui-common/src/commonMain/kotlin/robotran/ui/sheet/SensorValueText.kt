@@ -3,6 +3,7 @@ package robotran.ui.sheet
 import robotran.brick.sensors.MeasuringUnit
 import robotran.brick.sensors.SensorKind
 import robotran.brick.state.InputReading
+import robotran.hub.state.HubInput
 import robotran.nxt.hardware.SensorPortState
 import robotran.nxt.hardware.SensorType
 import robotran.nxt.hardware.SonarDevice
@@ -13,6 +14,7 @@ import robotran.nxt.hardware.SonarDevice
  * no sensor is there.
  */
 fun valueText(input: InputReading, kind: SensorKind?): String? = when {
+    input is HubInput -> kind?.let { plugged -> input.measured(plugged)?.let { textOf(it, MeasuringUnit.of(plugged)) } }
     input !is SensorPortState -> "${input.value}"
     kind == null -> "${input.value}".takeUnless { input.type == SensorType.NO_SENSOR }
     else -> input.measured(kind)?.let { textOf(it, MeasuringUnit.of(kind)) }

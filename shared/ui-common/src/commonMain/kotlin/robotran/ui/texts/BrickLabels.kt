@@ -47,9 +47,27 @@ class BrickLabels private constructor(
             forgivingJava = CommonTexts::javaForgivingHelpNxt,
         )
 
+        private val HUBS = BrickKind.entries.associateWith(::ofHub)
+
+        /** What is said about any hub with Pybricks; [brick] has its name. */
+        private fun ofHub(brick: BrickKind) = BrickLabels(
+            newProject = { HubTexts.newProject(it, brick.label) },
+            programIsFor = { HubTexts.programIsFor(it, brick.label) },
+            use = { HubTexts.use(it, brick.label) },
+            send = CommonTexts::sendToRobot,
+            off = CommonTexts::brickOff,
+            log = NxtTexts::runTabCalls,
+            noCalls = NxtTexts::runLogEmptyCalls,
+            forgivingJava = CommonTexts::javaForgivingHelp,
+        )
+
         fun of(brick: BrickKind): BrickLabels = when (brick) {
             BrickKind.RCX -> RCX
             BrickKind.NXT -> NXT
+
+            BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
+            BrickKind.NXT_PYBRICKS,
+            -> HUBS.getValue(brick)
         }
     }
 }

@@ -23,6 +23,7 @@ import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
+import robotran.hub.model.HubModel
 import robotran.ui.brick.front.BrickFace
 import robotran.ui.brick.front.FrontButton
 import robotran.ui.brick.front.FrontPart
@@ -30,6 +31,7 @@ import robotran.ui.brick.front.FrontPlan
 import robotran.ui.brick.front.FrontPort
 import robotran.ui.brick.front.Signal
 import robotran.ui.brick.front.drawFront
+import robotran.ui.brick.hub.HubFace
 import robotran.ui.brick.nxt.NxtFace
 import robotran.ui.brick.rcx.RcxFace
 import robotran.ui.run.tags.RunTags
@@ -43,7 +45,12 @@ internal val BrickKind.face: BrickFace
     get() = when (this) {
         BrickKind.RCX -> RcxFace
         BrickKind.NXT -> NxtFace
+
+        BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
+        -> HUB_FACES.getValue(this)
     }
+
+private val HUB_FACES = HubModel.entries.associate { it.kind to HubFace(it) }
 
 /**
  * The front of a brick, with buttons that support multi-touch.

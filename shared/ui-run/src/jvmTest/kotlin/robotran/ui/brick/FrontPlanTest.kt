@@ -43,7 +43,12 @@ class FrontPlanTest {
                     "${button.button}",
                 )
             }
-            assertEquals((0..<kind.inputPorts).toList(), parts.filterIsInstance<FrontPart.Input>().map { it.index })
+            assertEquals(
+                (0..<kind.inputPorts).toList(),
+                parts.filterIsInstance<FrontPart.Input>().map {
+                    it.index
+                }.sorted(),
+            )
             val outputs = parts.filterIsInstance<FrontPart.Output>().map { it.index }
             assertEquals(outputs.indices.toList(), outputs)
             assertEquals(1, parts.count { it is FrontPart.Display })

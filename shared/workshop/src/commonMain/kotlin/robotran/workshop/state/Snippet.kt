@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import robotran.brick.program.BrickProgram
+import robotran.hub.program.HubProgram
 import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
 
@@ -21,6 +22,7 @@ interface Snippet : BrickProgram {
 internal fun asSnippet(program: BrickProgram, robot: String, slot: Int, source: String): Snippet = when (program) {
     is RcxProgram -> RcxSnippet(program, robot, slot, source)
     is NxtProgram -> NxtSnippet(program, robot, slot, source)
+    is HubProgram -> HubSnippet(program, robot, slot, source)
     else -> error("There is no brick for ${program.name}.")
 }
 
@@ -39,3 +41,11 @@ private class NxtSnippet(
     override val source: String,
 ) : Snippet,
     NxtProgram by program
+
+private class HubSnippet(
+    program: HubProgram,
+    override val robot: String,
+    override val slot: Int,
+    override val source: String,
+) : Snippet,
+    HubProgram by program

@@ -29,7 +29,8 @@ internal fun arbitraryRobots(brick: BrickKind? = null): Arb<RobotDescription> =
 /** Most figures are sensible and some are not, so that about half of the robots can be built. */
 private class ArbitraryRobot(private val random: Random, private val wanted: BrickKind?) {
     fun robot(): RobotDescription {
-        val brick = wanted ?: BrickKind.entries.random(random)
+        // On a port with a letter sensors and motors would get in each other's way.
+        val brick = wanted ?: BrickKind.entries.filterNot { it.hasLetteredInputs }.random(random)
         val base = if (random.nextBoolean()) {
             ReadyRobots.all.values.filter { it.brick == brick }.random(random)
         } else {
@@ -37,7 +38,7 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         }
         val like = base ?: ReadyRobots.defaultOf(brick)
         val front = number(3.0, 15.0)
-        val motors = MotorPort.entries.shuffled(random)
+        val motors = brick.motorPorts.shuffled(random)
         return RobotDescription(
             title = "Robot ${random.nextInt(100)}",
             brick = brick,
@@ -129,7 +130,7 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
             else -> Facing.Ahead(number(-90.0, 90.0))
         }
         val at = Point(front + number(-1.0, 3.0), number(-5.0, 5.0))
-        val turret = if (random.nextInt(8) == 0) MotorPort.entries.random(random) else null
+        val turret = if (random.nextInt(8) == 0) BrickKind.default.motorPorts.random(random) else null
         return SensorPart(port, kind, at, number(0.5, if (facing is Facing.Ahead) 10.0 else 3.5), facing, turret)
     }
 

@@ -29,7 +29,7 @@ internal fun ObjectBuilder.describe(robot: RobotDescription) {
     val like = base ?: ReadyRobots.defaultOf(robot.brick)
     text("title", robot.title)
     text("like", base?.base)
-    text("brick", wordFor(robot.brick), default = wordFor(base?.brick ?: ReadyRobots.RCX_PENBOT.brick))
+    text("brick", brickWord(robot.brick), default = brickWord(base?.brick ?: ReadyRobots.RCX_PENBOT.brick))
     val chassis = robot.chassis
     if (chassis.outline != like.chassis.outline) put("outline", points(chassis.outline))
     number("height", chassis.height, default = like.chassis.height)

@@ -32,8 +32,13 @@ internal enum class PartKind(val sensor: SensorKind?) {
 
 internal val PART_KINDS: Map<String, PartKind> = PartKind.entries.associateBy { wordFor(it) }
 internal val SIDES: Map<String, BumperSide> = BumperSide.entries.associateBy { wordFor(it) }
-internal val BRICKS: Map<String, BrickKind> = BrickKind.entries.associateBy { wordFor(it) }
+internal val BRICKS: Map<String, BrickKind> = BrickKind.entries.associateBy { brickWord(it) }
+
+/** What files call a brick, such as `spike-prime`. */
+internal fun brickWord(brick: BrickKind): String = wordFor(brick).replace(' ', '-')
+
 internal val DIRECTIONS: Map<String, Facing> = mapOf("down" to Facing.Down, "free" to Facing.Free)
 
-/** In capital letters, as on the brick. */
-internal val MOTORS: Map<String, MotorPort> = MotorPort.entries.associateBy { it.name }
+/** Those that any brick has, in capital letters, as on the brick. */
+internal val MOTORS: Map<String, MotorPort> =
+    MotorPort.entries.filter { port -> BrickKind.entries.any { port in it.motorPorts } }.associateBy { it.name }

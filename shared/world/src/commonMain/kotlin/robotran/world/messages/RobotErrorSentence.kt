@@ -15,6 +15,7 @@ fun RobotError.sentence(language: Language): String = with(RobotMessages.of(lang
 
         is RobotError.PortTaken -> portTaken(error.port)
         is RobotError.NoSuchPort -> noSuchPort(error.brick, error.port)
+        is RobotError.NoSuchMotor -> noSuchMotor(error.brick, error.motor)
         is RobotError.UnreadableSensor -> unreadable(error.brick, error.kind)
         is RobotError.OneDriveMotor -> oneDriveMotor(error.motor)
         is RobotError.PenMotorTaken -> penMotorTaken(error.motor)

@@ -40,9 +40,28 @@ class BrickBuild internal constructor(
             NxtMotor,
         )
 
+        /** 5.6 by 8.8 cm, with the plugs at its sides. */
+        private val SPIKE = hub(seatWidth = 6.2, seatLength = 8.6)
+
+        /** 4 by 5.6 cm. */
+        private val ESSENTIAL = hub(seatWidth = 4.0, seatLength = 5.6)
+
+        /** 4.8 by 7.2 cm, with the plugs at its sides. */
+        private val TECHNIC = hub(seatWidth = 6.2, seatLength = 7.2)
+
+        /** 7.2 by 11.2 cm. */
+        private val EV3 = hub(seatWidth = 6.8, seatLength = 10.4)
+
+        private fun hub(seatWidth: Double, seatLength: Double) =
+            BrickBuild(seatWidth, seatLength, rightBumperPort = 2, hasShortForm = false, NxtMotor)
+
         fun of(brick: BrickKind): BrickBuild = when (brick) {
             BrickKind.RCX -> RCX
-            BrickKind.NXT -> NXT
+            BrickKind.NXT, BrickKind.NXT_PYBRICKS -> NXT
+            BrickKind.SPIKE_PRIME -> SPIKE
+            BrickKind.SPIKE_ESSENTIAL -> ESSENTIAL
+            BrickKind.TECHNIC_HUB -> TECHNIC
+            BrickKind.EV3 -> EV3
         }
     }
 }

@@ -25,6 +25,9 @@ sealed interface RobotError {
 
     data class NoSuchPort(override val part: Int, val brick: BrickKind, val port: Int) : OfPart
 
+    /** The brick has no port for that motor, or a sensor is there. */
+    data class NoSuchMotor(override val piece: RobotPiece, val brick: BrickKind, val motor: MotorPort) : RobotError
+
     /** A brick of this kind cannot read the sensor. */
     data class UnreadableSensor(override val part: Int, val brick: BrickKind, val kind: SensorKind) : OfPart
 

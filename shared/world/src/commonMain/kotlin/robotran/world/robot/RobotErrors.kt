@@ -1,5 +1,6 @@
 package robotran.world.robot
 
+import robotran.brick.controls.MotorPort
 import robotran.world.BumperPart
 import robotran.world.RobotDescription
 import robotran.world.RobotLimits
@@ -92,12 +93,23 @@ private fun shapes(robot: RobotDescription): Int {
 private fun driveErrors(robot: RobotDescription): List<RobotError> {
     val drive = robot.drive
     val speed = RobotParameters.of(robot).topSpeed
-    return listOfNotNull(
+    return motorErrors(robot) + listOfNotNull(
         RobotError.OneDriveMotor(drive.left).takeIf { drive.left == drive.right },
         robot.pen?.motor?.takeIf { it == drive.left || it == drive.right }?.let { RobotError.PenMotorTaken(it) },
         RobotError.WheelsTooClose.takeIf { drive.track <= drive.wheelWidth },
         RobotError.TooFast.takeIf { speed > RobotLimits.FASTEST },
     )
+}
+
+/** Motors for which the brick has no port, or whose port with a letter has a sensor. */
+private fun motorErrors(robot: RobotDescription): List<RobotError> {
+    val brick = robot.brick
+    val sensors = if (brick.hasLetteredInputs) robot.parts.mapNotNull { it.port } else emptyList()
+
+    fun isFree(motor: MotorPort) = motor in brick.motorPorts && motor.ordinal + 1 !in sensors
+    val wheels = listOf(robot.drive.left, robot.drive.right).map { RobotPiece.WHEELS to it }
+    val pens = listOfNotNull(robot.pen?.motor).map { RobotPiece.PEN to it }
+    return (wheels + pens).filterNot { isFree(it.second) }.map { RobotError.NoSuchMotor(it.first, brick, it.second) }
 }
 
 private fun balanceErrors(robot: RobotDescription): List<RobotError> {

@@ -61,6 +61,12 @@ class RobotParametersTest {
             "line-follower" to (17.99 to 251.49),
             "sumo" to (49.96 to 457.80),
             "both-sides" to (29.06 to 316.94),
+            "spike-penbot" to (20.74 to 267.13),
+            "spike-scout" to (20.74 to 267.13),
+            "essential-rover" to (7.99 to 154.51),
+            "technic-penbot" to (20.74 to 267.13),
+            "ev3-penbot" to (30.13 to 316.94),
+            "nxt-pybricks-penbot" to (27.12 to 295.80),
         )
         assertEquals(expected.keys, ReadyRobots.all.keys)
         for ((name, pair) in expected) {
@@ -109,6 +115,6 @@ class RobotParametersTest {
     @Test
     fun `every ready robot can be built`() {
         for ((name, robot) in ReadyRobots.all) assertEquals(emptyList(), robotErrors(robot), name)
-        assertTrue(ReadyRobots.all.size == 5)
+        assertTrue(ReadyRobots.all.size == 11)
     }
 }

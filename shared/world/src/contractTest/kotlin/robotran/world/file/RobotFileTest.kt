@@ -136,7 +136,7 @@ class RobotFileTest {
         assertEquals("Line 9: mass must be from 0.1 to 5.", robotRefusal("\"mass\": 1.1", "\"mass\": 9"))
         assertEquals(
             "Line 5: like: There is no ready robot called \"judo\", only \"rcx-penbot\", \"nxt-penbot\", " +
-                "\"line-follower\", \"sumo\" and \"both-sides\".",
+                "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", \"essential-rover\", \"technic-penbot\", \"ev3-penbot\" and \"nxt-pybricks-penbot\".",
             robotRefusal("\"sumo\"", "\"judo\""),
         )
         val german = assertIs<RobotFileResult.Failure>(

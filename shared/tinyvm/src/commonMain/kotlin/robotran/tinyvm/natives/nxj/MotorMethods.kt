@@ -1,13 +1,14 @@
 package robotran.tinyvm.natives.nxj
 
-import robotran.brick.controls.MotorPort
+import robotran.brick.kind.BrickKind
+import robotran.brick.kind.JavaPlatform
 import robotran.nxt.program.NxtNative
 import robotran.nxt.regulator.MotorRegulator
 import robotran.tinyvm.run.NativeMethod
 import robotran.tinyvm.run.wordOf
 
 private const val PORT = "lejos/nxt/MotorPort"
-private val MOTORS = MotorPort.entries.indices
+private val MOTORS = BrickKind.with(JavaPlatform.NXJ).motorPorts.indices
 private const val REGULATION = "lejos/nxt/MotorRegulation"
 
 /** `lejos.nxt.MotorPort`, and what regulates motors for `NXTRegulatedMotor`. */

@@ -6,7 +6,6 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
-import robotran.brick.controls.MotorPort
 import robotran.ui.brick.front.ButtonFinish
 import robotran.ui.brick.front.ButtonShape
 import robotran.ui.brick.front.FrontPart
@@ -129,9 +128,9 @@ internal object NxtPlan {
     ) = FrontPart.Button(button, place, name, colours.first, colours.second, button.name, shape = shape)
 
     /** Plugs of the motors A to C on top, with an end of their cables. */
-    private fun motors(): List<FrontPart> = MotorPort.entries.map {
-        val left = 7.5f + it.ordinal * 85.5f
-        FrontPart.Output(Rect(left, 0f, left + 78f, 63f), motor, it.ordinal)
+    private fun motors(): List<FrontPart> = List(3) {
+        val left = 7.5f + it * 85.5f
+        FrontPart.Output(Rect(left, 0f, left + 78f, 63f), motor, it)
     }
 
     /** The same of the sensors 1 to 4 at the bottom. */

@@ -6,7 +6,6 @@ import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
-import robotran.brick.controls.MotorPort
 import robotran.ui.brick.front.ButtonFinish
 import robotran.ui.brick.front.FrontPart
 import robotran.ui.brick.front.FrontPlan
@@ -48,7 +47,7 @@ internal object RcxPlan {
         ButtonFinish(corner = 16f, side = 0.45f, pressed = 0.12f, isSquashed = false),
         List(3) { FrontPart.Input(portAt(it, 72f), input, it) } + buttons() +
             FrontPart.Display(Rect(72f, 177.5f, 192f, 250.5f)) +
-            MotorPort.entries.map { FrontPart.Output(portAt(it.ordinal, 304f), output, it.ordinal) },
+            List(3) { FrontPart.Output(portAt(it, 304f), output, it) },
         StripLook(
             RobotranColours.YELLOW,
             edge = null,

@@ -1,0 +1,99 @@
+package robotran.hub.hardware
+
+import robotran.brick.sensors.ExpectedSensor
+import robotran.brick.sensors.SensorKind
+import robotran.hub.model.HubColor
+import robotran.hub.model.HubDeviceKind
+import robotran.hub.model.HubModel
+import robotran.hub.model.HubPort
+import robotran.hub.program.HubReading
+import robotran.hub.state.HubInput
+
+/** The ports for sensors: what is plugged in, what a program has made of it, and what it measures. */
+internal class HubInputs(private val model: HubModel) {
+    private val plugged = mutableMapOf<HubPort, HubDeviceKind>()
+    private val readings = mutableMapOf<HubPort, HubReading>()
+    private val made = mutableMapOf<HubPort, HubDeviceKind>()
+    private val colors = mutableMapOf<HubPort, List<HubColor>>()
+
+    /** The ports as a state shows them; the same objects until something changes. */
+    var states: List<HubInput> = model.sensorPorts.mapIndexed { index, port -> HubInput(index + 1, port) }
+        private set
+
+    /** What the program expects, in the order in which it said so. */
+    var expected: List<ExpectedSensor> = emptyList()
+        private set
+
+    fun plug(port: HubPort, kind: HubDeviceKind?) {
+        if (kind == null) plugged.remove(port) else plugged[port] = kind
+        if (kind == null) readings.remove(port)
+        update(port)
+    }
+
+    /** What is plugged in; null if it is no sensor. */
+    fun kindOf(port: HubPort): HubDeviceKind? = plugged[port]
+
+    fun measure(port: HubPort, reading: HubReading) {
+        if (readings[port] == reading) return
+        readings[port] = reading
+        update(port)
+    }
+
+    fun reading(port: HubPort): HubReading? = readings[port].takeIf { port in plugged }
+
+    fun isMade(port: HubPort): Boolean = port in made
+
+    /** The program makes a sensor. */
+    fun make(port: HubPort, kind: HubDeviceKind) {
+        made[port] = kind
+        update(port)
+    }
+
+    /** Tells that the program expects a sensor, whether or not it is there. */
+    fun expect(port: HubPort, kind: HubDeviceKind, sourceLine: Int, sourceFile: String?) {
+        val number = model.sensorPorts.indexOf(port) + 1
+        val sensor = sensorKinds[kind] ?: return
+        if (number == 0 || expected.any { it.port == number && it.kind == sensor }) return
+        expected = expected + ExpectedSensor(number, sensor, sourceLine, sourceFile)
+    }
+
+    fun detect(port: HubPort, colors: List<HubColor>) {
+        this.colors[port] = colors
+    }
+
+    fun color(port: HubPort): HubColor {
+        val light = reading(port) as? HubReading.Light ?: return HubColor.NONE
+        return ColorFinder.find(light, colors[port] ?: HubColor.DETECTABLE)
+    }
+
+    /** A program starts: what the last one made is forgotten. */
+    fun reset() {
+        val before = made.keys.toList()
+        made.clear()
+        colors.clear()
+        before.forEach(::update)
+    }
+
+    fun startRun() {
+        expected = emptyList()
+    }
+
+    private fun update(port: HubPort) {
+        val index = model.sensorPorts.indexOf(port)
+        if (index < 0) return
+        val now = HubInput(index + 1, port, plugged[port], readings[port], port in made)
+        if (states[index] != now) states = states.toMutableList().also { it[index] = now }
+    }
+
+    private companion object {
+        val sensorKinds = mapOf(
+            HubDeviceKind.COLOR_SENSOR to SensorKind.COLOUR,
+            HubDeviceKind.ULTRASONIC_SENSOR to SensorKind.ULTRASONIC,
+            HubDeviceKind.FORCE_SENSOR to SensorKind.TOUCH,
+            HubDeviceKind.TOUCH_SENSOR to SensorKind.TOUCH,
+            HubDeviceKind.LIGHT_SENSOR to SensorKind.LIGHT,
+            HubDeviceKind.SOUND_SENSOR to SensorKind.SOUND,
+            HubDeviceKind.GYRO_SENSOR to SensorKind.GYRO,
+        )
+    }
+}

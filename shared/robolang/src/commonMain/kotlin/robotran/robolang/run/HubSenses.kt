@@ -1,0 +1,78 @@
+package robotran.robolang.run
+
+import robotran.brick.controls.MotorPort
+import robotran.hub.model.HubColor
+import robotran.hub.model.HubPort
+import robotran.hub.program.Hub
+import robotran.hub.program.HubReading
+import robotran.robolang.robot.HubUses
+import robotran.robolang.syntax.BrickButton
+import robotran.robolang.syntax.PaintColour
+import robotran.robolang.syntax.Sense
+
+/** Reads the sensors of a robot with a hub: the words of the language mean the first sensor of their kind. */
+internal class HubSenses(private val hub: Hub, private val uses: HubUses) : RobotSenses {
+    /** What the sensor at [port], from 1, measures. */
+    private fun reading(port: Int): HubReading? = portOf(port)?.let(hub::sensor)
+
+    private fun portOf(port: Int): HubPort? = hub.model.sensorPorts.getOrNull(port - 1)
+
+    private fun read(sense: Sense): HubReading? = uses.portOf(sense)?.let(::reading)
+
+    /** [port] is that of the left bumper on other bricks, or of the right one. */
+    override fun isPressed(port: Int): Boolean = isTouched(read(if (port == 1) Sense.LeftBumper else Sense.RightBumper))
+
+    override fun light(port: Int): Int = (read(Sense.Light) as? HubReading.Light)?.reflection ?: 0
+
+    override fun value(port: Int): Int = when (val reading = reading(port)) {
+        null -> 0
+        is HubReading.Light -> reading.reflection
+        is HubReading.Distance -> centimetres(reading)
+        is HubReading.Force -> if (isTouched(reading)) 1 else 0
+        is HubReading.Sound -> reading.intensity
+    }
+
+    override fun isHeld(button: BrickButton, sourceLine: Int): Boolean = HubUses.buttonOf(button) in hub.pressed
+
+    override fun batteryVolts(sourceLine: Int): Float = hub.batteryMillivolts / MILLIVOLTS
+
+    override fun measureDistance(port: Int, sourceLine: Int) = Unit
+
+    override fun hasDistance(port: Int): Boolean = true
+
+    override fun distance(port: Int): Int =
+        (read(Sense.Distance) as? HubReading.Distance)?.let(::centimetres) ?: HubConstants.NOTHING
+
+    override fun loudness(port: Int): Int = (read(Sense.Loudness) as? HubReading.Sound)?.intensity ?: 0
+
+    override fun colour(port: Int): Int {
+        val place =
+            (port.takeIf { it in uses.coloured } ?: uses.portOf(Sense.Colour))?.let(::portOf) ?: return NO_COLOUR
+        val color = hub.color(place)
+        return PaintColour.entries.firstOrNull { it.name == color.name }?.number ?: NO_COLOUR
+    }
+
+    override fun turned(motor: MotorPort): Int = hub.motor(HubPort.of(motor))?.angle ?: 0
+
+    private fun isTouched(reading: HubReading?) = (reading as? HubReading.Force)?.isTouched == true
+
+    private fun centimetres(reading: HubReading.Distance): Int {
+        val isNothing = hub.model.kind.hasLetteredInputs && reading.millimetres >= HubReading.FAR
+        return if (isNothing) HubConstants.NOTHING else reading.millimetres / MILLIMETRES
+    }
+
+    companion object {
+        /** The colours that a program tells apart. */
+        val COLOURS: List<HubColor> = listOf(
+            HubColor.RED,
+            HubColor.YELLOW,
+            HubColor.GREEN,
+            HubColor.BLUE,
+            HubColor.WHITE,
+            HubColor.BLACK,
+        )
+        private const val NO_COLOUR = -1
+        private const val MILLIMETRES = 10
+        private const val MILLIVOLTS = 1000f
+    }
+}
