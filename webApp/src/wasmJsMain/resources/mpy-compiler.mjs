@@ -40,7 +40,7 @@ export const compile = (fileName, source) =>
     startCompiler({
       arguments: [fileName],
       inputFileContents: source,
-      callback: (status, mpy, printed, errors) => resolve({ status, mpy, errors }),
+      callback: (status, mpy, printed, errors) => resolve({ status, mpy: mpy ?? null, errors }),
       locateFile: () => MODULE,
       onAbort: (reason) => reject(new Error(String(reason))),
     }).catch(reject);
