@@ -16,9 +16,9 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.python.PythonTranslation
 import robotran.robolang.python.PybricksHub
 import robotran.robolang.python.PybricksRobot
+import robotran.robolang.python.PythonTranslation
 import robotran.robolang.python.translateToPython
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.support.RobolangSupport
@@ -75,7 +75,7 @@ internal class HubProgramBuilder(private val services: Services) {
             return HubBuildResult.NoCompiler
         }
         return when (compiled) {
-            is MpyResult.Success -> HubBuildResult.Success(HubProgram(compiled.mpy), translation.sourceMap)
+            is MpyResult.Success -> HubBuildResult.Success(HubProgram(compiled.mpy), sourceMapOf(translation))
             is MpyResult.Failure -> HubBuildResult.CompilerFailed
         }
     }
@@ -102,11 +102,3 @@ internal sealed interface HubBuildResult {
     /** The compiler did not take the Python because of a bug. */
     data object CompilerFailed : HubBuildResult
 }
-
-/** From the lines of the Python to those of the program. */
-private val PythonTranslation.sourceMap: SourceMap
-    get() {
-        val lines = python.lines()
-        val pupils = lines.indices.mapNotNull { index -> lineMap.sourceLineOf(index + 1)?.let { index + 1 to it } }
-        return SourceMap(fileName, lines, pupils.toMap())
-    }
