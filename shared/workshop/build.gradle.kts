@@ -35,6 +35,8 @@ kotlin {
             api(project(":shared:documents"))
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
+            api(project(":shared:hub-link"))
+            api(project(":shared:mpy-compiler"))
             api(libs.compose.runtime)
             implementation(project(":shared:nqc"))
             implementation(project(":shared:nxj-library"))
@@ -48,6 +50,7 @@ kotlin {
             kotlin.srcDir("src/sharedTest/kotlin")
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
             kotlin.srcDir("../tower/src/sharedTest/kotlin")
+            kotlin.srcDir("../hub-link/src/simulatedHub/kotlin")
         }
     }
 }

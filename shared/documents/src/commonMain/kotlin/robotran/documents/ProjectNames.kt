@@ -73,6 +73,9 @@ enum class FileKind(val extension: String, val mimeType: String) {
     NQC_HEADER(".nqh", "text/plain"),
     LASM(".lasm", "text/plain"),
 
+    /** What a program becomes for a hub with Pybricks. */
+    PYTHON(".py", "text/plain"),
+
     /** A compiled program for LEGO's own firmware. */
     RCX_IMAGE(".rcx", "application/octet-stream"),
     PNG(".png", "image/png"),

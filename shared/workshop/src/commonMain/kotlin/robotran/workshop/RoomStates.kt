@@ -2,6 +2,7 @@ package robotran.workshop
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
+import robotran.brick.kind.ProgramWay
 import robotran.workshop.state.WorkshopState
 
 /** The states of the [rooms], and what needs those of several. */
@@ -16,7 +17,7 @@ internal class RoomStates(private val rooms: Rooms, override val hasPage: Boolea
     override val document by derivedStateOf {
         rooms.document.state.copy(
             hasGoals = run.world.goals.isNotEmpty(),
-            canSend = programs.brick.receivesPrograms,
+            canSend = programs.brick.programWay != ProgramWay.NONE,
             hasFirmwareImage = programs.program.isForLegoFirmware,
         )
     }
@@ -30,6 +31,7 @@ internal class RoomStates(private val rooms: Rooms, override val hasPage: Boolea
     override val settingsShown get() = rooms.settings.shown
     override val siteRequested get() = rooms.settings.siteRequested
     override val send get() = school.send.state
+    override val hubSend get() = school.hubSend.state
     override val show get() = school.export.state
     override val handIns get() = school.handIns.state
     override val assignment get() = school.assignment.state

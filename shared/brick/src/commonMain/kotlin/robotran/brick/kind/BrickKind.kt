@@ -31,7 +31,7 @@ import robotran.brick.sensors.SensorKind
  * @property callGroups the subjects of the calls in its log.
  * @property java what runs programs in Java on it; null if nothing does.
  * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
- * @property receivesPrograms whether programs can be sent to a real one, as an image or with LEGO's firmware.
+ * @property programWay how programs get to a real one.
  */
 enum class BrickKind(
     val label: String,
@@ -54,7 +54,7 @@ enum class BrickKind(
     val callGroups: List<CallGroup>,
     val java: JavaPlatform?,
     val hasLegoFirmware: Boolean,
-    val receivesPrograms: Boolean,
+    val programWay: ProgramWay,
 ) {
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
@@ -78,7 +78,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + listOf(CallGroup.INFRARED, CallGroup.TIMER, CallGroup.UNKNOWN),
         java = JavaPlatform.LEJOS,
         hasLegoFirmware = true,
-        receivesPrograms = true,
+        programWay = ProgramWay.TOWER,
     ),
 
     /** LEGO's brick of 2006, with leJOS NXJ. */
@@ -103,7 +103,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + listOf(CallGroup.BLUETOOTH, CallGroup.SYSTEM),
         java = JavaPlatform.NXJ,
         hasLegoFirmware = false,
-        receivesPrograms = false,
+        programWay = ProgramWay.NONE,
     ),
 
     /** The hub of SPIKE Prime and Robot Inventor, with Pybricks; so are those below. */
@@ -191,7 +191,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + CallGroup.SYSTEM,
         java = null,
         hasLegoFirmware = false,
-        receivesPrograms = false,
+        ProgramWay.HUB,
     )
 
     /** What is printed beside the port for sensors with this [number], from 1. */

@@ -17,6 +17,7 @@ import kotlin.time.Duration
 internal class HubLine(private val connection: HubConnection) {
     private val known = MutableStateFlow(HubState())
     private var output = OutputReader(map = null)
+    private var map: SourceMap? = null
 
     val state: StateFlow<HubState> get() = known
 
@@ -33,6 +34,7 @@ internal class HubLine(private val connection: HubConnection) {
 
     /** Begins a new console, for a program with the lines of [map]. */
     fun expectProgram(map: SourceMap?) {
+        this.map = map
         output = OutputReader(map)
         change { it.copy(console = HubConsole()) }
     }
@@ -51,7 +53,12 @@ internal class HubLine(private val connection: HubConnection) {
 
     private fun hear(bytes: ByteArray) {
         when (val event = HubEvent.read(bytes)) {
-            is HubEvent.Status -> change { it.copy(status = event.status) }
+            is HubEvent.Status -> {
+                val begins = event.status.isProgramRunning && state.value.status?.isProgramRunning != true
+                // Somebody may have pressed the button of the hub.
+                if (begins) expectProgram(map)
+                change { it.copy(status = event.status) }
+            }
 
             is HubEvent.Output -> {
                 output.add(event.bytes)

@@ -65,6 +65,12 @@ class HubLink(private val connection: HubConnection, private val scope: Coroutin
     }
 
     /**
+     * From now on, what is printed is of the program with the lines of [map], whoever starts it. What was printed before is
+     * forgotten.
+     */
+    fun expectProgram(map: SourceMap?) = line.expectProgram(map)
+
+    /**
      * Starts the program in the chosen slot. What was printed before is forgotten.
      *
      * @param map where errors and marks of the program belong.

@@ -1,5 +1,8 @@
 package robotran.workshop.platform
 
+import robotran.hublink.connection.HubPorts
+import robotran.hublink.connection.NoHubPorts
+import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.NoWorldPictures
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.NoTowerPorts
@@ -70,8 +73,14 @@ interface Platform {
     /** The web site, for packages that contain it; null if there is none at hand. */
     val webSite: WebSite? get() = null
 
-    /** The infrared towers that reach a real robot. */
+    /** The infrared towers that reach a real RCX. */
     val towers: TowerPorts get() = NoTowerPorts
+
+    /** How real hubs with Pybricks are reached. */
+    val hubs: HubPorts get() = NoHubPorts
+
+    /** Compiles programs for hubs; null where nothing does. It may load its compiler with the first program. */
+    val mpyCompiler: MpyCompiler? get() = null
 
     /** Grade hand-ins beside the UI thread; null if only that thread can. */
     val gradingWorkers: GradingWorkers? get() = null
@@ -108,6 +117,8 @@ class MemoryPlatform(
     override val showsRecentFiles: Boolean = false,
     override val prefersLessMotion: Boolean = false,
     override val photoReader: PhotoReader = NoPhotoReader,
+    override val hubs: HubPorts = NoHubPorts,
+    override val mpyCompiler: MpyCompiler? = null,
 ) : Platform {
     override val compilesBeside: Boolean get() = false
 }

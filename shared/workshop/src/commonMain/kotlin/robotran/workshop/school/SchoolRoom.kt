@@ -1,5 +1,6 @@
 package robotran.workshop.school
 
+import robotran.brick.kind.ProgramWay
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.assignment.AssignmentStateHolder
 import robotran.workshop.course.CourseStateHolder
@@ -7,6 +8,7 @@ import robotran.workshop.event.AssignmentEvent
 import robotran.workshop.event.CourseEvent
 import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.HandInsEvent
+import robotran.workshop.event.HubSendEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.SchoolEvent
 import robotran.workshop.event.SendEvent
@@ -14,6 +16,8 @@ import robotran.workshop.export.ExportStateHolder
 import robotran.workshop.handins.HandInPreviews
 import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
+import robotran.workshop.send.HubProgramBuilder
+import robotran.workshop.send.HubSendStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
 import robotran.workshop.send.TowerRobotLink
@@ -44,6 +48,12 @@ internal class SchoolRoom<Projects>(
         SendStateHolder(platform, scope, current, tabs, ProgramImageBuilder(services), ::TowerRobotLink)
     }
 
+    val hubSend = with(services) {
+        HubSendStateHolder(platform, scope, current, tabs, HubProgramBuilder(this))
+    }
+
+    private val sendsToHub get() = services.current.shownRobot.description.brick.programWay == ProgramWay.HUB
+
     /** Whether a page or sheet covers the paper, so that time stands still there. */
     val coversSheet: Boolean get() = export.state != null || handIns.state != null
 
@@ -61,7 +71,13 @@ internal class SchoolRoom<Projects>(
             is CourseEvent -> course.handle(event)
             is HandInsEvent -> handIns.handle(event)
             is ExportEvent -> export.handle(event)
-            is SendEvent -> send.handle(event)
+            is SendEvent -> if (event == SendEvent.Requested && sendsToHub) {
+                hubSend.handle(HubSendEvent.Requested)
+            } else {
+                send.handle(event)
+            }
+
+            is HubSendEvent -> hubSend.handle(event)
         }
     }
 
@@ -76,6 +92,7 @@ internal class SchoolRoom<Projects>(
     /** Ends whatever is under way. */
     fun close() {
         send.close()
+        hubSend.close()
         export.close()
         handIns.close()
         assignment.close()

@@ -53,8 +53,11 @@ interface WorkshopState {
     /** Whether that page opens at the base URL of links. */
     val siteRequested: Boolean
 
-    /** The sheet that sends a program to a real robot; null while it is closed. */
+    /** The sheet that sends a program to a real RCX; null while it is closed. */
     val send: SendState?
+
+    /** The sheet that sends a program to a real hub; null while it is closed. */
+    val hubSend: HubSendState?
 
     /** The sheet with which pupils show what they made; null while it is closed. */
     val show: ExportState?

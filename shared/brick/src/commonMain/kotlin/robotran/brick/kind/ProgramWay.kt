@@ -1,0 +1,13 @@
+package robotran.brick.kind
+
+/** How a program gets from this app to a real brick. */
+enum class ProgramWay {
+    /** As infrared light from a tower, as an image or with LEGO's firmware. */
+    TOWER,
+
+    /** Over Bluetooth or USB, to a hub with Pybricks. */
+    HUB,
+
+    /** Not from this app: it makes a kit of files that other tools send. */
+    NONE,
+}
