@@ -35,6 +35,8 @@ internal fun hubProgramOf(name: String, hub: PybricksHub, language: Language): H
             HubProgramOfFile.Failure(listOf("$name$line: ${compiled.message}"), ExitCode.PROGRAM_FAILED)
         }
 
+        MpyResult.NotLoaded -> error("The command line has the compiler with it.")
+
         is MpyResult.Success -> {
             val program = HubProgram(compiled.mpy)
             when (val mistake = program.mistake()) {

@@ -64,19 +64,13 @@ internal class HubProgramBuilder(private val services: Services) {
 
     suspend fun compile(translation: PythonTranslation): HubBuildResult {
         val compiler = services.platform.mpyCompiler ?: return HubBuildResult.NoCompiler
-        val compiled = try {
-            withContext(services.platform.background) {
-                compiler.compile(translation.fileName, translation.python)
-            }
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            // A page may be unable to fetch it; the exception's type depends on the platform.
-            return HubBuildResult.NoCompiler
+        val compiled = withContext(services.platform.background) {
+            compiler.compile(translation.fileName, translation.python)
         }
         return when (compiled) {
             is MpyResult.Success -> HubBuildResult.Success(HubProgram(compiled.mpy), sourceMapOf(translation))
             is MpyResult.Failure -> HubBuildResult.CompilerFailed
+            MpyResult.NotLoaded -> HubBuildResult.NoCompiler
         }
     }
 }
