@@ -22,9 +22,10 @@ import robotran.workshop.state.HubSendStep
 internal fun HubStepWords(state: HubSendState, onEvent: (HubSendEvent) -> Unit) {
     val step = state.step
     Explanation(sentenceOf(state), Modifier.testTag(SendTags.SEND_STEP), bad = isBad(state))
+    // What can be pressed stays in sight, however long the advice below is.
+    if (step is HubSendStep.Choosing) HubChoice(step, onEvent)
     for (advice in adviceOf(state)) Explanation(advice)
     when (step) {
-        is HubSendStep.Choosing -> HubChoice(step, onEvent)
         is HubSendStep.Sending -> DownloadView(step.progress)
         is HubSendStep.Running -> Printed(step.console, RUNNING_LINES)
         is HubSendStep.Ended -> Printed(step.console, HubConsole.MAX_LINES)
