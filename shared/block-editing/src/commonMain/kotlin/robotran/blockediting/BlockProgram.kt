@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceSpan
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.DeclaredName
@@ -26,6 +27,9 @@ class BlockProgram internal constructor(
     internal val messages: RobolangMessages,
 ) {
     val text: String get() = outline.source
+
+    /** The brick of the robot that it is for. */
+    val brick: BrickKind get() = outline.brick
 
     /** The words that it is written in; those that its blocks show as long as nothing in it tells. */
     val vocabulary: Vocabulary by lazy {

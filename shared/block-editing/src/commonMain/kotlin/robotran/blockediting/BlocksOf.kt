@@ -1,5 +1,6 @@
 package robotran.blockediting
 
+import robotran.brick.kind.BrickKind
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.outline.LineRole
 import robotran.robolang.outline.OutlineLine
@@ -13,18 +14,21 @@ import robotran.robolang.words.Vocabulary
  * @param messages the mistakes in the pupil's language.
  * @param previous the program before the text was changed, so that blocks keep their ids.
  * @param shown the words that blocks show; null for those of [previous], or else of the text.
+ * @param brick the brick of the robot that it is for.
  */
 fun blocksOf(
     text: String,
     messages: RobolangMessages,
     previous: BlockProgram? = null,
     shown: Vocabulary? = null,
-): BlockProgram = blocksOf(outlineRobolang(text, messages), messages, previous, shown)
+    brick: BrickKind = previous?.brick ?: BrickKind.default,
+): BlockProgram = blocksOf(outlineRobolang(text, messages, brick = brick), messages, previous, shown)
 
 /** Reads [text] as blocks that belong to [program]: written in its words, or in those of English. */
 internal fun fragmentOf(program: BlockProgram, text: String): BlockProgram {
     val written = program.inWords(text)
-    return blocksOf(outlineRobolang(written, program.messages, program.vocabulary), program.messages, previous = null)
+    val outline = outlineRobolang(written, program.messages, program.vocabulary, program.brick)
+    return blocksOf(outline, program.messages, previous = null)
 }
 
 internal fun blocksOf(

@@ -44,7 +44,7 @@ internal fun changedForm(program: BlockProgram, edit: BlockEdit.ChangeForm): Blo
 private fun filledIn(template: String, line: OutlineLine, program: BlockProgram): String = buildString {
     val words = program.vocabulary
     val left = line.parts.toMutableList()
-    val parts = outlineRobolang(template, program.messages, words).lines.first().parts
+    val parts = outlineRobolang(template, program.messages, words, program.brick).lines.first().parts
     val places = keywordPlaces(template, parts, words, words)
     var position = 0
     for (part in parts) {

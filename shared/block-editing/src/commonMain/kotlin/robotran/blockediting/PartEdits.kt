@@ -37,7 +37,7 @@ internal class PartEdits(private val program: BlockProgram) {
     private fun value(part: PhrasePart.Value, english: String, left: List<TextEdit> = emptyList()): BlockEditResult {
         val text = program.inWords(english)
         val line = program.inWords(VALUE_LINE) + text
-        val alone = outlineRobolang(line, program.messages, program.vocabulary).lines
+        val alone = outlineRobolang(line, program.messages, program.vocabulary, program.brick).lines
         val isValue = alone.size == 1 && alone.first().comment == null &&
             alone.first().parts.filterIsInstance<PhrasePart.Value>().any { it.span.length == text.length }
         if (!isValue) return refused(BlockEditError.NoValue(text, alone.first().error))

@@ -22,7 +22,7 @@ internal fun resultOf(program: BlockProgram, rows: List<Row>, selected: List<Row
         val attempt = rows.closed(lacking, program)
         val text = RowText(program, attempt)
         if (text.text.length > RobolangLimits.SOURCE_CHARACTERS) return refused(BlockEditError.TooLong)
-        val outline = outlineRobolang(text.text, program.messages)
+        val outline = outlineRobolang(text.text, program.messages, brick = program.brick)
         if (hasRows(outline, attempt)) return done(program, outline, text, attempt, selected, caret)
     }
     return refused(BlockEditError.LooseEnd)

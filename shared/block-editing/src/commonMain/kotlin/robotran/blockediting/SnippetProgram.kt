@@ -37,7 +37,7 @@ fun snippetOf(program: BlockProgram, run: BlockRun): SnippetProgram {
 /** A program of [text] alone, which is not in [program] yet, with what it needs from there. */
 fun snippetOf(program: BlockProgram, text: String): SnippetProgram {
     val new = program.inWords(text.removeSuffix("\n"))
-    val lines = blocksOf("${program.text}\n$new", program.messages)
+    val lines = blocksOf("${program.text}\n$new", program.messages, brick = program.brick)
     val count = lines.outline.lines.size
     return snippetOf(
         lines,

@@ -1,7 +1,9 @@
 package robotran.blockediting
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.outline.PhrasePart
 import robotran.robolang.words.LineForm
 import kotlin.random.Random
 import kotlin.test.Test
@@ -25,6 +27,29 @@ class BlocksOfTest {
             )) {
                 checkPieces(variant, name)
             }
+        }
+    }
+
+    @Test
+    fun `the ports to choose from are those of the robot's brick`() {
+        fun choices(text: String, brick: BrickKind): List<List<String>> {
+            val program = blocksOf(text, RobolangMessages.of(Language.ENGLISH), brick = brick)
+            assertNull(program.outline.lines.first().error)
+
+            fun choicesIn(parts: List<PhrasePart>): List<List<String>> = parts.flatMap {
+                when (it) {
+                    is PhrasePart.Choice -> listOf(it.options)
+                    is PhrasePart.Value -> choicesIn(it.value.parts)
+                    else -> emptyList()
+                }
+            }
+            return choicesIn(program.outline.lines.first().parts)
+        }
+        for (brick in BrickKind.entries) {
+            val inputs = (1..brick.inputPorts).map { "$it" }
+            assertEquals(listOf(inputs), choices("show sensor 2\n", brick), brick.label)
+            val motors = brick.motorPorts.map { it.name }
+            assertEquals(motors, choices("motor ${motors.last()} stop\n", brick).first(), brick.label)
         }
     }
 

@@ -48,6 +48,9 @@ open class ProgramFiles(private val language: ProgramLanguage) {
     /** The kind of brick that the program of [files] is for; null if it does not tell. */
     open fun brickOf(files: List<SourceFile>): BrickKind? = null
 
+    /** Whether a program that names the brick [named] runs on a robot with the brick [robot]. */
+    open fun isFor(named: BrickKind, robot: BrickKind): Boolean = named == robot
+
     /** The kind of brick that the program of [files] is for or, if it does not tell, most likely is for. */
     open fun likelyBrickOf(files: List<SourceFile>): BrickKind? = brickOf(files)
 

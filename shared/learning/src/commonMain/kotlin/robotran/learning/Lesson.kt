@@ -99,7 +99,8 @@ class Lesson internal constructor(
 
     /** The lesson with the brick for which [world] is its world, in any language; null if it is another's. */
     internal fun foundIn(world: World): Lesson? = takeIf { placeOf(world) != null }
-        ?: onOtherBricks.values.map { it.value }.firstOrNull { it.placeOf(world.withPupilsPenbot()) != null }
+        ?: onOtherBricks[world.robots.first().description.brick]?.value
+            ?.takeIf { it.placeOf(world.withPupilsPenbot()) != null }
 
     /** The language of [program]. */
     val programLanguage: ProgramLanguage get() = languageOf(program)

@@ -117,8 +117,10 @@ private fun paragraphsFor(inBlocks: Boolean, paragraphs: List<String>): List<Str
 
 /** The [paragraphs] for a pupil whose robot has a [brick]. */
 private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<String> {
-    val others = (BrickKind.entries - brick).map(::markFor)
-    return paragraphs.filterNot { text -> others.any(text::startsWith) }.map { it.removePrefix(markFor(brick)).trim() }
+    val own = brick.marks.map(::markFor)
+    val others = BrickKind.entries.map(::markFor) - own.toSet()
+    return paragraphs.filterNot { text -> others.any(text::startsWith) }
+        .map { text -> own.fold(text) { left, mark -> left.removePrefix(mark) }.trim() }
 }
 
 /** [text] with the program text between its backticks in the words of [language]. */

@@ -45,35 +45,48 @@ internal fun plainVersion(files: Map<String, String>): LessonVersion {
 
 /**
  * The lesson [plain] with the penbot of another [brick] instead. World and programs are the same, unless [files] has
- * others, whose names begin with the brick's, such as `nxt-`; only the light sensor is on another port.
+ * others, whose names begin with the brick's, such as `nxt-`, or with that of the brick that it is like; only the light
+ * sensor and the wheels are on other ports.
  */
 internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<String, String>): LessonVersion {
-    val prefix = prefixFor(brick)
-    val ending = plain.program.name.substringAfterLast('.')
-    val program = files[prefix + plain.program.name] ?: onPenbot(brick, plain.program)
-    val solution = files["$prefix$SOLUTION$ending"] ?: onPenbot(brick, plain.solution)
-    val ownWorld = files[prefix + WORLD]?.let(::worldOf)
+    fun own(file: String): String? = brick.marks.firstNotNullOfOrNull { files[prefixFor(it) + file] }
+    val name = plain.program.name
+    val solution = SOLUTION + name.substringAfterLast('.')
+    val ownWorld = own(WORLD)?.let(::worldOf)
     return LessonVersion(
         brick,
-        SourceFile(plain.program.name, program),
-        SourceFile(plain.program.name, solution),
+        SourceFile(name, onPenbot(brick, own(name) ?: plain.program.text)),
+        SourceFile(name, onPenbot(brick, own(solution) ?: plain.solution.text)),
         (ownWorld ?: plain.world).withFirst(PUPILS_ROBOTS.getValue(brick)),
-        if (ownWorld == null) plain.drawing else drawingIn(files, prefix + DRAWING),
-    ) { (files[prefix + AGAIN]?.let(::worldOf) ?: plain.again)?.withFirst(PUPILS_ROBOTS.getValue(brick)) }
+        if (ownWorld == null) plain.drawing else own(DRAWING)?.let { readRunDrawing(it.trim()) },
+    ) { (own(AGAIN)?.let(::worldOf) ?: plain.again)?.withFirst(PUPILS_ROBOTS.getValue(brick)) }
 }
+
+/** The bricks whose own files and paragraphs a lesson with this brick has, the nearest first: itself and one like it. */
+internal val BrickKind.marks: List<BrickKind>
+    get() = listOf(this, BrickKind.entries.first { it.hasMotorCounters == hasMotorCounters }).distinct()
 
 private fun drawingIn(files: Map<String, String>, file: String): RunDrawing? =
     files[file]?.let { readRunDrawing(it.trim()) }
 
-private fun onPenbot(brick: BrickKind, file: SourceFile): String {
+/** [code], a program or a part of one, with the ports of the penbot with this [brick]. */
+internal fun onPenbot(brick: BrickKind, code: String): String {
     val usual = lightPortOf(BrickKind.default)
     val other = lightPortOf(brick) ?: usual
-    return file.text.replace("light sensor on $usual", "light sensor on $other")
+    val drive = ReadyRobots.defaultOf(brick).drive
+    val plain = ReadyRobots.defaultOf(BrickKind.default).drive
+    val wheels = mapOf(plain.left.name to drive.left.name, plain.right.name to drive.right.name)
+    return MOTOR.replace(code.replace("light sensor on $usual", "light sensor on $other")) { motor ->
+        val letter = motor.groupValues[1]
+        "motor ${wheels[letter] ?: letter}"
+    }
 }
 
-/** The port of the light sensor of the penbot with this [brick]; null if it has none. */
+private val MOTOR = Regex("\\bmotor ([A-C])\\b")
+
+/** The port of the sensor that measures the light on the floor of the penbot with this [brick]; null if it has none. */
 private fun lightPortOf(brick: BrickKind): Int? =
-    ReadyRobots.defaultOf(brick).parts.firstOrNull { it.kind == SensorKind.LIGHT }?.port
+    ReadyRobots.defaultOf(brick).parts.firstOrNull { it.kind == SensorKind.LIGHT || it.kind == SensorKind.COLOUR }?.port
 
 /** What the names of the files that are only for this [brick] begin with. */
 private fun prefixFor(brick: BrickKind) = "${brick.name.lowercase()}-"

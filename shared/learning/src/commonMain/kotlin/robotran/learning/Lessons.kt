@@ -17,8 +17,7 @@ import robotran.world.file.readWorld
 object Lessons {
     /** The strands, in the order in which a pupil takes them. */
     val strands: List<Strand> by lazy {
-        val lessons = lessonTexts.keys.groupBy { it.substringBeforeLast('/') }.toList().sortedBy { it.first }
-            .map { (folder, paths) -> lessonOf(folder, textsIn(lessonTexts, paths)) }
+        val lessons = folders().map { (folder, files) -> lessonOf(folder, files) }
         strandNames().mapNotNull { name ->
             lessons.filter { it.strand == name }.takeIf { it.isNotEmpty() }?.let { Strand(name, it) }
         }
@@ -40,12 +39,22 @@ object Lessons {
     /** The strand that [lesson] is in. */
     fun strandOf(lesson: Lesson): Strand = strands.first { it.name == lesson.strand }
 
+    /** Every lesson in Robolang with a robot that has a [brick], also those that it cannot do. */
+    internal fun allOn(brick: BrickKind): List<Lesson> = folders()
+        .filter { (_, files) ->
+            files.keys.any { ProgramLanguage.ofFile(it)?.support?.bricks.orEmpty().contains(brick) }
+        }
+        .map { (folder, files) -> lesson(folder, brick, files, { versionFor(brick, plainVersion(files), files) }) }
+
+    /** The folders of the lessons, in their order, with their files. */
+    private fun folders(): List<Pair<String, Map<String, String>>> =
+        lessonTexts.keys.groupBy { it.substringBeforeLast('/') }.toList().sortedBy { it.first }
+            .map { (folder, paths) -> folder to textsIn(lessonTexts, paths) }
+
     private fun lessonOf(folder: String, files: Map<String, String>): Lesson {
         val plain by lazy { plainVersion(files) }
-        val languages = files.keys.mapNotNull { ProgramLanguage.ofFile(it) }
-        // A brick without Java has only the lessons whose language runs on it.
-        val bricks = (BrickKind.entries - BrickKind.default)
-            .filter { brick -> brick.java != null || languages.all { brick in it.support.bricks } }
+        val name = nameOf(folder)
+        val bricks = (BrickKind.entries - BrickKind.default).filter { name in (LESSONS_OF_HUBS[it] ?: listOf(name)) }
         val others = bricks.associateWith { brick ->
             lazy { lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
         }
@@ -59,14 +68,30 @@ object Lessons {
         version: () -> LessonVersion,
         others: Map<BrickKind, Lazy<Lesson>> = emptyMap(),
     ): Lesson = Lesson(
-        folder.substringAfter('/').replace(NUMBER, ""),
+        nameOf(folder),
         folder.substringBefore('/'),
         onOtherBricks = others,
         version = version,
-    ) { language, inBlocks -> LessonText.of(files.translated("text", language), inBlocks, brick) }
+    ) { language, inBlocks ->
+        val text = LessonText.of(files.translated("text", language), inBlocks, brick)
+        if (brick == BrickKind.default) text else text.withCode { onPenbot(brick, it) }
+    }
+
+    private fun nameOf(folder: String) = folder.substringAfter('/').replace(NUMBER, "")
 
     private val NUMBER = Regex("^[0-9]+-")
 }
+
+/** The names of the lessons that a hub's robot can do; other bricks have all. */
+private val LESSONS_OF_HUBS: Map<BrickKind, List<String>> by lazy {
+    val sections = sections(commonLessonTexts.getValue("hubs.md"), "## ")
+    sections.associate { section ->
+        BrickKind.entries.single { it.fileWord == section.heading } to section.body.split(",").map { it.trim() }
+    }
+}
+
+/** How files call it. */
+internal val BrickKind.fileWord: String get() = name.lowercase().replace('_', '-')
 
 /** The texts at [paths] of [all], by the name of their file. */
 internal fun textsIn(all: Map<String, String>, paths: List<String>): Map<String, String> =

@@ -10,9 +10,12 @@ internal suspend fun unsolvedWorlds(seeds: IntRange): List<String> = worldTasks.
     }
 }
 
-/** The same for lessons. Without deviations of the robot, a seed changes nothing. */
+/** The lessons that a pupil takes with a [brick]. */
+internal fun lessonsOf(brick: BrickKind): List<Lesson> = Lessons.all.map { it.on(brick) }.filter { it.brick == brick }
+
+/** The same for the lessons of a [brick]. Without deviations of the robot, a seed changes nothing. */
 internal suspend fun unsolvedLessons(brick: BrickKind, seeds: IntRange): List<String> =
-    Lessons.all.map { it.on(brick) }.filter { it.world(Language.ENGLISH).realism != 0.0 }.flatMap { lesson ->
+    lessonsOf(brick).filter { it.world(Language.ENGLISH).realism != 0.0 }.flatMap { lesson ->
         seeds.map { it to runInAllPlaces(lesson, lesson.solution.text, it) }.filterNot { (_, solved) ->
             solved.isSolved
         }

@@ -20,8 +20,10 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
             robot.parts.firstOrNull { it.port == port + 1 }?.kind.takeIf { robot.brick.readsInUnits }
         }
     }
-    private val min = IntArray(CAPACITY * robots * LANES)
-    private val greatest = IntArray(CAPACITY * robots * LANES)
+    private val lanes = descriptions.flatMap { ChartLane.of(it) }.distinct()
+    private val columns = IntArray(ChartLane.entries.size) { lanes.indexOf(ChartLane.entries[it]) }
+    private val min = IntArray(CAPACITY * robots * lanes.size)
+    private val greatest = IntArray(CAPACITY * robots * lanes.size)
 
     /** Length of an interval in milliseconds. */
     var step = RunRecord.LOOK_MILLISECONDS
@@ -35,7 +37,7 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         while (state.milliseconds / step >= CAPACITY) coarsen()
         val piece = (state.milliseconds / step).toInt()
         state.robots.forEachIndexed { robot, now ->
-            for (lane in ChartLane.entries) {
+            for (lane in lanes) {
                 add(piece, place(piece, robot, lane), valueOf(now, lane, kindOf(robot, lane)))
             }
         }
@@ -57,6 +59,7 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
 
     /** Null if nothing was measured. */
     fun range(robot: Int, lane: ChartLane, piece: Int): IntRange? {
+        if (columns[lane.ordinal] < 0) return null
         val place = place(piece, robot, lane)
         return (min[place]..greatest[place]).takeUnless { it.isEmpty() }
     }
@@ -71,11 +74,12 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
         greatest[index] = maxOf(if (isNew) Int.MIN_VALUE else greatest[index], value ?: Int.MIN_VALUE)
     }
 
-    private fun place(piece: Int, robot: Int, lane: ChartLane) = (piece * robots + robot) * LANES + lane.ordinal
+    private fun place(piece: Int, robot: Int, lane: ChartLane) =
+        (piece * robots + robot) * lanes.size + columns[lane.ordinal]
 
     /** Merges each two adjacent intervals. */
     private fun coarsen() {
-        val width = robots * LANES
+        val width = robots * lanes.size
         for (piece in 0..<size) {
             for (column in 0..<width) {
                 val from = piece * width + column
@@ -90,7 +94,6 @@ internal class ChartTrack(private val descriptions: List<RobotDescription>) {
 
     companion object {
         const val CAPACITY = 4_096
-        private val LANES = ChartLane.entries.size
 
         /**
          * The value of [lane] for [robot], in the unit of a sensor of this [kind], or in that of the program where the brick does not tell;

@@ -40,6 +40,28 @@ class ChartLaneTest {
     }
 
     @Test
+    fun `a robot whose ports take motors and sensors has lanes of what is on them`() = assertEquals(
+        listOf(
+            "SENSOR_4",
+            "SENSOR_5",
+            "MOTOR_A",
+            "MOTOR_B",
+            "MOTOR_C",
+            "DEGREES_A",
+            "DEGREES_B",
+            "DEGREES_C",
+            "BATTERY",
+        ),
+        ChartLane.of(ReadyRobots.SPIKE_PENBOT).map { it.name },
+    )
+
+    @Test
+    fun `a brick has a lane for each of its ports`() = assertEquals(
+        (1..6).map { "SENSOR_$it" } + ('A'..'F').map { "MOTOR_$it" } + ('A'..'F').map { "DEGREES_$it" } + "BATTERY",
+        ChartLane.of(BrickKind.SPIKE_PRIME).map { it.name },
+    )
+
+    @Test
     fun theChartShowsNothingOfASonarThatIsOff() = runTest {
         val plain = BuiltInWorlds.plainFor(BrickKind.NXT)
         val pose = plain.robots.first().start

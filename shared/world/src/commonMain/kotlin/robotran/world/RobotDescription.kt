@@ -29,6 +29,10 @@ data class RobotDescription(
     val unknown: UnknownFields = UnknownFields.NONE,
 )
 
+/** The ports that motors are on: those of the wheels, the pen and what turns sensors. */
+val RobotDescription.pluggedMotors: Set<MotorPort>
+    get() = setOfNotNull(drive.left, drive.right, pen?.motor) + parts.mapNotNull { (it as? SensorPart)?.turret }
+
 /**
  * What the wheels, the brick and the parts are mounted on.
  *

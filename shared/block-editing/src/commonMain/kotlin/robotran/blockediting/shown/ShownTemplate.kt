@@ -28,7 +28,8 @@ fun PaletteBlock.shownIn(words: Vocabulary): List<String> {
 /** [value], a value in the words of this program or in English, as its blocks show it. */
 fun BlockProgram.shownValue(value: String): String {
     val source = inWords(VALUE_LINE) + inWords(value)
-    val program = blocksOf(outlineRobolang(source, messages, vocabulary), messages, previous = null, shown)
+    val outline = outlineRobolang(source, messages, vocabulary, brick)
+    val program = blocksOf(outline, messages, previous = null, shown)
     return textOf(program, program.outline.lines.first(), isValue = true)
 }
 

@@ -43,8 +43,9 @@ class LessonDrawingsTest {
         null
     }
 
-    /** A lesson on another brick has one if it has a world of its own there. */
-    private fun Lesson.hasOwnDrawing(plain: Lesson) = brick == BrickKind.default || drawing != plain.drawing
+    /** A lesson on another brick has one if it has a world of its own there; hubs have that of the brick they are like. */
+    private fun Lesson.hasOwnDrawing(plain: Lesson) =
+        brick == BrickKind.default || (brick.java != null && drawing != plain.drawing)
 
     private fun fileOf(lesson: Lesson, version: Lesson): String {
         val folder = lessonTexts.keys.map { it.substringBeforeLast('/') }

@@ -20,22 +20,24 @@ import robotran.robolang.words.vocabularyOf
  *
  * @param messages the mistakes in the pupil's language.
  * @param vocabulary the words that it is written in, if that cannot be told from [source], as from a single value.
+ * @param brick the brick of the robot that it is for, unless its header names another one.
  */
 fun outlineRobolang(
     source: String,
     messages: RobolangMessages,
     vocabulary: Vocabulary = vocabularyOf(source),
+    brick: BrickKind = BrickKind.default,
 ): ProgramOutline {
-    if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, DiagnosticSink(messages))
-    val parsed = parse(source, BrickKind.default, messages, vocabulary)
+    if (source.length > RobolangLimits.SOURCE_CHARACTERS) return tooLong(source, brick, DiagnosticSink(messages))
+    val parsed = parse(source, brick, messages, vocabulary)
     val program = parsed.program
     val offsets = LineOffsets(source, program.lines)
-    return ProgramOutline(source, linesOf(program, offsets, parsed.diagnostics()), parsed) {
+    return ProgramOutline(source, brick, linesOf(program, offsets, parsed.diagnostics()), parsed) {
         declaredNames(it, program, offsets, parsed.diagnostics())
     }
 }
 
-private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline {
+private fun tooLong(source: String, brick: BrickKind, diagnostics: DiagnosticSink): ProgramOutline {
     val message = diagnostics.messages.sourceTooLong(RobolangLimits.SOURCE_CHARACTERS)
     diagnostics.report(DiagnosticCode.SOURCE_TOO_LONG, SourceRange(1, 1, 1), "", message)
     val line = OutlineLine(
@@ -49,7 +51,7 @@ private fun tooLong(source: String, diagnostics: DiagnosticSink): ProgramOutline
         comment = null,
         diagnostics.errorsInSourceOrder().single(),
     )
-    return ProgramOutline(source, listOf(line), parsed = null) { emptyList() }
+    return ProgramOutline(source, brick, listOf(line), parsed = null) { emptyList() }
 }
 
 private fun linesOf(parsed: ParsedProgram, offsets: LineOffsets, diagnostics: DiagnosticSink): List<OutlineLine> {

@@ -9,6 +9,7 @@ import robotran.robolang.syntax.Name
 import robotran.robolang.syntax.Token
 import robotran.robolang.syntax.TokenKind
 import robotran.robolang.words.MOTORS
+import robotran.robolang.words.PORTS
 import robotran.robolang.words.ValueForm
 import robotran.robolang.words.ValueUse
 
@@ -52,7 +53,10 @@ internal class PhraseBuilder(
     private fun wordOrChoice(token: Token, choices: List<List<String>>): PhrasePart {
         val span = offsets.span(token.range)
         val spelling = token.keyword?.text ?: if (token.kind == TokenKind.WORD) token.text.uppercase() else token.text
-        val options = choices.firstOrNull { spelling in it } ?: return PhrasePart.Word(span)
+        // Inputs have their numbers on several bricks.
+        val options = choices.firstOrNull { it === PORTS[brick] && spelling in it }
+            ?: choices.firstOrNull { spelling in it }
+            ?: return PhrasePart.Word(span)
         return PhrasePart.Choice(span, if (options === MOTORS) motorsFor(spelling) else options)
     }
 

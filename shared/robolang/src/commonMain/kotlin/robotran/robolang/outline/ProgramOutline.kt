@@ -1,5 +1,6 @@
 package robotran.robolang.outline
 
+import robotran.brick.kind.BrickKind
 import robotran.language.source.SourceSpan
 import robotran.robolang.syntax.ParsedText
 import robotran.robolang.words.ValueKind
@@ -8,12 +9,14 @@ import robotran.robolang.words.ValueKind
  * The lines of a program, each with what it says and the blocks that it is in. An editor that shows a program in another
  * way, such as in blocks, works on it. A line with a mistake does not change what the other lines say.
  *
+ * @property brick the brick of the robot that it was read for.
  * @property lines all lines; a text that ends in a line break has an empty last one. Their offsets have neither gaps nor
  * overlaps, except that a byte order mark stands before the first line.
  * @property parsed what the compiler needs of it; null for a text that is too long.
  */
 class ProgramOutline internal constructor(
     val source: String,
+    val brick: BrickKind,
     val lines: List<OutlineLine>,
     val parsed: ParsedText?,
     findNames: (ProgramOutline) -> List<DeclaredName>,

@@ -16,6 +16,7 @@ import robotran.robolang.robolangTokens
 import robotran.robolang.robolangTokensOfLines
 import robotran.robolang.wording.ChangedWords
 import robotran.robolang.wording.changeWords
+import robotran.robolang.words.BrickDialect
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.inEnglish
 import robotran.robolang.words.vocabularyOf
@@ -49,6 +50,9 @@ object RobolangSupport : LanguageSupport {
 
 private object RobolangFiles : ProgramFiles(ProgramLanguage.ROBOLANG) {
     override fun brickOf(files: List<SourceFile>): BrickKind? = brickOfRobolang(files.single().text)
+
+    override fun isFor(named: BrickKind, robot: BrickKind): Boolean =
+        BrickDialect.of(named).keyword == BrickDialect.of(robot).keyword
 }
 
 private object RobolangMeasure : ProgramMeasure {

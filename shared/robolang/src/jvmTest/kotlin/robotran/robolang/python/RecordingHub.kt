@@ -127,10 +127,8 @@ internal class RecordingHub(private val robot: PybricksRobot, private val areApa
 
     override fun brake(motor: MotorPort, sourceLine: Int) = motor(motor.name.single()).stand("brake")
 
-    override fun turnMotor(motor: MotorPort, angle: NumberValue, sourceLine: Int) = motor(motor.name.single()).run {
-        val degrees = roundAsPython(exact(angle)).toInt()
-        runTo(angle() + degrees, "run_angle ${PybricksFigures.TURNING_SPEED} $degrees")
-    }
+    override fun turnMotor(motor: MotorPort, angle: NumberValue, waits: Boolean, sourceLine: Int) =
+        motor(motor.name.single()).turn(roundAsPython(exact(angle)).toInt())
 
     override fun isTurning(motor: MotorPort): Boolean = motor(motor.name.single()).isMoving
 
@@ -224,6 +222,9 @@ internal class RecordingHub(private val robot: PybricksRobot, private val areApa
             until = milliseconds + abs(target - rest) * MS_OF_TURN
             rest = target
         }
+
+        fun turn(degrees: Int) =
+            runTo(angle() + degrees, "run_angle ${PybricksFigures.TURNING_SPEED} $degrees")
 
         fun reset() {
             stand("reset_angle 0")

@@ -24,6 +24,7 @@ import robotran.world.LightFacing
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
 import robotran.world.SensorPart
+import robotran.world.pluggedMotors
 import robotran.world.robot.things
 import kotlin.math.floor
 
@@ -45,7 +46,7 @@ internal class HubPorts(
 ) : BrickPorts {
     private val machine: SimulatedRobot = scene.machines[number]
     private val model = brick.model
-    private val motors = robot.brick.motorPorts.filter { it in pluggedMotors() }
+    private val motors = robot.brick.motorPorts.filter { it in robot.pluggedMotors }
     private val mirrored = robot.drive.left.takeIf { model.mirrorsLeft }
     private val pressed = BooleanArray(robot.brick.inputPorts)
     private var sonarBias = 0.0
@@ -98,11 +99,6 @@ internal class HubPorts(
             MotorMode.BACKWARD -> command.copy(mode = MotorMode.FORWARD)
             MotorMode.BRAKE, MotorMode.FLOAT -> command
         }
-    }
-
-    private fun pluggedMotors(): Set<MotorPort> {
-        val turrets = robot.parts.mapNotNull { (it as? SensorPart)?.turret }
-        return setOfNotNull(robot.drive.left, robot.drive.right, robot.pen?.motor) + turrets
     }
 
     private fun plugIn(part: RobotPart, index: Int): HubSensor? {

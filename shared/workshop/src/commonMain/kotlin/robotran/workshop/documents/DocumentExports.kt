@@ -14,6 +14,7 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
 import robotran.programs.brickOf
+import robotran.programs.support
 import robotran.programs.firmwareImage
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
@@ -133,7 +134,8 @@ internal class DocumentExports(
     private fun targetOf(program: Program): RobotTarget {
         val robot = current.shownRobot.description
         val brick = brickOf(program) ?: robot.brick
-        return if (brick == robot.brick) robot.target else brick.penbotTarget
+        val isItsOwn = program.language.support.files.isFor(brick, robot.brick)
+        return if (isItsOwn) robot.target else brick.penbotTarget
     }
 
     private suspend fun saveImage(program: Program, image: RcxImage) =

@@ -10,6 +10,7 @@ import robotran.blockediting.blocksOf
 import robotran.blockediting.describe.describe
 import robotran.blockediting.describe.describeChange
 import robotran.blockediting.messages.BlockMessages
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.source.SourceSpan
 import robotran.projects.ProgramView
@@ -31,17 +32,18 @@ import robotran.workshop.event.BlockEvent
 import robotran.workshop.service.Preferences
 
 /**
- * This memory with the blocks of its text in the language and the words of [preferences], if it is shown in blocks. The
- * same if they are current.
+ * This memory with the blocks of its text for a robot with [brick], in the language and the words of [preferences], if it
+ * is shown in blocks. The same if they are current.
  */
-internal fun FileEditorState.withBlocksRead(preferences: Preferences): FileEditorState {
+internal fun FileEditorState.withBlocksRead(preferences: Preferences, brick: BrickKind): FileEditorState {
     if (!view.hasBlocks) return this
     val language = preferences.language
     val words = Vocabulary.of(preferences.words)
-    val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, null, words)), language))
-    val isCurrent = known.language == language && known.program.shown === words
+    val known = blocks ?: return copy(blocks = BlocksState(BlockList(read(language, null, words, brick)), language))
+    val isCurrent =
+        known.language == language && known.program.shown === words && known.program.brick == brick
     if (known.program.text == draft.text && isCurrent) return this
-    val program = read(language, known.program, words)
+    val program = read(language, known.program, words, brick)
     // The places of parts have moved with the text.
     val state = known.copy(
         list = BlockList(program, known.list.collapsed),
@@ -90,8 +92,12 @@ private fun saidAfter(last: String?, words: String): String = if (words == last)
 /** A no-break space. */
 private const val UNHEARD = '\u00A0'
 
-private fun FileEditorState.read(language: Language, previous: BlockProgram?, words: Vocabulary): BlockProgram =
-    blocksOf(draft.text, RobolangMessages.of(language), previous, words)
+private fun FileEditorState.read(
+    language: Language,
+    previous: BlockProgram?,
+    words: Vocabulary,
+    brick: BrickKind,
+): BlockProgram = blocksOf(draft.text, RobolangMessages.of(language), previous, words, brick)
 
 /** This memory after [event]. Its blocks must be current. */
 internal fun FileEditorState.after(event: BlockEvent): FileEditorState {

@@ -8,7 +8,7 @@ import robotran.programs.brickOf
 import robotran.programs.support
 import robotran.projects.penbotTarget
 
-/** Finds out whether a program with mistakes is for the other brick. It is asked often and remembers its last answer. */
+/** Finds out whether a program with mistakes is for another brick. It is asked often and remembers its last answer. */
 internal class OtherBrickFinder {
     private var asked: Pair<Program, BrickKind>? = null
     private var answer: BrickKind? = null
@@ -21,16 +21,20 @@ internal class OtherBrickFinder {
         val now = program to robot
         if (now != asked) {
             asked = now
-            answer = (brickOf(program) ?: brickByWords(program, robot)).takeIf { it != robot }
+            val named = brickOf(program)
+            answer = if (named == null) brickByWords(program, robot) else named.takeUnless { isFor(program, it, robot) }
         }
         return answer
     }
 
-    /** The other brick if all of a program is for it. */
+    private fun isFor(program: Program, named: BrickKind, robot: BrickKind): Boolean =
+        program.language.support.files.isFor(named, robot)
+
+    /** The first other brick that all of a program is for. */
     private fun brickByWords(program: Program, robot: BrickKind): BrickKind? {
         if (program.language.support.hasSlowCompiler || program.characters > LONGEST) return null
-        val other = BrickKind.entries.first { it != robot }
-        return other.takeIf { ProgramCompiler(it.penbotTarget, language = Language.ENGLISH).accepts(program) }
+        return BrickKind.entries.filter { it != robot }
+            .firstOrNull { ProgramCompiler(it.penbotTarget, language = Language.ENGLISH).accepts(program) }
     }
 
     private companion object {

@@ -114,7 +114,7 @@ internal class ProgramEditing(
     private fun remember(robot: RobotPrograms, editorState: FileEditorState) = robot.change(editorState, preferences)
 
     private fun rememberUndo(robot: RobotPrograms, editorState: FileEditorState, isRedo: Boolean) {
-        val read = editorState.withBlocksRead(preferences)
+        val read = editorState.withBlocksRead(preferences, robot.brick)
         remember(robot, read.tellingUndo(before = robot.editorState, isRedo))
     }
 

@@ -73,7 +73,7 @@ internal class RobotPrograms(
      */
     fun change(editorState: FileEditorState, preferences: Preferences) {
         val hasBlocks = entry.program.language.support.hasBlocks
-        val read = if (hasBlocks) editorState.withBlocksRead(preferences) else editorState
+        val read = if (hasBlocks) editorState.withBlocksRead(preferences, brick) else editorState
         if (read !== this.editorState) list.change(shownProgram, entry.with(shownFile, read))
     }
 

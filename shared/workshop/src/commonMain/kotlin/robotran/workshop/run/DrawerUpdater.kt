@@ -84,7 +84,7 @@ internal class DrawerUpdater {
         DrawerTab.LOG -> drawer.copy(log = updateLog(player))
 
         DrawerTab.CHART -> {
-            val lanes = ChartLane.of(player.state.robots[player.watched].brick.kind)
+            val lanes = ChartLane.of(player.session.world.robots[player.watched].description)
             drawer.copy(chart = drawer.chart.copy(lines = lanes.map(player::chart)))
         }
 

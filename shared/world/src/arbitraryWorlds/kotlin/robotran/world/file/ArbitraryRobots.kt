@@ -29,8 +29,7 @@ internal fun arbitraryRobots(brick: BrickKind? = null): Arb<RobotDescription> =
 /** Most figures are sensible and some are not, so that about half of the robots can be built. */
 private class ArbitraryRobot(private val random: Random, private val wanted: BrickKind?) {
     fun robot(): RobotDescription {
-        // On a port with a letter sensors and motors would get in each other's way.
-        val brick = wanted ?: BrickKind.entries.filterNot { it.hasLetteredInputs }.random(random)
+        val brick = wanted ?: BrickKind.entries.random(random)
         val base = if (random.nextBoolean()) {
             ReadyRobots.all.values.filter { it.brick == brick }.random(random)
         } else {
@@ -39,15 +38,20 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         val like = base ?: ReadyRobots.defaultOf(brick)
         val front = number(3.0, 15.0)
         val motors = brick.motorPorts.shuffled(random)
+        val drive = if (random.nextInt(4) == 0) like.drive else drive(motors)
+        val pen = if (random.nextBoolean()) null else motors.getOrNull(rarely(0, 2))?.let(::PenMount)
+        // On a port with a letter is a motor or a sensor.
+        val taken = if (brick.hasLetteredInputs) listOfNotNull(drive.left, drive.right, pen?.motor) else emptyList()
+        val ports = (1..brick.inputPorts) - taken.map { it.ordinal + 1 }.toSet()
         return RobotDescription(
             title = "Robot ${random.nextInt(100)}",
             brick = brick,
             chassis = if (random.nextInt(4) == 0) like.chassis else chassis(front),
-            drive = if (random.nextInt(4) == 0) like.drive else drive(motors),
+            drive = drive,
             casters = if (random.nextInt(4) == 0) like.casters else casters(front),
-            pen = if (random.nextBoolean()) null else PenMount(motors[rarely(0, 2)]),
+            pen = pen,
             brickAt = BrickMount(Point(number(-3.0, 3.0), 0.0), random.nextBoolean()),
-            parts = if (random.nextInt(4) == 0) like.parts else parts(brick, front),
+            parts = if (random.nextInt(4) == 0) like.parts else parts(brick, ports.shuffled(random), front),
             base = base?.base,
         ).rounded()
     }
@@ -92,25 +96,16 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         },
     ) { Point(front - number(0.0, 2.0), number(-4.0, 4.0)) }
 
-    private fun parts(brick: BrickKind, front: Double): List<RobotPart> {
-        val ports = (1..brick.inputPorts).shuffled(random)
-        return List(random.nextInt(brick.inputPorts + 1)) {
-            part(
-                if (random.nextInt(5) == 0) {
-                    null
-                } else {
-                    ports[it]
-                },
-                front,
-            )
+    private fun parts(brick: BrickKind, ports: List<Int>, front: Double): List<RobotPart> =
+        List(random.nextInt(ports.size + 1)) {
+            part(brick, ports[it].takeUnless { random.nextInt(5) == 0 }, front)
         }
-    }
 
-    private fun part(port: Int?, front: Double): RobotPart = when (random.nextInt(6)) {
+    private fun part(brick: BrickKind, port: Int?, front: Double): RobotPart = when (random.nextInt(6)) {
         0 -> FingerTouchPart(port)
         1 -> RotationPart(port, BumperSide.entries.random(random))
         2, 3 -> bumper(port, front)
-        else -> sensor(port, front)
+        else -> sensor(brick, port, front)
     }
 
     private fun bumper(port: Int?, front: Double) = BumperPart(
@@ -122,8 +117,9 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
         side = if (random.nextBoolean()) BumperSide.entries.random(random) else null,
     )
 
-    private fun sensor(port: Int?, front: Double): SensorPart {
-        val kind = if (random.nextInt(3) > 0) SensorKind.LIGHT else (SensorKind.entries - OTHER_PARTS).random(random)
+    private fun sensor(brick: BrickKind, port: Int?, front: Double): SensorPart {
+        val usual = SensorKind.LIGHT.takeIf { it in brick.sensors } ?: SensorKind.COLOUR
+        val kind = if (random.nextInt(3) > 0) usual else (SensorKind.entries - OTHER_PARTS).random(random)
         val facing = when (random.nextInt(4)) {
             0 -> Facing.Down
             1 -> Facing.Free
