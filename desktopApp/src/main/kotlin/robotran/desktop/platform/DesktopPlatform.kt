@@ -2,6 +2,10 @@ package robotran.desktop.platform
 
 import kotlinx.coroutines.Dispatchers
 import robotran.desktoptower.DesktopTowerPorts
+import robotran.desktoptower.hub.DesktopHubPorts
+import robotran.hublink.connection.HubPorts
+import robotran.mpycompiler.JvmMpyCompiler
+import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
@@ -40,6 +44,8 @@ internal class DesktopPlatform(
     override val sharing: Sharing = Clipboard
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
+    override val hubs: HubPorts = DesktopHubPorts()
+    override val mpyCompiler: MpyCompiler = JvmMpyCompiler()
     override val gradingWorkers: GradingWorkers = GradingThreads()
     override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, pixelsIn = ::pixelsIn)
     override val photoReader: PhotoReader = SkiaPhotoReader

@@ -119,7 +119,7 @@ internal fun DrawScope.drawLocked(colours: RobotranColours) {
 }
 
 /** A sheet with a program, [mistake] being the line that is wrong, or with the figures of a firmware. */
-private fun DrawScope.drawSheet(
+internal fun DrawScope.drawSheet(
     corner: Offset,
     colours: RobotranColours,
     mistake: Int? = null,
@@ -139,7 +139,7 @@ private fun DrawScope.drawSheet(
     }
 }
 
-private fun DrawScope.drawArrow(from: Offset, to: Offset, colours: RobotranColours) {
+internal fun DrawScope.drawArrow(from: Offset, to: Offset, colours: RobotranColours) {
     drawLine(colours.onPane, from, to, 5f, StrokeCap.Round)
     val back = if (to.x > from.x) -9f else 9f
     for (side in listOf(-8f, 8f)) drawLine(colours.onPane, to, to + Offset(back, side), 5f, StrokeCap.Round)
@@ -156,7 +156,7 @@ private fun DrawScope.drawSun(middle: Offset) {
 }
 
 /** A battery that is full to the [part] 0 to 1. */
-private fun DrawScope.drawBattery(bounds: Rect, part: Float, colours: RobotranColours) {
+internal fun DrawScope.drawBattery(bounds: Rect, part: Float, colours: RobotranColours) {
     block(
         Rect(bounds.center.x - bounds.width / 5, bounds.top - 7, bounds.center.x + bounds.width / 5, bounds.top + 4),
         colours.onPane,

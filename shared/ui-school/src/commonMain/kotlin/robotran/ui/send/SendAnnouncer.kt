@@ -24,6 +24,12 @@ internal fun SendAnnouncer(step: SendStep) {
     } else {
         SendTexts.saidProgress(spoken, quarters * PERCENT / QUARTERS)
     }
+    Announcer(said)
+}
+
+/** What screen readers say when [said] changes. */
+@Composable
+internal fun Announcer(said: String) {
     Box(
         Modifier.size(1.dp).testTag(SendTags.SEND_ANNOUNCER).semantics {
             liveRegion = LiveRegionMode.Polite
@@ -32,5 +38,5 @@ internal fun SendAnnouncer(step: SendStep) {
     )
 }
 
-private const val QUARTERS = 4
-private const val PERCENT = 100
+internal const val QUARTERS = 4
+internal const val PERCENT = 100

@@ -27,7 +27,7 @@ internal fun SendButtons(step: SendStep, onEvent: (SendEvent) -> Unit, modifier:
 }
 
 @Composable
-private fun CancelButton(cancels: Boolean, onClick: () -> Unit) =
+internal fun CancelButton(cancels: Boolean, onClick: () -> Unit) =
     ButtonFrame(SendTags.SEND_CANCEL, ButtonKind.DIALOG_OTHER, onClick = onClick) {
         val words = if (cancels) SendTexts::cancel else SendTexts::close
         SteadySize(words, listOf(SendTexts::cancel, SendTexts::close)) { Text(it(spoken), style = TextStyles.body) }

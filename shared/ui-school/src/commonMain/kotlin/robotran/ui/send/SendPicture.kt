@@ -45,14 +45,17 @@ enum class SendPicture(val draw: DrawScope.(RobotranColours) -> Unit) {
     }
 }
 
-/** [picture] in the middle, as large as its place allows. For screen readers the sentence says the same. */
 @Composable
-fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier) {
+fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier) = StepPicture(picture.draw, modifier)
+
+/** What [draw] draws in the middle, as large as its place allows. For screen readers the sentence says the same. */
+@Composable
+internal fun StepPicture(draw: DrawScope.(RobotranColours) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
     Canvas(modifier.testTag(SendTags.SEND_PICTURE)) {
         val factor = minOf(size.width / SendPicture.WIDTH, size.height / SendPicture.HEIGHT)
         translate((size.width - SendPicture.WIDTH * factor) / 2, (size.height - SendPicture.HEIGHT * factor) / 2) {
-            scale(factor, Offset.Zero) { picture.draw(this, colours) }
+            scale(factor, Offset.Zero) { draw(colours) }
         }
     }
 }

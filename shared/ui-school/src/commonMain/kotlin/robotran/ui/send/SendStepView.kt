@@ -14,6 +14,7 @@ import androidx.compose.foundation.verticalScroll
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.key
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
@@ -23,17 +24,31 @@ import robotran.uikit.*
 import robotran.workshop.event.SendEvent
 import robotran.workshop.state.SendStep
 
-/** What [step] shows: its picture above its words, or beside them if the sheet is low. */
+/** What [step] shows: its picture and its words. */
 @Composable
 internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier: Modifier = Modifier) {
-    val colours = LocalRobotranColours.current
     val picture = pictureOf(step)
+    PictureAndWords(picture.draw, step::class to picture, modifier) { StepWords(step, onEvent) }
+}
+
+/**
+ * A picture above words, or beside them if the sheet is low.
+ *
+ * @param step each one begins at its top.
+ */
+@Composable
+internal fun PictureAndWords(
+    draw: DrawScope.(RobotranColours) -> Unit,
+    step: Any,
+    modifier: Modifier,
+    words: @Composable () -> Unit,
+) {
+    val colours = LocalRobotranColours.current
     BoxWithConstraints(modifier) {
         val isLow = maxHeight < LOW && maxWidth >= MIN_BESIDE
         Row(Modifier.fillMaxSize(), Arrangement.spacedBy(20.dp)) {
-            if (isLow) SendPictureView(picture, Modifier.size(LOW_PICTURE))
-            // Each step begins at its top.
-            key(step::class, picture) {
+            if (isLow) StepPicture(draw, Modifier.size(LOW_PICTURE))
+            key(step) {
                 val scroll = rememberScrollState()
                 Column(
                     Modifier
@@ -44,8 +59,8 @@ internal fun SendStepView(step: SendStep, onEvent: (SendEvent) -> Unit, modifier
                         .verticalScroll(scroll),
                     Arrangement.spacedBy(12.dp),
                 ) {
-                    if (!isLow) SendPictureView(picture, Modifier.fillMaxWidth().height(PICTURE_HEIGHT))
-                    StepWords(step, onEvent)
+                    if (!isLow) StepPicture(draw, Modifier.fillMaxWidth().height(PICTURE_HEIGHT))
+                    words()
                 }
             }
         }
