@@ -5,6 +5,8 @@ import android.content.res.Configuration
 import androidx.compose.ui.text.font.createFontFamilyResolver
 import kotlinx.coroutines.Dispatchers
 import robotran.android.R
+import robotran.android.hub.AndroidHubPorts
+import robotran.android.hub.BluetoothPermissions
 import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidMotion
 import robotran.android.platform.AndroidPhotoReader
@@ -15,6 +17,9 @@ import robotran.android.platform.ContentFiles
 import robotran.android.platform.pixelsIn
 import robotran.android.sound.audioTrackSpeaker
 import robotran.android.tower.AndroidTowers
+import robotran.hublink.connection.HubPorts
+import robotran.mpycompiler.JvmMpyCompiler
+import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
@@ -50,6 +55,9 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val sharing: Sharing = AndroidSharing(context)
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = AndroidTowers(context)
+    val bluetooth = BluetoothPermissions(context)
+    override val hubs: HubPorts = AndroidHubPorts(context, bluetooth)
+    override val mpyCompiler: MpyCompiler = JvmMpyCompiler()
     override val pageAddress: String = context.getString(R.string.page_address)
 
     /** False for a Chromebook, and for a tablet in a case with a keyboard. */

@@ -23,6 +23,7 @@ class MainActivity : ComponentActivity() {
         kept.platform.files.attachTo(this)
         kept.platform.posters.attachTo(this)
         kept.platform.photos.attachTo(this)
+        kept.platform.bluetooth.attachTo(this)
         if (savedInstanceState == null && !isFromHistory(intent)) kept.receive(intent)
         setContent { kept.workshop?.let { EdgeToEdge(this, it) } }
     }

@@ -93,7 +93,7 @@ internal class HubSendStateHolder(
         // Until it is built, no try may send what was built before.
         python = null
         built = null
-        when (val translated = translate()) {
+        when (val translated = orNull { programs.translate(current.shownProgram) }) {
             is HubTranslation.Failure -> show(HubSendStep.HasErrors(translated.diagnostics.first()))
 
             HubTranslation.NotForHubs, null -> show(HubSendStep.CompilerFailed)
@@ -105,19 +105,19 @@ internal class HubSendStateHolder(
         }
     }
 
-    /** Null if the compiler crashes on the program because of a bug, which must not take the app with it. */
-    private suspend fun translate(): HubTranslation? = try {
-        programs.translate(current.shownProgram)
+    /** Null if a compiler crashes on the program because of a bug, which must not take the app with it. */
+    private suspend fun <T> orNull(compile: suspend () -> T): T? = try {
+        compile()
     } catch (cancelled: CancellationException) {
         throw cancelled
     } catch (_: Throwable) {
         null
     }
 
-    private suspend fun compile(python: PythonTranslation) = when (val result = programs.compile(python)) {
+    private suspend fun compile(python: PythonTranslation) = when (val result = orNull { programs.compile(python) }) {
         HubBuildResult.NoCompiler -> show(HubSendStep.NoCompiler)
 
-        HubBuildResult.CompilerFailed -> show(HubSendStep.CompilerFailed)
+        HubBuildResult.CompilerFailed, null -> show(HubSendStep.CompilerFailed)
 
         is HubBuildResult.Success -> {
             built = result
@@ -132,6 +132,7 @@ internal class HubSendStateHolder(
         val last = session.lastUsed
         if (findsAlone && last != null) return connect(last)
         session.close()
+        show(HubSendStep.Looking)
         val devices = platform.hubs.available()
         // Over Bluetooth, the only hub may be that of another pupil.
         val alone = devices.singleOrNull()?.takeIf { it.way != HubWay.BLUETOOTH }
@@ -140,6 +141,7 @@ internal class HubSendStateHolder(
     }
 
     private suspend fun ask(way: HubWay) {
+        show(HubSendStep.Looking)
         val chosen = platform.hubs.choose(way)
         if (chosen != null) return connect(chosen)
         val devices = platform.hubs.available()

@@ -68,6 +68,11 @@ sealed interface HubSendStep {
      */
     data class NoWay(val savedAs: String? = null, val isRefused: Boolean = false) : HubSendStep
 
+    /** The platform looks for hubs, or shows its dialog for that. */
+    data object Looking : HubSendStep {
+        override val isBusy get() = true
+    }
+
     /**
      * The pupil chooses a hub.
      *

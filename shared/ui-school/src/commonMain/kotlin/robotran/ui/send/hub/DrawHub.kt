@@ -49,8 +49,10 @@ internal fun DrawScope.drawHub(
     pointed: Boolean = false,
 ) {
     // The ports.
-    for (y in PORTS) for (x in listOf(-5f, HUB_WIDTH - 5f)) {
-        block(Rect(corner + Offset(x, y), Size(10f, 14f)), BrickColours.OUTPUT, 2f)
+    for (y in PORTS) {
+        for (x in listOf(-5f, HUB_WIDTH - 5f)) {
+            block(Rect(corner + Offset(x, y), Size(10f, 14f)), BrickColours.OUTPUT, 2f)
+        }
     }
     val whole = Rect(corner, Size(HUB_WIDTH, HUB_HEIGHT))
     block(whole, HubPictureColours.EDGE, 9f)

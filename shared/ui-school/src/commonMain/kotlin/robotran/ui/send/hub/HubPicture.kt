@@ -42,7 +42,7 @@ internal fun hubPictureOf(state: HubSendState): HubPicture = when (val step = st
     HubSendStep.Building -> HubPicture.PROGRAM
     is HubSendStep.HasErrors, HubSendStep.NoCompiler, HubSendStep.CompilerFailed -> HubPicture.MISTAKE
     is HubSendStep.NoWay -> HubPicture.NO_WAY
-    is HubSendStep.Choosing -> HubPicture.SWITCH_ON
+    HubSendStep.Looking, is HubSendStep.Choosing -> HubPicture.SWITCH_ON
     HubSendStep.Connecting, is HubSendStep.Sending -> HubPicture.SENDING
     HubSendStep.Found -> if (state.hub?.expected == null) HubPicture.CONNECTED else HubPicture.WRONG_FIRMWARE
     HubSendStep.Cancelled -> HubPicture.STOPPED

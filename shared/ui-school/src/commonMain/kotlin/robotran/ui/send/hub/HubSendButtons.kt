@@ -28,7 +28,7 @@ internal fun HubSendButtons(state: HubSendState, onEvent: (HubSendEvent) -> Unit
 /** What can be done in the step of [state], the most likely last. */
 private fun actionsOf(state: HubSendState): List<HubAction> = when (val step = state.step) {
     HubSendStep.Building, HubSendStep.Connecting, HubSendStep.CompilerFailed -> emptyList()
-    is HubSendStep.Choosing, is HubSendStep.Sending -> emptyList()
+    HubSendStep.Looking, is HubSendStep.Choosing, is HubSendStep.Sending -> emptyList()
     is HubSendStep.HasErrors -> listOf(HubAction.SHOW_MISTAKE)
     HubSendStep.NoCompiler -> listOf(HubAction.AGAIN)
     is HubSendStep.NoWay -> listOf(HubAction.SAVE_PYTHON)

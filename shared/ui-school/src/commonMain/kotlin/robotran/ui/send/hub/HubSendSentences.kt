@@ -23,6 +23,8 @@ internal fun sentenceOf(state: HubSendState): String = when (val step = state.st
     HubSendStep.NoCompiler -> HubSendTexts.noCompiler(spoken)
     HubSendStep.CompilerFailed -> SendTexts.compilerFailed(spoken)
     is HubSendStep.NoWay -> step.savedAs?.let { HubSendTexts.savedPython(spoken, it) } ?: HubSendTexts.noWay(spoken)
+    HubSendStep.Looking -> HubSendTexts.looking(spoken)
+
     is HubSendStep.Choosing ->
         if (step.isMissing) HubSendTexts.chooseMissing(spoken) else HubSendTexts.choose(spoken)
 
@@ -50,9 +52,8 @@ internal fun adviceOf(state: HubSendState): List<String> = when (val step = stat
 }
 
 @Composable
-private fun sentenceOf(hub: FoundHub): String =
-    hub.expected?.let { HubSendTexts.otherKind(spoken, hub.model, it) }
-        ?: HubSendTexts.found(spoken, hub.name, hub.model)
+private fun sentenceOf(hub: FoundHub): String = hub.expected?.let { HubSendTexts.otherKind(spoken, hub.model, it) }
+    ?: HubSendTexts.found(spoken, hub.name, hub.model)
 
 @Composable
 private fun adviceOf(hub: FoundHub): List<String> = listOfNotNull(

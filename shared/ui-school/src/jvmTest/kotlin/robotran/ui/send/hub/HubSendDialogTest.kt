@@ -109,7 +109,9 @@ class HubSendDialogTest {
     @Test
     fun `the causes of a hub that is not in the list stand below each other`() = onSheet(411, 891) {
         show(HUB_STEPS.getValue("choose-missing"))
-        onNodeWithText("Does a program run on it? Stop it with the hub's button: until then the hub hides.").assertExists()
+        onNodeWithText(
+            "Does a program run on it? Stop it with the hub's button: until then the hub hides.",
+        ).assertExists()
         onNodeWithText("Is it near? Put it within two metres.").assertExists()
     }
 

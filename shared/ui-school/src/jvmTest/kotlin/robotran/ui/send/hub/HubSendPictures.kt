@@ -67,5 +67,15 @@ private enum class Screen(val width: Int, val height: Int) {
     TABLET(1280, 800),
 }
 
-private val IMPORTANT = setOf("choose", "choose-missing", "found-low", "found-other", "sending-again", "running-prints", "ended-missing_device", "no-way")
+private val IMPORTANT =
+    setOf(
+        "choose",
+        "choose-missing",
+        "found-low",
+        "found-other",
+        "sending-again",
+        "running-prints",
+        "ended-missing_device",
+        "no-way",
+    )
 private const val SECOND = 1_000_000_000L

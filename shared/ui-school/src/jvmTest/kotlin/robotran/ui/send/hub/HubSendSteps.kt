@@ -51,6 +51,7 @@ internal val HUB_STEPS: Map<String, HubSendState> = buildMap {
     put("no-way", HubSendStep.NoWay())
     put("no-way-saved", HubSendStep.NoWay(savedAs = "square.py"))
     put("no-way-refused", HubSendStep.NoWay(isRefused = true))
+    put("looking", HubSendStep.Looking)
     put("choose", HubSendStep.Choosing(emptyList(), HubWay.entries))
     put("choose-one", HubSendStep.Choosing(listOf(ADA, CABLE), listOf(HubWay.BLUETOOTH)))
     put("choose-missing", HubSendStep.Choosing(emptyList(), listOf(HubWay.BLUETOOTH), isMissing = true))
