@@ -223,8 +223,7 @@ internal class RecordingHub(private val robot: PybricksRobot, private val areApa
             rest = target
         }
 
-        fun turn(degrees: Int) =
-            runTo(angle() + degrees, "run_angle ${PybricksFigures.TURNING_SPEED} $degrees")
+        fun turn(degrees: Int) = runTo(angle() + degrees, "run_angle ${PybricksFigures.TURNING_SPEED} $degrees")
 
         fun reset() {
             stand("reset_angle 0")

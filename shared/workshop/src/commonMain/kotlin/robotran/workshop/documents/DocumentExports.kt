@@ -14,8 +14,8 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.TimedCompilation
 import robotran.programs.brickOf
-import robotran.programs.support
 import robotran.programs.firmwareImage
+import robotran.programs.support
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
