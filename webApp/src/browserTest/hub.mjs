@@ -7,11 +7,12 @@
  * - `way`: 'bluetooth', 'serial' (firmware 4.1) or 'packets' (firmware 4.0).
  * - `prints`: what each program prints before it ends; none ends if `stays`.
  * - `loseAfter`: the connection is lost once that many bytes of the first download have come.
- * - `writeTakes`: milliseconds for each write over Bluetooth.
+ * - `pieceTakes`: milliseconds for each piece of a program over Bluetooth; other operations take 3.
+ * - `lego`: whether it has LEGO's own firmware.
  */
 export const switchOn = (options) => `(${hubInPage})(${JSON.stringify(options)});`;
 
-function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAFE_INTEGER, writeTakes = 3, programBytes = 52_300, lego = false }) {
+function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAFE_INTEGER, pieceTakes = 3, programBytes = 52_300, lego = false }) {
   const SERVICE = 'c5f50001-8280-46da-89f4-6d8051e4aeef';
   const COMMANDS = 'c5f50002-8280-46da-89f4-6d8051e4aeef';
   const CAPABILITIES = 'c5f50003-8280-46da-89f4-6d8051e4aeef';
@@ -132,11 +133,11 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
     const on = (type, listener) => listeners.set(type, [...(listeners.get(type) ?? []), listener]);
     const emit = (type, event) => (listeners.get(type) ?? []).forEach((listener) => listener(event));
     let isBusy = false;
-    const operation = async (work) => {
+    const operation = async (work, takes = 3) => {
       if (!gatt.connected) throw dom('NetworkError');
       if (isBusy) throw dom('NetworkError'); // GATT operation already in progress.
       isBusy = true;
-      await pause(writeTakes);
+      await pause(takes);
       isBusy = false;
       if (!gatt.connected) throw dom('NetworkError');
       return work();
@@ -145,9 +146,12 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
     const commands = {
       addEventListener: on,
       writeValueWithResponse: (bytes) =>
-        operation(() => {
-          if (isTooMuch() || command([...bytes]) !== OK) throw dom('NetworkError');
-        }),
+        operation(
+          () => {
+            if (isTooMuch() || command([...bytes]) !== OK) throw dom('NetworkError');
+          },
+          bytes[0] === 4 ? pieceTakes : 3,
+        ),
       stopNotifications: () => operation(() => undefined),
       startNotifications: () =>
         operation(() => {
@@ -169,7 +173,7 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
     const gatt = {
       connected: false,
       async connect() {
-        await pause(writeTakes);
+        await pause(3);
         if (hub.isLost) throw dom('NetworkError');
         this.connected = true;
         return this;

@@ -19,6 +19,9 @@ const WORLD = {
 };
 const LINK = linkTo('w', WORLD);
 
+/** Takes several pieces on its way. */
+const LONG = 'forward 10\nturn right 90\nbeep\n'.repeat(20);
+
 /** A module of MicroPython's bytecode in a container: its size, a name, and the module's first two bytes. */
 function assertHolds(slot, source) {
   const bytes = Buffer.from(slot);
@@ -48,7 +51,7 @@ test('a program goes by Bluetooth from a phone into the hub; the connection brea
   onPage(
     { ...PHONE, hasTouch: true, address: LINK, locale: 'de-DE', prepare: switchOn({ way: 'bluetooth', loseAfter: 400, prints: ['42'] }) },
     async ({ page, troubles }) => {
-      await writeProgram(page, `${'forward 10\nturn right 90\nbeep\n'.repeat(12)}show 42\n`);
+      await writeProgram(page, `${LONG}show 42\n`);
       await pointAtTool(page, 'send-robot', tap);
       await appears(page, 'send-look-bluetooth');
       await photograph(page, 'hub-phone-choose');
@@ -81,7 +84,7 @@ test('a program that runs on is stopped from a tablet, over the serial port of f
   onPage(
     { ...TABLET, hasTouch: true, address: LINK, prepare: switchOn({ way: 'serial', stays: true, prints: ['on my way'] }) },
     async ({ page, troubles }) => {
-      await writeProgram(page, 'forever\n  forward 10\nend\n');
+      await writeProgram(page, 'repeat forever\n  forward 10\nend\n');
       await pointAtTool(page, 'send-robot', tap);
       await tap(page, 'send-look-usb_serial');
       await says(page, 'send-step', /Robo 7/);
@@ -118,9 +121,9 @@ test("a hub with LEGO's own firmware is told as such", () =>
   }));
 
 test('whoever cancels is not stuck, and a compiler that does not come is told', () =>
-  onPage({ ...TABLET, hasTouch: true, address: LINK, prepare: switchOn({ way: 'bluetooth', writeTakes: 400 }) }, async ({ page }) => {
+  onPage({ ...TABLET, hasTouch: true, address: LINK, prepare: switchOn({ way: 'bluetooth', pieceTakes: 4000 }) }, async ({ page }) => {
     await page.route('**/mpy-cross-v6*.wasm', (route) => route.abort());
-    await writeProgram(page, 'forward 10\n');
+    await writeProgram(page, LONG);
     await pointAtTool(page, 'send-robot', tap);
     await appears(page, 'send-again');
     await page.unroute('**/mpy-cross-v6*.wasm');
