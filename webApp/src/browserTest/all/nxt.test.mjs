@@ -58,7 +58,8 @@ test('a tablet solves the same task in Java for leJOS NXJ, and finds its work ag
 
 test("the NXT's own buttons start the program and stop it", () =>
   onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
-    await choose(page, 'work-menu', 'work-new-nxt');
+    await choose(page, 'work-menu', 'work-new-robot');
+    await tap(page, 'robot-nxt');
     await writeProgram(page, 'repeat forever\nforward 10\nturn left 90\nend');
     await tap(page, 'run');
     await reports(page, (now) => now.status === 'running');
@@ -73,7 +74,8 @@ test("the NXT's own buttons start the program and stop it", () =>
 
 test('a robot is built by touch, what is impossible is told, and it is there again after a reload', () =>
   onPage({ ...TABLET, hasTouch: true }, async ({ page, troubles }) => {
-    await choose(page, 'work-menu', 'work-new-nxt');
+    await choose(page, 'work-menu', 'work-new-robot');
+    await tap(page, 'robot-nxt');
     await tap(page, 'edit-world');
     await tap(page, 'tab-edit-things');
     await tapFor(page, 'thing-robot-0', 'build-robot');

@@ -10,9 +10,9 @@ class RobotCommandTest : CommandTest() {
     @Test
     fun `the robots that come with Robotran have no mistakes`() {
         val files = tree.resolve("worlds").listFiles { file -> file.name.endsWith(".robot.json") }.orEmpty().sorted()
-        assertEquals(5, files.size)
+        assertEquals(11, files.size)
         assertEquals(0, check(*files.map { it.path }.toTypedArray()))
-        assertEquals(5, console.said.size)
+        assertEquals(11, console.said.size)
         assertContains(console.said.toString(), "It is the robot \"Sumo robot\" with an NXT.")
     }
 

@@ -1,8 +1,10 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.world.Goal
+import robotran.world.ReadyRobots
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
@@ -22,6 +24,17 @@ object WorldGallery {
             }
         }
     }
+
+    /**
+     * The bricks that their robots have. The name of a world for another brick than the default one begins like that of
+     * the brick's ready robot, such as `nxt-`, so no world is read for this.
+     */
+    val bricks: List<BrickKind> by lazy {
+        val words = worlds.mapTo(mutableSetOf()) { it.name.substringBefore('-') }
+        BrickKind.entries.distinctBy(::wordOf).filter { it == BrickKind.default || wordOf(it) in words }
+    }
+
+    private fun wordOf(brick: BrickKind) = ReadyRobots.defaultOf(brick).base?.substringBefore('-')
 
     private val withHarder: List<GalleryWorld> by lazy { worlds + worlds.flatMap { it.harder } }
 

@@ -72,6 +72,12 @@ class WorldGalleryTest {
     }
 
     @Test
+    fun `the bricks of the worlds are told by their names`() {
+        val bricks = WorldGallery.worlds.map { it.plainWorld.robots.first().description.brick }.distinct()
+        assertEquals(bricks.toSet(), WorldGallery.bricks.toSet())
+    }
+
+    @Test
     fun `a world is found by words of its title or task in the pupil's language`() {
         assertEquals(listOf("sumo", "nxt-sumo"), WorldGallery.search("SUMO", Language.ENGLISH).map { it.name })
         assertEquals(listOf("maze"), WorldGallery.search("wand labyrinth", Language.GERMAN).map { it.name })

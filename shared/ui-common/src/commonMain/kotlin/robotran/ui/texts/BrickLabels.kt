@@ -6,7 +6,6 @@ import robotran.uikit.*
 /**
  * What the screens call a kind of brick and what it has.
  *
- * @property newProject begins a project with such a robot.
  * @property programIsFor says that a program is for this brick and not for that of the robot.
  * @property use gives the robot this brick.
  * @property send what brings a program onto a real one.
@@ -16,7 +15,6 @@ import robotran.uikit.*
  * @property forgivingJava what Java forgives that a real one does not.
  */
 class BrickLabels private constructor(
-    val newProject: Label,
     val programIsFor: Label,
     val use: Label,
     val send: Label,
@@ -27,7 +25,6 @@ class BrickLabels private constructor(
 ) {
     companion object {
         private val RCX = BrickLabels(
-            newProject = CommonTexts::newProject,
             programIsFor = NxtTexts::programForRcx,
             use = NxtTexts::programUseRcx,
             send = CommonTexts::sendToRobot,
@@ -37,7 +34,6 @@ class BrickLabels private constructor(
             forgivingJava = CommonTexts::javaForgivingHelp,
         )
         private val NXT = BrickLabels(
-            newProject = NxtTexts::documentsNewNxt,
             programIsFor = NxtTexts::programForNxt,
             use = NxtTexts::programUseNxt,
             send = CommonTexts::sendingKit,
@@ -51,7 +47,6 @@ class BrickLabels private constructor(
 
         /** What is said about any hub with Pybricks; [brick] has its name. */
         private fun ofHub(brick: BrickKind) = BrickLabels(
-            newProject = { HubTexts.newProject(it, brick.label) },
             programIsFor = { HubTexts.programIsFor(it, brick.label) },
             use = { HubTexts.use(it, brick.label) },
             send = CommonTexts::sendToRobot,
@@ -71,6 +66,3 @@ class BrickLabels private constructor(
         }
     }
 }
-
-/** The bricks with which a project can begin instead of the default one. */
-val OTHER_BRICKS: List<BrickKind> = BrickKind.entries - BrickKind.default

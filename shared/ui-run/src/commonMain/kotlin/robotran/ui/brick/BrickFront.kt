@@ -31,6 +31,7 @@ import robotran.ui.brick.front.FrontPlan
 import robotran.ui.brick.front.FrontPort
 import robotran.ui.brick.front.Signal
 import robotran.ui.brick.front.drawFront
+import robotran.ui.brick.front.inUnits
 import robotran.ui.brick.hub.HubFace
 import robotran.ui.brick.nxt.NxtFace
 import robotran.ui.brick.rcx.RcxFace
@@ -81,7 +82,10 @@ fun BrickFront(
             },
     ) {
         val unit = maxWidth / FrontPlan.WIDTH
-        Canvas(Modifier.matchParentSize()) { drawFront(face.plan, signalsOf(state)) }
+        Canvas(Modifier.matchParentSize()) {
+            drawFront(face.plan, signalsOf(state))
+            inUnits { with(face) { drawLamps(state) } }
+        }
         for (part in face.plan.parts) {
             val place = Modifier.at(part.place, unit)
             when (part) {

@@ -4,10 +4,9 @@ import androidx.compose.runtime.Composable
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
-import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
+import robotran.ui.texts.HubTexts
 import robotran.ui.texts.NqcTexts
-import robotran.ui.texts.OTHER_BRICKS
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.ExportEvent
@@ -28,11 +27,7 @@ fun ProjectMenuItems(state: DocumentState, choose: (WorkshopEvent) -> Unit, onMo
         HorizontalDivider()
     }
     ProjectMenuItem(CommonTexts::newProject, DocumentTags.NEW) { choose(DocumentEvent.NewRequested) }
-    for (brick in OTHER_BRICKS) {
-        ProjectMenuItem(BrickLabels.of(brick).newProject, DocumentTags.new(brick)) {
-            choose(DocumentEvent.NewWithBrick(brick))
-        }
-    }
+    ProjectMenuItem(HubTexts::otherRobot, DocumentTags.NEW_ROBOT) { choose(DocumentEvent.RobotChoiceRequested) }
     ProjectMenuItem(CommonTexts::myWork, DocumentTags.MY_WORK) { choose(DocumentEvent.ProjectListRequested) }
     HorizontalDivider()
     ProjectMenuItem(DocumentTexts::rename, DocumentTags.RENAME) { choose(DocumentEvent.RenameRequested) }

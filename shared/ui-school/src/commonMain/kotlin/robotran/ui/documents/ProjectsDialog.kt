@@ -11,9 +11,8 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
-import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
-import robotran.ui.texts.OTHER_BRICKS
+import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.state.DocumentDialog
@@ -33,14 +32,8 @@ internal fun ProjectsDialog(
         close,
         buttons = {
             Button(DocumentTexts.close(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
-            for (brick in OTHER_BRICKS) {
-                Button(
-                    BrickLabels.of(brick).newProject(spoken),
-                    DocumentTags.worksNew(brick),
-                    ButtonKind.DIALOG_OTHER,
-                ) {
-                    onEvent(DocumentEvent.NewWithBrick(brick))
-                }
+            Button(HubTexts.otherRobot(spoken), DocumentTags.WORKS_NEW_ROBOT, ButtonKind.DIALOG_OTHER) {
+                onEvent(DocumentEvent.RobotChoiceRequested)
             }
             Button(
                 CommonTexts.newProject(spoken),

@@ -26,8 +26,10 @@ import androidx.compose.ui.unit.max
 import robotran.projects.ProgramView
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
+import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 import robotran.workshop.event.BlockEvent
+import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.event.WorkshopEvent
 import robotran.workshop.state.LearningPage
@@ -103,15 +105,19 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     }
 }
 
-/** The ways to all lessons, and to what is for teachers. */
+/** The ways to all lessons, to another robot, and to what is for teachers. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun OtherPages(onEvent: (LearningEvent) -> Unit) = FlowRow(
+private fun OtherPages(onEvent: (WorkshopEvent) -> Unit) = FlowRow(
     horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
     verticalArrangement = Arrangement.spacedBy(Space.SMALL),
 ) {
     Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
         onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+    }
+    Button(HubTexts.myRobot(spoken), LearningTags.TRY_ROBOT, ButtonKind.QUIET) {
+        onEvent(LearningEvent.PageClosed)
+        onEvent(DocumentEvent.RobotChoiceRequested)
     }
     Button(LearningTexts.teachers(spoken), LearningTags.TRY_TEACHERS, ButtonKind.QUIET) {
         onEvent(LearningEvent.PageRequested(LearningPage.TEACHERS))

@@ -26,6 +26,7 @@ import robotran.ui.empty.EmptyPicture
 import robotran.ui.empty.EmptyState
 import robotran.ui.school.tags.LearningTags
 import robotran.ui.school.texts.LearningTexts
+import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 import robotran.workshop.event.LearningEvent
 import robotran.workshop.state.LearningState
@@ -72,9 +73,10 @@ private fun robotsOfWorlds(): Map<String, String> = WorldGallery.worlds.associat
 private fun BrickFilter(brick: BrickKind?, onChoose: (BrickKind?) -> Unit) {
     val all = LearningTexts.worldsAll(spoken)
     FlowRow(horizontalArrangement = Arrangement.spacedBy(8.dp)) {
-        for (choice in listOf<BrickKind?>(null) + BrickKind.entries) {
+        for (choice in listOf<BrickKind?>(null) + WorldGallery.bricks) {
             val tag = LearningTags.worlds(choice)
-            Chip(choice?.name ?: all, choice == brick, tag) { onChoose(choice) }
+            val name = choice?.let { HubTexts.robotWith(spoken, it) } ?: all
+            Chip(name, choice == brick, tag) { onChoose(choice) }
         }
     }
 }

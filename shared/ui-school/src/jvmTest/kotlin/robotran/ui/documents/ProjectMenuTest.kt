@@ -8,16 +8,20 @@ import androidx.compose.ui.input.key.Key
 import androidx.compose.ui.test.ComposeUiTest
 import androidx.compose.ui.test.ExperimentalTestApi
 import androidx.compose.ui.test.assertContentDescriptionContains
+import androidx.compose.ui.test.assertHeightIsAtLeast
 import androidx.compose.ui.test.assertIsDisplayed
 import androidx.compose.ui.test.assertIsFocused
 import androidx.compose.ui.test.assertIsNotEnabled
 import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
+import androidx.compose.ui.test.assertWidthIsAtLeast
 import androidx.compose.ui.test.onNodeWithTag
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
+import androidx.compose.ui.test.performScrollTo
 import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
+import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.ui.common.AutosaveBanner
@@ -154,14 +158,26 @@ class ProjectMenuTest {
     }
 
     @Test
-    fun `my work offers a new one with either brick, in the words of the menu`() = shown { workshop ->
+    fun `my work offers a new one with another robot, in the words of the menu`() = shown { workshop ->
         choose(DocumentTags.MY_WORK)
-        onNodeWithTag(DocumentTags.worksNew(BrickKind.NXT)).assertTextEquals("New with an NXT").performClick()
+        onNodeWithTag(DocumentTags.WORKS_NEW_ROBOT).assertTextEquals("New with another robot").performClick()
+        onNodeWithTag(DocumentTags.robot(BrickKind.NXT)).performClick()
         assertNull(workshop.state.document.dialog)
         assertEquals(BrickKind.NXT, workshop.state.programs.brick)
         choose(DocumentTags.MY_WORK)
         onNodeWithTag(DocumentTags.WORKS_NEW).assertTextEquals("New").performClick()
         assertEquals(BrickKind.RCX, workshop.state.programs.brick)
+    }
+
+    @Test
+    fun `the menu asks which robot one has, and each can be chosen with a finger`() = shown { workshop ->
+        for (brick in BrickKind.entries) {
+            choose(DocumentTags.NEW_ROBOT)
+            onNodeWithTag(DocumentTags.robot(brick)).performScrollTo().assertWidthIsAtLeast(48.dp)
+                .assertHeightIsAtLeast(48.dp).assertTextContains(brick.label, substring = true).performClick()
+            assertNull(workshop.state.document.dialog)
+            assertEquals(brick, workshop.state.programs.brick)
+        }
     }
 
     @Test

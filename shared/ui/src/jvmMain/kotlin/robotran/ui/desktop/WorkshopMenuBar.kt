@@ -17,10 +17,9 @@ import robotran.ui.program.texts.EditorTexts
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.LearningTexts
-import robotran.ui.texts.BrickLabels
 import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NqcTexts
-import robotran.ui.texts.OTHER_BRICKS
+import robotran.ui.texts.HubTexts
 import robotran.ui.theme.coloursOf
 import robotran.uikit.*
 import robotran.workshop.Workshop
@@ -120,9 +119,7 @@ private fun MenuScope.FileItems(
     quit: () -> Unit,
 ) {
     Choice(CommonTexts::newProject, control(Key.N)) { onEvent(DocumentEvent.NewRequested) }
-    for (brick in OTHER_BRICKS) {
-        Choice(BrickLabels.of(brick).newProject) { onEvent(DocumentEvent.NewWithBrick(brick)) }
-    }
+    Choice(HubTexts::otherRobot) { onEvent(DocumentEvent.RobotChoiceRequested) }
     Choice(DocumentTexts::newWindow, control(Key.N, shift = true), onClick = openAnother)
     Separator()
     Choice(CommonTexts::myWork, control(Key.O, shift = true)) { onEvent(DocumentEvent.ProjectListRequested) }

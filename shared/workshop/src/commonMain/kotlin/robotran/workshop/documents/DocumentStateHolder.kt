@@ -76,6 +76,7 @@ class DocumentStateHolder(
     fun handle(event: DocumentEvent) {
         when (event) {
             DocumentEvent.NewRequested -> beginNew(BrickKind.default)
+            DocumentEvent.RobotChoiceRequested -> view.show(DocumentDialog.RobotChoice)
             is DocumentEvent.NewWithBrick -> beginNew(event.brick)
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }

@@ -12,6 +12,9 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Creates an empty project; the open one stays in the list. */
     data object NewRequested : DocumentEvent
 
+    /** Asks which robot a new project shall have. */
+    data object RobotChoiceRequested : DocumentEvent
+
     /** Opens a new project whose robot is the penbot with a [brick]. */
     data class NewWithBrick(val brick: BrickKind) : DocumentEvent
 

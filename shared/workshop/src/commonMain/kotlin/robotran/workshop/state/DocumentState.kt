@@ -56,6 +56,9 @@ sealed interface AutosaveError {
 
 /** A dialog about the document. */
 sealed interface DocumentDialog {
+    /** Which robot a new project shall have. */
+    data object RobotChoice : DocumentDialog
+
     /** @property name the current name of the project. */
     data class Renaming(val name: String) : DocumentDialog
 

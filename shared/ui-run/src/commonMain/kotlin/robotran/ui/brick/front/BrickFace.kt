@@ -2,6 +2,7 @@ package robotran.ui.brick.front
 
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.drawscope.DrawScope
 import androidx.compose.ui.unit.Dp
 import robotran.brick.state.BrickState
 import robotran.world.RobotDescription
@@ -13,6 +14,9 @@ internal interface BrickFace {
     /** @param unit of the plan. */
     @Composable
     fun Display(state: BrickState, unit: Dp, modifier: Modifier)
+
+    /** What shines on the front, on the body of its plan; in units. */
+    fun DrawScope.drawLamps(state: BrickState) = Unit
 
     /** What of the display a [StripLook] has room for. */
     @Composable

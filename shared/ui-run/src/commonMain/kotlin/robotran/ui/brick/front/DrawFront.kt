@@ -13,9 +13,13 @@ import androidx.compose.ui.graphics.drawscope.clipPath
 import androidx.compose.ui.graphics.drawscope.withTransform
 
 /** The body of a brick, without its parts; fills the draw area. */
-internal fun DrawScope.drawFront(plan: FrontPlan, signals: Set<Signal>) {
+internal fun DrawScope.drawFront(plan: FrontPlan, signals: Set<Signal>) =
+    inUnits { for (shape in plan.body) drawShape(shape, signals) }
+
+/** [draw] on the draw area, which is as wide as a plan. */
+internal fun DrawScope.inUnits(draw: DrawScope.() -> Unit) {
     val unit = size.width / FrontPlan.WIDTH
-    withTransform({ scale(unit, unit, Offset.Zero) }) { for (shape in plan.body) drawShape(shape, signals) }
+    withTransform({ scale(unit, unit, Offset.Zero) }, draw)
 }
 
 private fun DrawScope.drawShape(shape: FrontShape, signals: Set<Signal>) {

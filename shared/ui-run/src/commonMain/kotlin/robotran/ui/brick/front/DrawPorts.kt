@@ -32,9 +32,7 @@ internal fun DrawScope.drawStuds(form: PortForm.Studs, colour: Color, planUnit: 
 
 /** A plug with its cable; an empty socket is only its hole. Fills the draw area. */
 internal fun DrawScope.drawPlug(form: PortForm.Plug, colour: Color, isPlugged: Boolean, unit: Float) {
-    val cable = CABLE_LENGTH * unit
-    val top = if (form.isAbove) cable else 0f
-    val block = Rect(0f, top, size.width, size.height - if (form.isAbove) 0f else cable)
+    val block = form.side.within(Rect(Offset.Zero, size), CABLE_LENGTH * unit)
     val corner = CornerRadius(PLUG_CORNER * unit)
     if (!isPlugged) {
         drawRoundRect(form.holeEdge, block.topLeft, block.size, corner)
@@ -43,14 +41,28 @@ internal fun DrawScope.drawPlug(form: PortForm.Plug, colour: Color, isPlugged: B
         return
     }
     val width = CABLE_WIDTH * unit
-    val start = if (form.isAbove) 0f else block.bottom - unit
-    drawRect(form.edge, Offset((size.width - width) / 2, start), Size(width, cable + unit))
+    val cable = form.side.atEdge(Rect(Offset.Zero, size), width, CABLE_LENGTH * unit + unit)
+    drawRect(form.edge, cable.topLeft, cable.size)
     drawRoundRect(form.edge, block.topLeft, block.size, corner)
     val face = block.deflate(unit)
     drawRoundRect(colour, face.topLeft, face.size, corner)
-    val latch = Size(width * LATCH_WIDTH, unit * LATCH_HEIGHT)
-    val y = if (form.isAbove) block.top else block.bottom - latch.height
-    drawRect(form.latch, Offset((size.width - latch.width) / 2, y), latch)
+    val latch = form.side.atEdge(block, width * LATCH_WIDTH, unit * LATCH_HEIGHT)
+    drawRect(form.latch, latch.topLeft, latch.size)
+}
+
+/** [whole] without [depth] on this side. */
+private fun FrontSide.within(whole: Rect, depth: Float) = when (this) {
+    FrontSide.ABOVE -> Rect(whole.left, whole.top + depth, whole.right, whole.bottom)
+    FrontSide.BELOW -> Rect(whole.left, whole.top, whole.right, whole.bottom - depth)
+    FrontSide.LEFT -> Rect(whole.left + depth, whole.top, whole.right, whole.bottom)
+    FrontSide.RIGHT -> Rect(whole.left, whole.top, whole.right - depth, whole.bottom)
+}
+
+/** What lies in [whole] along the middle of this side, so wide and so deep. */
+private fun FrontSide.atEdge(whole: Rect, width: Float, depth: Float): Rect {
+    val half = if (x == 0f) Offset(width / 2, depth / 2) else Offset(depth / 2, width / 2)
+    val middle = whole.center + Offset(x * (whole.width / 2 - half.x), y * (whole.height / 2 - half.y))
+    return Rect(middle - half, middle + half)
 }
 
 /** A triangle that points up for forward and down for backward; fills the draw area. */

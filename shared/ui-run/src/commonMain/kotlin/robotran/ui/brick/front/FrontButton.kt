@@ -89,12 +89,17 @@ private fun DrawScope.drawButton(part: FrontPart.Button, finish: ButtonFinish, u
         translate(0f, if (down) depth else 0f)
         if (finish.isSquashed) scale(1f, high / size.height, Offset.Zero)
     }) { drawPath(pathOf(part.shape, if (finish.isSquashed) size else Size(size.width, high), corner), top) }
-    part.shape.towards?.let { drawArrow(it, part.ink, high / 2 + if (down) depth else 0f) }
+    part.shape.towards?.let { drawArrow(part.shape, it, part.ink, high / 2 + if (down) depth else 0f) }
 }
 
 private fun pathOf(shape: ButtonShape, size: Size, corner: Float): Path = Path().apply {
     when (shape) {
-        ButtonShape.PLATE -> addRoundRect(RoundRect(Rect(Offset.Zero, size), CornerRadius(corner)))
+        ButtonShape.ROUND -> addOval(Rect(Offset.Zero, size))
+
+        ButtonShape.PLATE, ButtonShape.UPWARDS, ButtonShape.DOWNWARDS -> {
+            addRoundRect(RoundRect(Rect(Offset.Zero, size), CornerRadius(corner)))
+        }
+
         ButtonShape.TO_THE_LEFT -> pointed(size.width, size.height, corner, isLeft = true)
         ButtonShape.TO_THE_RIGHT -> pointed(size.width, size.height, corner, isLeft = false)
     }
@@ -118,9 +123,15 @@ private fun Path.pointed(width: Float, height: Float, corner: Float, isLeft: Boo
     close()
 }
 
-private fun DrawScope.drawArrow(towards: Float, colour: Color, middleHeight: Float) {
-    val middle = Offset(size.width * (0.5f + towards * 0.02f), middleHeight)
+private fun DrawScope.drawArrow(shape: ButtonShape, towards: Float, colour: Color, middleHeight: Float) {
     val half = size.height * ARROW_SIZE
+    if (shape.isUpright) {
+        val tip = middleHeight + towards * half * 0.85f
+        val foot = middleHeight - towards * half * 0.85f
+        val x = size.width / 2
+        return drawPath(polygon(x, tip, x + half, foot, x - half, foot), colour)
+    }
+    val middle = Offset(size.width * (0.5f + towards * 0.02f), middleHeight)
     val base = middle.x - towards * half * 0.7f
     drawPath(polygon(middle.x + towards * half, middle.y, base, middle.y - half, base, middle.y + half), colour)
 }

@@ -103,11 +103,17 @@ internal sealed interface FrontPart {
     ) : FrontPart
 }
 
-/** @property towards where its arrow and its narrow side are: -1 for left, 1 for right, null for neither. */
-internal enum class ButtonShape(val towards: Float?) {
+/**
+ * @property towards where its arrow is: -1 for left or up, 1 for right or down, null if it has none. The side where an
+ * arrow to the left or right points is narrow.
+ */
+internal enum class ButtonShape(val towards: Float?, val isUpright: Boolean = false) {
     PLATE(null),
+    ROUND(null),
     TO_THE_LEFT(-1f),
     TO_THE_RIGHT(1f),
+    UPWARDS(-1f, isUpright = true),
+    DOWNWARDS(1f, isUpright = true),
 }
 
 /**
@@ -138,6 +144,14 @@ internal sealed interface PortForm {
     /** A plate with four studs. */
     class Studs(val edge: Color) : PortForm
 
-    /** A plug with an end of its cable above or below; a hole without. */
-    class Plug(val isAbove: Boolean, val edge: Color, val latch: Color, val holeEdge: Color, val hole: Color) : PortForm
+    /** A plug with an end of its cable on the outer [side] of the brick; a hole without. */
+    class Plug(val side: FrontSide, val edge: Color, val latch: Color, val holeEdge: Color, val hole: Color) : PortForm
+}
+
+/** A side of a front. */
+internal enum class FrontSide(val x: Float, val y: Float) {
+    ABOVE(0f, -1f),
+    BELOW(0f, 1f),
+    LEFT(-1f, 0f),
+    RIGHT(1f, 0f),
 }

@@ -110,7 +110,16 @@ private fun Modifier.touchable(isTouch: Boolean, onTouch: (Boolean) -> Unit): Mo
 
 private fun Modifier.besideCable(form: PortForm, unit: Dp): Modifier = when (form) {
     is PortForm.Studs -> this
-    is PortForm.Plug -> (unit * CABLE_LENGTH).let { if (form.isAbove) padding(top = it) else padding(bottom = it) }
+
+    is PortForm.Plug -> {
+        val cable = unit * CABLE_LENGTH
+        when (form.side) {
+            FrontSide.ABOVE -> padding(top = cable)
+            FrontSide.BELOW -> padding(bottom = cable)
+            FrontSide.LEFT -> padding(start = cable)
+            FrontSide.RIGHT -> padding(end = cable)
+        }
+    }
 }
 
 @Composable

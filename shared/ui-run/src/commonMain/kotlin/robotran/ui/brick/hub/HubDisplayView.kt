@@ -2,21 +2,24 @@ package robotran.ui.brick.hub
 
 import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.text.BasicText
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.geometry.CornerRadius
 import androidx.compose.ui.geometry.Offset
+import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.geometry.Size
 import androidx.compose.ui.graphics.lerp
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.clearAndSetSemantics
 import androidx.compose.ui.semantics.contentDescription
 import androidx.compose.ui.semantics.liveRegion
-import androidx.compose.ui.text.TextStyle
-import androidx.compose.ui.unit.dp
-import androidx.compose.ui.unit.sp
+import androidx.compose.ui.text.font.FontFamily
+import androidx.compose.ui.unit.Dp
 import robotran.hub.display.HubScreen
 import robotran.hub.state.HubState
 import robotran.ui.run.tags.RunTags
@@ -24,21 +27,37 @@ import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 
-/** The lights of a hub, its rows of text, or nothing. */
+/**
+ * The lights of a hub, or its rows of text. On one without either the newest lines that its program has printed: they are
+ * on the screen of the computer that it is connected with.
+ *
+ * @param unit of the plan.
+ */
 @Composable
-internal fun HubDisplayView(state: HubState, modifier: Modifier = Modifier) {
+internal fun HubDisplayView(state: HubState, unit: Dp, modifier: Modifier = Modifier) {
     val screen = state.screen
-    val description = descriptionOf(screen)
+    val printed = if (screen.lights.isEmpty() &&
+        screen.rows.isEmpty()
+    ) {
+        screen.printed.takeLast(PRINTED)
+    } else {
+        emptyList()
+    }
+    val description = descriptionOf(screen, printed)
     val spokenModifier = modifier.testTag(RunTags.LCD).clearAndSetSemantics {
         contentDescription = description
         liveRegion = LiveRegionMode.Polite
     }
-    if (screen.rows.isEmpty()) Lights(screen.lights, spokenModifier) else Rows(screen.rows, spokenModifier)
+    when {
+        screen.lights.isNotEmpty() -> Lights(screen.lights, spokenModifier)
+        screen.rows.isNotEmpty() -> Rows(screen.rows, state.model.columns, spokenModifier)
+        else -> Printed(printed, unit, spokenModifier)
+    }
 }
 
 @Composable
-private fun descriptionOf(screen: HubScreen): String {
-    val words = screen.lines.filter { it.isNotBlank() }
+private fun descriptionOf(screen: HubScreen, printed: List<String>): String {
+    val words = (screen.lines + printed).filter { it.isNotBlank() }
     return when {
         screen.lights.isEmpty() && words.isEmpty() -> RunTexts.displayBlank(spoken)
         screen.lights.isEmpty() -> RunTexts.display(spoken, words.joinToString("\n"))
@@ -50,22 +69,58 @@ private fun descriptionOf(screen: HubScreen): String {
 /** 5 by 5 lights, each as bright as it is. */
 @Composable
 private fun Lights(lights: List<Int>, modifier: Modifier) = Canvas(modifier) {
-    if (lights.isEmpty()) return@Canvas
     val cell = size.minDimension / SIDE
     val left = (size.width - SIDE * cell) / 2
+    val corner = CornerRadius(cell * CORNER)
     for ((place, light) in lights.withIndex()) {
-        val middle = Offset(left + (place % SIDE + HALF) * cell, (place / SIDE + HALF) * cell)
+        val at = Offset(left + (place % SIDE + GAP) * cell, (place / SIDE + GAP) * cell)
+        val side = Size(cell * (1 - 2 * GAP), cell * (1 - 2 * GAP))
+        drawRoundRect(HubColours.LIGHT_EDGE, at, side, corner)
+        val inner = Rect(at, side).deflate(cell * EDGE)
         val colour = lerp(HubColours.LIGHT_OFF, HubColours.LIGHT_ON, light / FULL)
-        drawCircle(colour, cell * RADIUS, middle)
+        drawRoundRect(colour, inner.topLeft, inner.size, corner)
     }
 }
 
+/** Letters of one width, so large that [columns] of them and all [rows] fit. */
 @Composable
-private fun Rows(rows: List<String>, modifier: Modifier) = Column(modifier.background(HubColours.GLASS).padding(4.dp)) {
-    for (row in rows) BasicText(row, style = TextStyle(color = HubColours.INK, fontSize = 9.sp), maxLines = 1)
+private fun Rows(rows: List<String>, columns: Int, modifier: Modifier) =
+    BoxWithConstraints(modifier.background(HubColours.GLASS)) {
+        val line = minOf(maxHeight / rows.size, maxWidth / (columns + 1) / LETTER_WIDTH)
+        Column(Modifier.padding(horizontal = maxWidth / (columns + 1) / 2)) {
+            for (row in rows) {
+                BasicText(
+                    row,
+                    style = TextStyles.scaled(line, LETTER, 1f).copy(fontFamily = FontFamily.Monospace),
+                    color = { HubColours.INK },
+                    maxLines = 1,
+                    softWrap = false,
+                )
+            }
+        }
+    }
+
+@Composable
+private fun Printed(lines: List<String>, unit: Dp, modifier: Modifier) = Column(modifier) {
+    for (line in lines) {
+        BasicText(
+            line,
+            style = TextStyles.scaled(unit, PRINTED_SIZE),
+            color = { HubColours.ON_BUTTON },
+            maxLines = 1,
+            softWrap = false,
+        )
+    }
 }
 
 private const val SIDE = 5
-private const val HALF = 0.5f
-private const val RADIUS = 0.36f
+private const val GAP = 0.09f
+private const val CORNER = 0.2f
+private const val EDGE = 0.04f
 private const val FULL = 100f
+private const val PRINTED = 4
+private const val PRINTED_SIZE = 18f
+
+/** The size of a letter and its width, as shares of the height of a row. */
+private const val LETTER = 0.92f
+private const val LETTER_WIDTH = 0.56f

@@ -4,12 +4,15 @@ import androidx.compose.foundation.layout.size
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
+import androidx.compose.ui.graphics.Color
+import androidx.compose.ui.graphics.drawscope.DrawScope
+import androidx.compose.ui.graphics.drawscope.Stroke
 import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.MotorMode
-import robotran.brick.controls.MotorPort
 import robotran.brick.sensors.SensorKind
 import robotran.brick.state.BrickState
+import robotran.hub.model.HubColor
 import robotran.hub.model.HubModel
 import robotran.hub.state.HubInput
 import robotran.hub.state.HubState
@@ -28,18 +31,35 @@ import robotran.uikit.*
 import robotran.world.FingerTouchPart
 import robotran.world.RobotDescription
 import robotran.world.RobotPart
-import robotran.world.SensorPart
+import robotran.world.pluggedMotors
 
 /** A hub with Pybricks. */
 internal class HubFace(private val model: HubModel) : BrickFace {
-    override val plan: FrontPlan = HubPlan(model).front
+    override val plan: FrontPlan = HubPlan.of(model)
+    private val ring = HubPlan.planOf(model)?.ring
 
     @Composable
-    override fun Display(state: BrickState, unit: Dp, modifier: Modifier) = HubDisplayView(state as HubState, modifier)
+    override fun Display(state: BrickState, unit: Dp, modifier: Modifier) =
+        HubDisplayView(state as HubState, unit, modifier)
 
     @Composable
-    override fun StripDisplay(state: BrickState, isLow: Boolean) =
-        HubDisplayView(state as HubState, Modifier.size(if (isLow) 48.dp else 58.dp))
+    override fun StripDisplay(state: BrickState, isLow: Boolean) {
+        val height = if (isLow) 48.dp else 58.dp
+        val width = if (model.hasMatrix) height else height * 2
+        HubDisplayView(state as HubState, unit = width / STRIP_UNITS, Modifier.size(width, height))
+    }
+
+    /** The ring of the status light around the button. */
+    override fun DrawScope.drawLamps(state: BrickState) {
+        val (middle, radius) = ring ?: return
+        drawCircle(colourOf((state as HubState).light), radius, middle, style = Stroke(RING_WIDTH))
+    }
+
+    private fun colourOf(light: HubColor): Color = if (light == HubColor.NONE) {
+        HubColours.RING_OFF
+    } else {
+        Color.hsv(light.hue.toFloat(), light.saturation / PERCENT, light.value / PERCENT)
+    }
 
     /** What is plugged in, and what it measures; on a hub with letters that may be a motor. */
     @Composable
@@ -89,7 +109,7 @@ internal class HubFace(private val model: HubModel) : BrickFace {
             MotorMode.BRAKE -> NxtTexts.motorBrake(spoken, name, degrees)
             MotorMode.FLOAT -> NxtTexts.motorFloat(spoken, name, degrees)
         }
-        val isPlugged = remember(robot) { motor.port in robot.motors }
+        val isPlugged = remember(robot) { motor.port in robot.pluggedMotors }
         val isDriven = motor.mode == MotorMode.FORWARD || motor.mode == MotorMode.BACKWARD
         val driven = listOf(
             PortItem.Sign(11f, 9f) { drawDirectionArrow(motor.mode == MotorMode.FORWARD, it) },
@@ -113,6 +133,11 @@ internal class HubFace(private val model: HubModel) : BrickFace {
     private companion object {
         const val ICON = 17f
         const val VALUE_SIZE = 14.5f
+        const val RING_WIDTH = 5f
+        const val PERCENT = 100f
+
+        /** How many units wide a screen would be that is as wide as that of a brick in one row. */
+        const val STRIP_UNITS = 184f
     }
 }
 
@@ -121,7 +146,3 @@ private fun RobotDescription.partOn(port: Int): RobotPart? {
     val plugged = parts.filter { it.port == port }
     return plugged.find { it is FingerTouchPart } ?: plugged.firstOrNull()
 }
-
-private val RobotDescription.motors: Set<MotorPort>
-    get() = setOfNotNull(drive.left, drive.right, pen?.motor) +
-        parts.filterIsInstance<SensorPart>().mapNotNull { it.turret }

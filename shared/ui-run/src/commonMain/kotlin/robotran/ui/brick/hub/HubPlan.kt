@@ -1,35 +1,40 @@
 package robotran.ui.brick.hub
 
+import androidx.compose.ui.geometry.Offset
 import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.graphics.Color
 import androidx.compose.ui.unit.DpSize
 import androidx.compose.ui.unit.dp
 import robotran.hub.model.HubButton
 import robotran.hub.model.HubModel
 import robotran.ui.brick.front.ButtonFinish
-import robotran.ui.brick.front.ButtonShape
 import robotran.ui.brick.front.FrontPart
 import robotran.ui.brick.front.FrontPlan
 import robotran.ui.brick.front.FrontShape
+import robotran.ui.brick.front.FrontSide
 import robotran.ui.brick.front.PortForm
 import robotran.ui.brick.front.PortLook
 import robotran.ui.brick.front.StripLook
 import robotran.ui.brick.nxt.NxtColours
-import robotran.ui.texts.HubTexts
-import robotran.ui.texts.NxtTexts
-import robotran.uikit.*
+import robotran.ui.brick.nxt.NxtPlan
 
 /**
- * The front of a hub: its lights or screen, its buttons, and its ports above and below, with plugs and buttons large
- * enough for fingers. The ports of a hub with letters lie as on one that is turned to the right: A, C and E above.
+ * The front of a hub, arranged as on a real one, with plugs and buttons large enough for fingers.
+ *
+ * @property display where its lights, its screen or, without either, what it prints is.
+ * @property ring the middle and the radius of the ring of its status light; null if it has none there.
  */
-internal class HubPlan(private val model: HubModel) {
-    private val rim = if (model.kind.hasLetteredInputs) HubColours.RIM else HubColours.GREY_RIM
-
+internal class HubPlan(
+    private val body: List<FrontShape>,
+    private val display: Rect,
+    private val buttons: List<FrontPart.Button>,
+    private val ports: List<FrontPart>,
+    val ring: Pair<Offset, Float>? = null,
+) {
     val front = FrontPlan(
-        body(),
-        ButtonFinish(corner = 14f, side = 0.3f, pressed = 0.14f, isSquashed = true),
-        ports(isAbove = true) + FrontPart.Display(GLASS) + buttons() + ports(isAbove = false),
+        body,
+        ButtonFinish(corner = 12f, side = 0.3f, pressed = 0.14f, isSquashed = true),
+        ports.filter { it.place.top < display.top } + FrontPart.Display(display) + buttons +
+            ports.filter { it.place.top >= display.top },
         StripLook(
             HubColours.CASE,
             HubColours.EDGE,
@@ -39,92 +44,50 @@ internal class HubPlan(private val model: HubModel) {
         ),
     )
 
-    private fun body(): List<FrontShape> = listOf(
-        FrontShape(FrontShape.Box(BODY, CORNER), HubColours.EDGE),
-        FrontShape(FrontShape.Box(BODY.deflate(1.5f), CORNER), rim),
-        FrontShape(FrontShape.Box(CASE, CORNER), HubColours.CASE),
-    ) + if (model.hasMatrix || model.hasScreen) {
-        listOf(FrontShape(FrontShape.Box(GLASS.inflate(FRAME), FRAME), HubColours.FRAME))
-    } else {
-        emptyList()
-    }
+    companion object {
+        /** The plan of [model]; an NXT looks as ever. */
+        fun of(model: HubModel): FrontPlan = planOf(model)?.front ?: NxtPlan.front
 
-    private fun buttons(): List<FrontPart> = model.buttons.map { button ->
-        val look = LOOKS.getValue(button)
-        FrontPart.Button(
-            button.control,
-            look.place,
-            look.name,
-            look.colours.first,
-            look.colours.second,
-            text = "",
-            shape = look.shape,
-        )
-    }
-
-    /** On a hub with letters each port is for motors and sensors; on others motors are above, sensors below. */
-    private fun ports(isAbove: Boolean): List<FrontPart> {
-        val isLettered = model.kind.hasLetteredInputs
-        val all = if (isAbove && !isLettered) model.motorPorts else model.sensorPorts
-        val shown = if (isLettered) all.indices.filter { (it % 2 == 0) == isAbove } else all.indices.toList()
-        val width = minOf(MOST_WIDTH, (FrontPlan.WIDTH - SPACE) / shown.size - SPACE)
-        val first = (FrontPlan.WIDTH - shown.size * (width + SPACE) + SPACE) / 2
-        return shown.mapIndexed { number, index ->
-            val left = first + number * (width + SPACE)
-            val place = if (isAbove) {
-                Rect(left, 0f, left + width, HEIGHT)
-            } else {
-                Rect(left, FrontPlan.HEIGHT - HEIGHT, left + width, FrontPlan.HEIGHT)
-            }
-            when {
-                isAbove && !isLettered -> FrontPart.Output(place, look(isAbove), index)
-                else -> FrontPart.Input(place, look(isAbove), index)
-            }
+        /** Its own plan; null for a hub that is an NXT. */
+        fun planOf(model: HubModel): HubPlan? = when {
+            model.hasMatrix -> primePlan(model)
+            HubButton.UP in model.buttons -> ev3Plan(model)
+            model.hasScreen -> null
+            else -> boxPlan(model)
         }
     }
+}
 
-    private fun look(isAbove: Boolean) = PortLook(
-        PortForm.Plug(
-            isAbove,
-            NxtColours.PLUG_EDGE,
-            latch = NxtColours.LABEL.copy(alpha = 0.28f),
-            holeEdge = NxtColours.EDGE,
-            hole = NxtColours.SOCKET,
-        ),
-        NxtColours.PLUG,
-        NxtColours.DRIVEN,
-        ink = NxtColours.ON_PLUG,
-        litInk = NxtColours.LABEL,
-    )
+/** A case with its edge. */
+internal fun caseOf(bounds: Rect, corner: Float) = listOf(
+    FrontShape(FrontShape.Box(bounds, corner), HubColours.EDGE),
+    FrontShape(FrontShape.Box(bounds.deflate(1.5f), corner), HubColours.CASE),
+)
 
-    private class ButtonLook(
-        val place: Rect,
-        val name: Label,
-        val colours: Pair<Color, Color>,
-        val shape: ButtonShape = ButtonShape.PLATE,
-    )
-
-    private companion object {
-        const val CORNER = 20f
-        const val FRAME = 6f
-        const val HEIGHT = 63f
-        const val MOST_WIDTH = 78f
-        const val SPACE = 7f
-        val BODY = Rect(4f, 34f, 260f, 391f)
-        val CASE = Rect(16f, 46f, 248f, 379f)
-        val GLASS = Rect(62f, 78f, 202f, 204f)
-        val PLAIN = HubColours.BUTTON to HubColours.ON_BUTTON
-        val MIDDLE = HubColours.MIDDLE to HubColours.ON_MIDDLE
-        val LOOKS = mapOf(
-            HubButton.LEFT to
-                ButtonLook(Rect(30f, 238f, 94f, 290f), NxtTexts::left, PLAIN, ButtonShape.TO_THE_LEFT),
-            HubButton.CENTER to ButtonLook(Rect(102f, 238f, 162f, 290f), HubTexts::middle, MIDDLE),
-            HubButton.RIGHT to
-                ButtonLook(Rect(170f, 238f, 234f, 290f), NxtTexts::right, PLAIN, ButtonShape.TO_THE_RIGHT),
-            HubButton.BLUETOOTH to ButtonLook(Rect(184f, 302f, 236f, 354f), HubTexts::bluetooth, PLAIN),
-            HubButton.UP to ButtonLook(Rect(184f, 302f, 236f, 354f), HubTexts::up, PLAIN),
-            HubButton.DOWN to ButtonLook(Rect(106f, 302f, 158f, 354f), HubTexts::down, PLAIN),
-            HubButton.BACK to ButtonLook(Rect(28f, 302f, 80f, 354f), HubTexts::back, MIDDLE),
-        )
+/** [count] plugs in a row from left to right, as wide as they can be. */
+internal fun rowOf(count: Int, side: FrontSide, widest: Float): List<Rect> {
+    val width = minOf(widest, (FrontPlan.WIDTH - SPACE) / count - SPACE)
+    val first = (FrontPlan.WIDTH - count * (width + SPACE) + SPACE) / 2
+    val top = if (side == FrontSide.ABOVE) 0f else FrontPlan.HEIGHT - PORT_HEIGHT
+    return List(count) {
+        val left = first + it * (width + SPACE)
+        Rect(left, top, left + width, top + PORT_HEIGHT)
     }
 }
+
+internal fun portLook(side: FrontSide) = PortLook(
+    PortForm.Plug(
+        side,
+        NxtColours.PLUG_EDGE,
+        latch = NxtColours.LABEL.copy(alpha = 0.28f),
+        holeEdge = NxtColours.EDGE,
+        hole = NxtColours.SOCKET,
+    ),
+    NxtColours.PLUG,
+    NxtColours.DRIVEN,
+    ink = NxtColours.ON_PLUG,
+    litInk = NxtColours.LABEL,
+)
+
+private const val PORT_HEIGHT = 63f
+private const val SPACE = 7f

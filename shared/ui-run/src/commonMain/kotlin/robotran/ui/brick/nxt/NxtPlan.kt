@@ -11,6 +11,7 @@ import robotran.ui.brick.front.ButtonShape
 import robotran.ui.brick.front.FrontPart
 import robotran.ui.brick.front.FrontPlan
 import robotran.ui.brick.front.FrontShape
+import robotran.ui.brick.front.FrontSide
 import robotran.ui.brick.front.PortForm
 import robotran.ui.brick.front.PortLook
 import robotran.ui.brick.front.Signal
@@ -46,7 +47,7 @@ internal object NxtPlan {
     private const val RADIO_LAMP_RADIUS = 5f
 
     private val sensor = PortLook(
-        plug(isAbove = false),
+        plug(FrontSide.BELOW),
         NxtColours.SENSOR_PLUG,
         NxtColours.READ,
         ink = NxtColours.LABEL,
@@ -54,7 +55,7 @@ internal object NxtPlan {
         emptyInk = NxtColours.ON_PLUG,
     )
     private val motor = PortLook(
-        plug(isAbove = true),
+        plug(FrontSide.ABOVE),
         NxtColours.PLUG,
         NxtColours.DRIVEN,
         ink = NxtColours.ON_PLUG,
@@ -139,8 +140,8 @@ internal object NxtPlan {
         FrontPart.Input(Rect(left, 361f, left + 58f, 424f), sensor, it)
     }
 
-    private fun plug(isAbove: Boolean) = PortForm.Plug(
-        isAbove,
+    private fun plug(side: FrontSide) = PortForm.Plug(
+        side,
         NxtColours.PLUG_EDGE,
         latch = NxtColours.LABEL.copy(alpha = 0.28f),
         holeEdge = NxtColours.EDGE,

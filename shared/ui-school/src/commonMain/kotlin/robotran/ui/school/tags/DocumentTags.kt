@@ -24,6 +24,7 @@ object DocumentTags {
     const val MORE = "more"
     const val MY_WORK = "my-work"
     const val NEW = "new"
+    const val NEW_ROBOT = "new-robot"
     const val NEWER_FILE = "newer-file"
     const val NEWER_TIMES = "newer-times"
     const val NEWER_WORK = "newer-work"
@@ -54,6 +55,7 @@ object DocumentTags {
     const val VERSION = "version"
     const val WORKS_EMPTY = "works-empty"
     const val WORKS_NEW = "works-new"
+    const val WORKS_NEW_ROBOT = "works-new-robot"
     const val WORKS_NOTICE = "works-notice"
     const val WORK_MENU = "work-menu"
     const val WORK_MENU_ITEMS = "work-menu-items"
@@ -66,11 +68,9 @@ object DocumentTags {
 
     fun menuItem(tag: String) = "work-$tag"
 
-    fun new(brick: BrickKind) = "new-${brick.name.lowercase()}"
-
     fun rename(id: String) = "rename-$id"
 
-    fun work(id: String) = "work-$id"
+    fun robot(brick: BrickKind) = "robot-${brick.name.lowercase().replace('_', '-')}"
 
-    fun worksNew(brick: BrickKind) = "works-new-${brick.name.lowercase()}"
+    fun work(id: String) = "work-$id"
 }

@@ -56,6 +56,7 @@ object LearningTags {
     const val TRY_LESSONS = "try-lessons"
     const val TRY_SQUARE = "try-square"
     const val TRY_STEP = "try-step"
+    const val TRY_ROBOT = "try-robot"
     const val TRY_TEACHERS = "try-teachers"
     const val TRY_TUTORIAL = "try-tutorial"
     const val TRY_WORLDS = "try-worlds"
