@@ -8,3 +8,7 @@ config.optimization = config.optimization || {};
 config.optimization.splitChunks = {
   cacheGroups: { compiler: { chunks: 'async', minChunks: 2, name: 'ecj-module', enforce: true } },
 };
+
+// The compiler for hubs asks for these in Node only.
+config.resolve = config.resolve || {};
+config.resolve.fallback = { ...config.resolve.fallback, crypto: false, fs: false, path: false };

@@ -42,10 +42,18 @@ def count(first, last, step):
 def set_power(power):
     # Each step of power is 120 degrees of a wheel a second. The hub refuses 0, and what its motors cannot do.
     global speed, turn_rate
-    power = @POWER@
-    speed = round(@SPEED@ * power)
-    turn_rate = round(@RATE@ * power)
+    power = max(power, 1 / 3)
+    speed = @SPEED@
+    turn_rate = @RATE@
     robot.settings(straight_speed=speed, turn_rate=turn_rate)
+@DRIVE_ON@
+
+//// RUN_ON
+
+def run_on(motor, speed):
+    # A motor that turns goes on with its new speed.
+    if speed != 0 and not motor.done():
+        motor.run(speed)
 
 //// SHOW
 

@@ -10,6 +10,8 @@ import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
+import robotran.brick.kind.BrickKind
+import robotran.cli.console.brickOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
 import robotran.cli.console.oldNqcOption
@@ -20,8 +22,9 @@ import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readFile
 import robotran.cli.files.readProgramFiles
 import robotran.cli.hub.HubProgramOfFile
-import robotran.cli.hub.hubOption
 import robotran.cli.hub.hubProgramOf
+import robotran.cli.hub.isHub
+import robotran.cli.hub.requireImages
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
 import robotran.cli.legofirmware.FirmwareImageOfFile
@@ -33,7 +36,6 @@ import robotran.console.speaking
 import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.RcxImage
 import robotran.programs.FirmwareSettings
-import robotran.robolang.python.PybricksHub
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
 import robotran.tower.LegoLimits
@@ -62,7 +64,7 @@ internal class SendCommand(
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
-    private val hub by hubOption()
+    private val brick by brickOption()
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
@@ -71,7 +73,9 @@ internal class SendCommand(
             "or to a hub with Pybricks, by USB."
 
     override fun run() {
-        if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub().status)
+        val hub = brick?.takeIf { it.isHub }
+        if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub(hub).status)
+        brick?.let(::requireImages)
         val programs = when (val read = readProgramFiles(files, console.messages)) {
             is ProgramFiles.Success -> read.programs.also { read.notes.forEach(console::complain) }
             is ProgramFiles.Failure -> refuse(read.reason)
@@ -85,14 +89,14 @@ internal class SendCommand(
         throw ProgramResult(code.status)
     }
 
-    private fun sendToHub(): ExitCode {
+    private fun sendToHub(hub: BrickKind?): ExitCode {
         val name = files.singleOrNull() ?: refuse(console.messages.oneProgramForHub())
         if (slot != 1) refuse(console.messages.hubChoosesSlot())
         val program = hub?.takeUnless { name.endsWith(HUB_PROGRAM) }?.let { compiled(name, it) } ?: compiledBefore(name)
         return HubSession(console, hubs()).send(program, port)
     }
 
-    private fun compiled(name: String, hub: PybricksHub): HubProgram =
+    private fun compiled(name: String, hub: BrickKind): HubProgram =
         when (val built = hubProgramOf(name, hub, spoken.language)) {
             is HubProgramOfFile.Success -> built.program.also { built.warnings.forEach(console::complain) }
             is HubProgramOfFile.Failure -> refuse(built.lines, built.code)

@@ -6,7 +6,7 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.brick.kind.BrickKind
 
-private val BRICKS = BrickKind.entries.associateBy { it.name.lowercase().replace('_', '-') }
+private val BRICKS = BrickKind.entries.associateBy { it.word }
 
 /** `--brick`: the brick that programs are for; null if not given. */
 internal fun ParameterHolder.brickOption(): NullableOption<BrickKind, BrickKind> = option(

@@ -1,13 +1,13 @@
 package robotran.cli.hub
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.console.ExitCode
 import robotran.hublink.program.HubProgram
 import robotran.hublink.sentences.sentence
 import robotran.language.Language
 import robotran.mpycompiler.JvmMpyCompiler
 import robotran.mpycompiler.MpyResult
-import robotran.robolang.python.PybricksHub
 
 /** What a hub runs of a Robolang program. */
 internal sealed interface HubProgramOfFile {
@@ -21,9 +21,9 @@ internal sealed interface HubProgramOfFile {
     class Failure(val lines: List<String>, val code: ExitCode) : HubProgramOfFile
 }
 
-/** Compiles the Robolang program [name] for [hub]. What the hub cannot do is a mistake. */
-internal fun hubProgramOf(name: String, hub: PybricksHub, language: Language): HubProgramOfFile {
-    val python = when (val translated = pythonOf(name, hub, language)) {
+/** Compiles the Robolang program [name] for a robot with [brick], a hub. What the hub cannot do is a mistake. */
+internal fun hubProgramOf(name: String, brick: BrickKind, language: Language): HubProgramOfFile {
+    val python = when (val translated = pythonOf(name, brick, language)) {
         is PythonOfFile.Failure -> return HubProgramOfFile.Failure(translated.lines, translated.code)
         is PythonOfFile.Success -> translated
     }
@@ -34,6 +34,8 @@ internal fun hubProgramOf(name: String, hub: PybricksHub, language: Language): H
             val line = compiled.line?.let(translation.lineMap::sourceLineOf)?.let { ":$it" }.orEmpty()
             HubProgramOfFile.Failure(listOf("$name$line: ${compiled.message}"), ExitCode.PROGRAM_FAILED)
         }
+
+        MpyResult.NotLoaded -> error("The command line has the compiler with it.")
 
         is MpyResult.Success -> {
             val program = HubProgram(compiled.mpy)

@@ -7,12 +7,14 @@ import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.console.ExitCode
 import robotran.language.Language
+import robotran.projects.penbotTarget
+import robotran.projects.target
 import robotran.robolang.messages.PythonTranslationMessages
-import robotran.robolang.python.PybricksHub
-import robotran.robolang.python.PybricksRobot
 import robotran.robolang.python.PythonNote
 import robotran.robolang.python.PythonTranslation
 import robotran.robolang.python.translateToPython
+import robotran.robolang.robot.RobotTarget
+import robotran.world.ReadyRobots
 
 /** What a Robolang program becomes for a hub with Pybricks. */
 internal sealed interface PythonOfFile {
@@ -26,9 +28,20 @@ internal sealed interface PythonOfFile {
     class Failure(val lines: List<String>, val code: ExitCode) : PythonOfFile
 }
 
-/** Translates the Robolang program [name] for the usual driving base with [hub]. */
-internal fun pythonOf(name: String, hub: PybricksHub, language: Language): PythonOfFile =
-    when (val file = readRobolangFile(name, language, LIKE_HUBS)) {
+/**
+ * Translates the Robolang program [name] for a ready robot with [brick], a hub: the usual one, unless that lacks what the
+ * program asks for and another has it.
+ */
+internal fun pythonOf(name: String, brick: BrickKind, language: Language): PythonOfFile {
+    val robots = ReadyRobots.all.values.filter { it.brick == brick }.map { it.target as RobotTarget.Hub }
+    val usual = pythonOf(name, robots.first(), language)
+    if ((usual as? PythonOfFile.Success)?.lost.isNullOrEmpty()) return usual
+    return robots.drop(1).asSequence().map { pythonOf(name, it, language) }
+        .firstOrNull { it is PythonOfFile.Success && it.lost.isEmpty() } ?: usual
+}
+
+private fun pythonOf(name: String, robot: RobotTarget.Hub, language: Language): PythonOfFile =
+    when (val file = readRobolangFile(name, language) { robot }) {
         is RobolangFile.Unreadable -> PythonOfFile.Failure(listOf(file.reason), ExitCode.BAD_INPUT)
 
         is RobolangFile.HasErrors -> {
@@ -36,8 +49,7 @@ internal fun pythonOf(name: String, hub: PybricksHub, language: Language): Pytho
         }
 
         is RobolangFile.Ready -> {
-            val messages = PythonTranslationMessages.of(language)
-            val translation = translateToPython(file.program, PybricksRobot.defaultFor(hub), messages)
+            val translation = translateToPython(file.program, robot, PythonTranslationMessages.of(language))
             val (lost, changed) = translation.notes.partition { it.isLost }
             val line = { note: PythonNote -> "$name:${note.range.line}:${note.range.column}: ${note.message}" }
             val warning = { note: PythonNote -> CommandMessages.of(language).warning(line(note)) }
@@ -45,5 +57,5 @@ internal fun pythonOf(name: String, hub: PybricksHub, language: Language): Pytho
         }
     }
 
-/** Hubs count the degrees of their motors and have the sensors of this brick, so its programs are theirs. */
-private val LIKE_HUBS = BrickKind.entries.first { it.hasMotorCounters }
+/** Whether a robot with it runs Python, with Pybricks. */
+internal val BrickKind.isHub: Boolean get() = penbotTarget is RobotTarget.Hub

@@ -8,6 +8,8 @@ import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
+import robotran.brick.kind.BrickKind
+import robotran.cli.console.brickOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
@@ -18,8 +20,9 @@ import robotran.cli.files.isNamed
 import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
 import robotran.cli.hub.HubProgramOfFile
-import robotran.cli.hub.hubOption
 import robotran.cli.hub.hubProgramOf
+import robotran.cli.hub.isHub
+import robotran.cli.hub.requireImages
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.messages.CommandMessages
@@ -35,7 +38,6 @@ import robotran.lejoslinker.LejosImage
 import robotran.lejoslinker.listing.listingOf
 import robotran.lejoslinker.messages.ListingMessages
 import robotran.programs.FirmwareSettings
-import robotran.robolang.python.PybricksHub
 import robotran.tinyvm.config.LejosVersion
 
 /** `robotran build FILE..`: makes of programs the image that leJOS's firmware runs, or of one that of LEGO's own. */
@@ -57,7 +59,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
-    private val hub by hubOption()
+    private val brick by brickOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
@@ -68,7 +70,8 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         if (!mayWrite(files, listOf(output), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        hub?.let { throw ProgramResult(build(it).status) }
+        brick?.takeIf { it.isHub }?.let { throw ProgramResult(build(it).status) }
+        brick?.let(::requireImages)
         throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
     }
 
@@ -107,7 +110,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         }
 
     /** For a hub with Pybricks. */
-    private fun build(hub: PybricksHub): ExitCode {
+    private fun build(hub: BrickKind): ExitCode {
         val name = files.distinct().singleOrNull() ?: return refuse(sentences.oneProgramForHub())
         return when (val built = hubProgramOf(name, hub, spoken.language)) {
             is HubProgramOfFile.Success -> {

@@ -14,6 +14,7 @@ import robotran.robolang.RobolangResult
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.RobotTarget
 import kotlin.io.path.Path
 import kotlin.io.path.name
 
@@ -43,6 +44,10 @@ internal sealed interface RobolangFile {
  * @param brick null for the one that the program names, otherwise an RCX.
  */
 internal fun readRobolangFile(name: String, language: Language, brick: BrickKind? = null): RobolangFile =
+    readRobolangFile(name, language) { (brick ?: brickOfRobolang(it) ?: BrickKind.default).penbotTarget }
+
+/** Reads and checks the Robolang file [name] for the robot that [targetOf] gives for its text. */
+internal fun readRobolangFile(name: String, language: Language, targetOf: (String) -> RobotTarget): RobolangFile =
     when (val file = readRobolangText(name, language)) {
         is TextFile.Failure -> RobolangFile.Unreadable(file.reason)
 
@@ -51,7 +56,7 @@ internal fun readRobolangFile(name: String, language: Language, brick: BrickKind
                 val result = compileRobolang(
                     Path(file.name).name,
                     file.text,
-                    (brick ?: brickOfRobolang(file.text) ?: BrickKind.default).penbotTarget,
+                    targetOf(file.text),
                     RobolangMessages.of(language),
                 )
             ) {

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.convert
 import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
+import robotran.cli.console.brickOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
@@ -21,7 +22,7 @@ import robotran.cli.files.mayWrite
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
 import robotran.cli.hub.PythonOfFile
-import robotran.cli.hub.chosenBrickOption
+import robotran.cli.hub.isHub
 import robotran.cli.hub.pythonOf
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
@@ -41,7 +42,6 @@ import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.likelyBrickOf
 import robotran.projects.penbotTarget
-import robotran.robolang.python.PybricksHub
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
 import robotran.robolang.translate.kitFiles
@@ -82,8 +82,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
-    private val chosen by chosenBrickOption()
-    private val brick get() = chosen?.brick
+    private val brick by brickOption()
+    private val hub get() = brick?.takeIf { it.isHub }
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
@@ -95,7 +95,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        val javaKit = kit.takeIf { output == null && chosen?.hub == null && programs.all { isNamed(it, JAVA) } }
+        val javaKit = kit.takeIf { output == null && hub == null && programs.all { isNamed(it, JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
@@ -103,7 +103,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (kit != null && targetOf(programs.single()) != TargetLanguage.JAVA) {
             throw UsageError("--kit goes with Java only")
         }
-        if ((chosen?.hub != null) != (targetOf(programs.first()) == TargetLanguage.PYTHON)) {
+        if ((hub != null) != (targetOf(programs.first()) == TargetLanguage.PYTHON)) {
             throw UsageError("--to python goes with a hub, such as --brick spike-prime")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
@@ -141,7 +141,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
 
     private fun targetOf(program: String): TargetLanguage = language ?: when {
-        chosen?.hub != null -> TargetLanguage.PYTHON
+        hub != null -> TargetLanguage.PYTHON
         FIRMWARE_ENDINGS.any { isNamed(program, it) } -> TargetLanguage.LASM
         else -> TargetLanguage.JAVA
     }
@@ -150,10 +150,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         TargetLanguage.JAVA -> translateToJava(program)
         TargetLanguage.NQC -> translateToNqc(program)
         TargetLanguage.LASM -> translateToLasm(program)
-        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(chosen?.hub))
+        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(hub))
     }
 
-    private fun translateToPython(program: String, hub: PybricksHub): ExitCode =
+    private fun translateToPython(program: String, hub: BrickKind): ExitCode =
         when (val python = pythonOf(program, hub, spoken.language)) {
             is PythonOfFile.Failure -> refuse(python.lines, python.code)
 

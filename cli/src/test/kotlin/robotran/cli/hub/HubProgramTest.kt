@@ -1,9 +1,9 @@
 package robotran.cli.hub
 
+import robotran.brick.kind.BrickKind
 import robotran.cli.CommandTest
 import robotran.hublink.program.HubProgram
 import robotran.hublink.program.MpyFile
-import robotran.robolang.python.PybricksHub
 import kotlin.io.path.exists
 import kotlin.io.path.readBytes
 import kotlin.io.path.readText
@@ -43,14 +43,14 @@ class HubProgramTest : CommandTest() {
 
     @Test
     fun `every hub that is told can be chosen`() {
-        for (hub in PybricksHub.entries) {
+        for (hub in BrickKind.entries.filter { it.isHub }) {
             assertEquals(0, run("translate", square, "--brick", hub.word), console.complaints.joinToString())
         }
     }
 
     @Test
     fun `what a hub cannot do is told with its line, and the Python leaves it out`() {
-        val program = program("show loudness\nbeep")
+        val program = program("wait until right bumper\nbeep")
         assertEquals(1, run("translate", program, "--brick", "spike-prime"))
         assertContains(console.complaints.first(), "mine.robo:1:")
         assertContains(console.said.single(), "hub.speaker.beep()")
@@ -76,6 +76,34 @@ class HubProgramTest : CommandTest() {
         val file = folder.resolve("loud.mpy")
         assertEquals(1, run("build", program("show loudness"), "--brick", "spike-prime", "-o", "$file"))
         assertFalse(file.exists())
+    }
+
+    @Test
+    fun `a program is checked as one for its hub`() {
+        assertEquals(0, run("check", square, "--brick", "spike-prime"), console.complaints.joinToString())
+        assertEquals(1, run("check", program("show loudness"), "--brick", "spike-prime"))
+        assertContains((console.said + console.complaints).last(), "This hub has no sound sensor.")
+    }
+
+    @Test
+    fun `a program runs on a robot with a hub`() {
+        val robot = "${tree.resolve("worlds/spike-penbot.robot.json")}"
+        assertEquals(0, run("run", square, "--robot-file", robot), console.complaints.joinToString())
+        assertEquals(2, run("run", program("show loudness"), "--robot-file", robot))
+        assertContains(console.complaints.joinToString("\n"), "This hub has no sound sensor.")
+    }
+
+    @Test
+    fun `a program that asks for a distance is for the robot with a distance sensor`() {
+        assertEquals(0, run("translate", program("show distance"), "--brick", "spike-prime"))
+        assertContains(console.said.single(), "UltrasonicSensor(Port.F)")
+    }
+
+    @Test
+    fun `an image is for a brick that takes images`() {
+        assertEquals(0, run("build", square, "--brick", "rcx"))
+        assertEquals(2, run("build", square, "--brick", "nxt"))
+        assertContains(console.complaints.last(), "this goes with --brick rcx, spike-prime, ")
     }
 
     @Test

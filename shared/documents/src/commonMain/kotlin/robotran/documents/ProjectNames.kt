@@ -3,6 +3,7 @@ package robotran.documents
 import robotran.documents.messages.DocumentMessages
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.languageOfFile
 
 /** [name] as a valid project name: one line, without surrounding blanks, not too long; null if nothing is left. */
@@ -109,6 +110,9 @@ enum class FileKind(val extension: String, val mimeType: String) {
 
 /** The kind of the files of programs in this language. */
 val ProgramLanguage.fileKind: FileKind get() = FileKind.entries.first { it.extension == extension }
+
+/** The kind of files with what a program is shown as. */
+val ShownLanguage.fileKind: FileKind get() = FileKind.entries.first { it.extension == extension }
 
 /** A number appended by [uniqueProjectName]. */
 private val NUMBER = Regex(" [0-9]{1,6}$")

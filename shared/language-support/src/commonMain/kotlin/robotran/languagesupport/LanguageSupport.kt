@@ -3,6 +3,7 @@ package robotran.languagesupport
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 
 /** What Robotran asks of a programming language. The module of each language has one implementation. */
 interface LanguageSupport {
@@ -54,5 +55,5 @@ interface LanguageSupport {
     fun usualWord(word: String, program: String): String = word
 
     /** The languages that its programs for a [brick] can be shown in, the usual one first. */
-    fun translations(brick: BrickKind): List<ProgramLanguage> = emptyList()
+    fun translations(brick: BrickKind): List<ShownLanguage> = emptyList()
 }

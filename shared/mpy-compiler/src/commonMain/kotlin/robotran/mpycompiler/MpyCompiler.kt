@@ -25,6 +25,9 @@ sealed interface MpyResult {
      */
     data class Failure(val line: Int?, val message: String) : MpyResult
 
+    /** The compiler could not be fetched. Only a page has to fetch it. */
+    data object NotLoaded : MpyResult
+
     companion object {
         /**
          * The result of a run of the compiler.

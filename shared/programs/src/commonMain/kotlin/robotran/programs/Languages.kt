@@ -4,15 +4,21 @@ import robotran.brick.program.BrickProgram
 import robotran.javacompiler.support.JavaSupport
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
+import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.SourceFile
 import robotran.legofirmware.support.LasmSupport
 import robotran.nqc.support.NqcSupport
+import robotran.robolang.python.PythonSyntax
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.support.RobolangSupport
 
 /** What Robotran knows of this programming language. */
 val ProgramLanguage.support: LanguageSupport get() = LANGUAGES.getValue(this).support
+
+/** What is asked of texts in this language. */
+val ShownLanguage.code: CodeSyntax get() = programs?.support?.code ?: PythonSyntax
 
 /** The language of the file [name], which may be a part of a program; null if its ending is none of a source. */
 fun languageOfFile(name: String): ProgramLanguage? = ProgramLanguage.entries.find { language ->
@@ -46,7 +52,7 @@ internal class CompilerSettings(
  * This program, which was compiled to [compiled], in the language [to], with notes in [language]. Null if programs in
  * its language are not translated.
  */
-fun Program.translated(compiled: BrickProgram, to: ProgramLanguage, language: Language): ProgramTranslation? =
+fun Program.translated(compiled: BrickProgram, to: ShownLanguage, language: Language): ProgramTranslation? =
     LANGUAGES.getValue(this.language).translator?.translate(this, compiled, to, language)
 
 private class RegisteredLanguage(

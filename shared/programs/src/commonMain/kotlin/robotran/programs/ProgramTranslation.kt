@@ -1,6 +1,6 @@
 package robotran.programs
 
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 
 /**
  * A program as another text.
@@ -11,7 +11,7 @@ import robotran.language.ProgramLanguage
  * @param origins for each line of the text, the line of the program that it comes from; null for a line of its own.
  */
 class ProgramTranslation internal constructor(
-    val language: ProgramLanguage,
+    val language: ShownLanguage,
     val fileName: String,
     val text: String,
     private val origins: List<SourceLine?>,

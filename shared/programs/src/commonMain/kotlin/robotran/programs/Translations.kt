@@ -1,18 +1,18 @@
 package robotran.programs
 
 import robotran.brick.program.BrickProgram
-import robotran.javacompiler.support.JavaSupport
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.listing.assemblyListing
-import robotran.legofirmware.support.LasmSupport
-import robotran.nqc.support.NqcSupport
+import robotran.robolang.RobolangHubProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.NqcTranslationMessages
+import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.nqc.translateToNqc
+import robotran.robolang.python.translateToPython
 import robotran.robolang.translate.LineMap
 import robotran.robolang.translate.translateRobolang
 
@@ -22,28 +22,43 @@ internal fun interface ProgramTranslator {
      * The program [written], which was compiled to [compiled], in the language [to], which is one of the translations of
      * its own. Notes are in [language].
      */
-    fun translate(written: Program, compiled: BrickProgram, to: ProgramLanguage, language: Language): ProgramTranslation
+    fun translate(written: Program, compiled: BrickProgram, to: ShownLanguage, language: Language): ProgramTranslation
 }
 
-/** Robolang becomes Java for its brick, or NQC. */
+/** Robolang becomes Java for its brick, NQC, or Python for its hub. */
 internal val ROBOLANG_TRANSLATOR = ProgramTranslator { written, compiled, to, language ->
     val program = compiled as RobolangProgram
-    if (to == NqcSupport.language) program.asNqc(written.name, language) else program.asJava(written.name)
+    when (to) {
+        ShownLanguage.NQC -> program.asNqc(written.name, language)
+        ShownLanguage.PYTHON -> (program as RobolangHubProgram).asPython(written.name, language)
+        else -> program.asJava(written.name)
+    }
 }
 
 private fun RobolangProgram.asJava(file: String): ProgramTranslation {
     val translation = translateRobolang(this)
     val origins = originsOf(translation.java, translation.lineMap, file)
-    return ProgramTranslation(JavaSupport.language, translation.fileName, translation.java, origins)
+    return ProgramTranslation(ShownLanguage.JAVA, translation.fileName, translation.java, origins)
 }
 
 private fun RobolangProgram.asNqc(file: String, language: Language): ProgramTranslation {
     val translation = translateToNqc(this, NqcTranslationMessages.of(language))
     return ProgramTranslation(
-        NqcSupport.language,
+        ShownLanguage.NQC,
         translation.fileName,
         translation.nqc,
         originsOf(translation.nqc, translation.lineMap, file),
+        translation.notes.map { TranslationNote(it.range.line, it.message) },
+    )
+}
+
+private fun RobolangHubProgram.asPython(file: String, language: Language): ProgramTranslation {
+    val translation = translateToPython(this, robot, PythonTranslationMessages.of(language))
+    return ProgramTranslation(
+        ShownLanguage.PYTHON,
+        translation.fileName,
+        translation.python,
+        originsOf(translation.python, translation.lineMap, file),
         translation.notes.map { TranslationNote(it.range.line, it.message) },
     )
 }
@@ -59,8 +74,8 @@ internal val NQC_TRANSLATOR = ProgramTranslator { written, compiled, _, _ ->
             origins[command.line - 1] = SourceLine(source.file ?: written.name, source.line)
         }
     }
-    val fileName = written.name.removeSuffix(written.language.extension) + LasmSupport.language.extension
-    ProgramTranslation(LasmSupport.language, fileName, listing.text, origins.toList())
+    val fileName = written.name.removeSuffix(written.language.extension) + ShownLanguage.LASM.extension
+    ProgramTranslation(ShownLanguage.LASM, fileName, listing.text, origins.toList())
 }
 
 private fun originsOf(text: String, map: LineMap, file: String): List<SourceLine?> =

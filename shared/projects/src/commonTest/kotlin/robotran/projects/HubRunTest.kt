@@ -70,6 +70,21 @@ class HubRunTest {
     }
 
     @Test
+    fun `a new power counts at once while the robot drives, for both wheels and for one`() = runTest {
+        val both = run(ReadyRobots.SPIKE_PENBOT, "start forward\nwait 0.5 seconds\npower 6\nwait 0.5 seconds\nstop\n")
+        val wanted = listOf(
+            "1 drive_base drive 176 0",
+            "3 drive_base settings 352 360",
+            "3 drive_base drive 352 0",
+            "5 drive_base brake",
+        )
+        assertEquals(wanted, calls(both).filter { "drive_base" in it && "create" !in it }.distinct())
+        val left = run(ReadyRobots.SPIKE_PENBOT, "start forward\nwait 0.5 seconds\npower left 6\nwait 0.5 seconds\n")
+        assertEquals("3 motor A run 720", calls(left).last { " run " in it })
+        assertTrue(left.state.robot.pose.heading != left.world.robots.first().start.heading)
+    }
+
+    @Test
     fun `numbers are printed and lit, and beyond 31 bits the program ends at its line`() = runTest {
         val session = run(ReadyRobots.SPIKE_PENBOT, "show 7\nvar a = 32768\nshow a * a\n")
         assertEquals(listOf("1 print \"7\"", "1 display number 7"), calls(session))

@@ -97,7 +97,7 @@ class RobolangNxtProgram internal constructor(
 class RobolangHubProgram internal constructor(
     name: String,
     checked: CheckedProgram,
-    override val robot: RobotTarget.Hub,
+    public override val robot: RobotTarget.Hub,
     messages: RobolangRunMessages,
 ) : RobolangProgram(name, checked, messages),
     HubProgram {

@@ -1,5 +1,5 @@
 import fake_world
-from fake_hub import log, passing, reading, renew, state, take, whole
+from fake_hub import ask, log, passing, reading, renew, state, take, whole
 from pybricks.parameters import Color, Direction, Stop
 
 MS_PER_DEGREE = 2
@@ -12,17 +12,21 @@ class Motor:
         self.token = 0
         self.rest = 0
         self.speed_now = 0
-        self.since = state.clock
+        self.since = self.until = state.clock
         turned = " counterclockwise" if positive_direction is Direction.COUNTERCLOCKWISE else ""
         log("device Motor", self.name + turned)
 
     def angle(self):
         return self.rest + self.speed_now * (state.clock - self.since) // 1000
 
+    def done(self):
+        ask()
+        return self.speed_now == 0 and state.clock >= self.until
+
     def stand(self):
         self.rest = self.angle()
         self.speed_now = 0
-        self.since = state.clock
+        self.since = self.until = state.clock
         renew(self)
 
     def run(self, speed):
@@ -35,6 +39,7 @@ class Motor:
         degrees = whole(rotation_angle)
         log("motor", self.name, "run_angle", whole(speed), str(degrees) + ("" if wait else " nowait"))
         self.rest += degrees
+        self.until = state.clock + abs(degrees) * MS_PER_DEGREE
         return passing(abs(degrees) * MS_PER_DEGREE, self) if wait else None
 
     def run_target(self, speed, target_angle, then=Stop.HOLD, wait=True):
@@ -43,6 +48,7 @@ class Motor:
         log("motor", self.name, "run_target", whole(speed), target)
         degrees = target - self.rest
         self.rest = target
+        self.until = state.clock + abs(degrees) * MS_PER_DEGREE
         return passing(abs(degrees) * MS_PER_DEGREE, self) if wait else None
 
     def brake(self):

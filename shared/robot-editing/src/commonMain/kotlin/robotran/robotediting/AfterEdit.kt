@@ -132,6 +132,7 @@ private fun RobotEditing.made(before: RobotSnapshot, made: Outcome.Made): RobotE
     if (kept == before.robot) return copy(chosen = left)
     return copy(
         robot = kept,
+        driven = if (made.isRead) kept else driven,
         chosen = left,
         history = history.recorded(before, made.mergeKey),
         errors = robotErrors(kept),

@@ -11,12 +11,14 @@ import robotran.world.robot.robotErrors
  * A robot in the workbench, with the workbench's state. [after] creates the next state. All figures stay in their
  * ranges; the robot may still be impossible, see [errors].
  *
+ * @property driven the robot as the pupil's programs have driven a real one so far: as it was taken to the workbench.
  * @property chosen the chosen element of [robot]; null for none.
  * @property error why the last edit did nothing; null if it was not refused.
  * @property errors what is impossible about the robot.
  */
 data class RobotEditing(
     val robot: RobotDescription,
+    val driven: RobotDescription = robot,
     val chosen: RobotElement? = null,
     override val history: History<RobotSnapshot> = History(),
     override val gesture: Gesture<RobotSnapshot, RobotHandle>? = null,
@@ -25,7 +27,7 @@ data class RobotEditing(
 ) : Editor<RobotSnapshot, RobotHandle, RobotEditing> {
     val isPossible: Boolean get() = errors.isEmpty()
 
-    override val snapshot: RobotSnapshot get() = RobotSnapshot(robot, chosen)
+    override val snapshot: RobotSnapshot get() = RobotSnapshot(robot, driven, chosen)
 
     override fun isAsIn(snapshot: RobotSnapshot): Boolean = robot == snapshot.robot
 
@@ -33,6 +35,7 @@ data class RobotEditing(
 
     override fun restored(snapshot: RobotSnapshot, history: History<RobotSnapshot>): RobotEditing = copy(
         robot = snapshot.robot,
+        driven = snapshot.driven,
         chosen = snapshot.chosen,
         history = history,
         gesture = null,
@@ -62,4 +65,4 @@ enum class RobotEditError {
 }
 
 /** The state that undo restores. */
-data class RobotSnapshot(val robot: RobotDescription, val chosen: RobotElement?)
+data class RobotSnapshot(val robot: RobotDescription, val driven: RobotDescription, val chosen: RobotElement?)

@@ -22,7 +22,10 @@ import robotran.world.robot.RobotParameters
 import kotlin.math.round
 
 /** The fields of an element in display order. */
-fun RobotDescription.fieldsOf(element: RobotElement): List<Field<RobotEdit>> = when (element) {
+fun RobotEditing.fieldsOf(element: RobotElement): List<Field<RobotEdit>> =
+    if (element == RobotElement.Wheels) robot.wheelFields() + robot.measureFields(driven) else robot.fieldsOf(element)
+
+private fun RobotDescription.fieldsOf(element: RobotElement): List<Field<RobotEdit>> = when (element) {
     is RobotElement.Part -> partFields(element.number)
     RobotElement.Wheels -> wheelFields()
 
@@ -79,7 +82,7 @@ internal fun centimetres(
 ): Field<RobotEdit> = Field.Number(tag, label, shown(value), NumberSpec(range, step = step, unit = "cm"), with)
 
 /** The track of the penbot has more digits than anybody wants to read. */
-private fun shown(value: Double): Double = round(value * HUNDREDTHS) / HUNDREDTHS
+internal fun shown(value: Double): Double = round(value * HUNDREDTHS) / HUNDREDTHS
 
 private fun RobotDescription.wheelFields(): List<Field<RobotEdit>> = with(drive) {
     val parameters = RobotParameters.of(this@wheelFields)

@@ -5,6 +5,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.languagesupport.SourceFile
 import robotran.legofirmware.image.toBytes
 import robotran.programs.Program
@@ -164,7 +165,7 @@ class NqcInAppTest {
     fun `it is shown in assembly, line for line, and never in blocks or in Java`() = workshop(counting) { workshop ->
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BLOCKS))
         assertEquals(ProgramView.TEXT, workshop.state.programs.view)
-        assertEquals(listOf(ProgramLanguage.LASM), workshop.state.programs.translationKinds)
+        assertEquals(listOf(ShownLanguage.LASM), workshop.state.programs.translationKinds)
         workshop.handle(ProgramEvent.TranslationShown(true))
         val assembly = assertNotNull(workshop.state.programs.translation)
         val lines = assembly.text.lines()
@@ -181,7 +182,7 @@ class NqcInAppTest {
     @Test
     fun `Robolang is shown in NQC, with what is different`() = workshop { workshop ->
         workshop.handle(ProgramEvent.ProgramEdited("forward 20\nshow \"hello\"\nbeep\n"))
-        workshop.handle(ProgramEvent.TranslationShown(true, ProgramLanguage.NQC))
+        workshop.handle(ProgramEvent.TranslationShown(true, ShownLanguage.NQC))
         val translation = assertNotNull(workshop.state.programs.translation)
         assertContains(translation.text, "task main()")
         assertEquals(listOf(2), translation.notes.map { it.line }.distinct())
@@ -190,7 +191,7 @@ class NqcInAppTest {
         val german = assertNotNull(workshop.state.programs.translation).notes.first().message
         assertTrue(german != translation.notes.first().message, german)
         workshop.handle(ProgramEvent.ProgramEdited("forwrd 20\n"))
-        assertEquals(ProgramLanguage.NQC, assertNotNull(workshop.state.programs.translation).language)
+        assertEquals(ShownLanguage.NQC, assertNotNull(workshop.state.programs.translation).language)
         assertEquals(false, workshop.state.programs.isTranslated)
     }
 

@@ -7,6 +7,9 @@ import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
 import kotlinx.coroutines.await
 import robotran.documents.FileKind
+import robotran.hublink.connection.HubPorts
+import robotran.hublink.connection.NoHubPorts
+import robotran.mpycompiler.MpyCompiler
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
 import robotran.tower.port.NoTowerPorts
@@ -14,6 +17,8 @@ import robotran.tower.port.TowerPorts
 import robotran.ui.pictures.DrawnWorldPictures
 import robotran.ui.pictures.pictureFonts
 import robotran.web.grading.WebGradingWorkers
+import robotran.web.hub.WebHubPorts
+import robotran.web.hub.WebMpyCompiler
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
@@ -70,6 +75,8 @@ internal class WebPlatform(
 
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
+    override val hubs: HubPorts by lazy(LazyThreadSafetyMode.NONE) { if (embedded) NoHubPorts else WebHubPorts() }
+    override val mpyCompiler: MpyCompiler get() = WebMpyCompiler
 
     init {
         whenLessMotionChanges { prefersLessMotion = it }

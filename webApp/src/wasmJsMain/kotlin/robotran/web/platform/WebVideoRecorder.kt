@@ -6,9 +6,9 @@ import kotlinx.coroutines.delay
 import robotran.animatedpicture.ChangedArea
 import robotran.animatedpicture.FrameSource
 import robotran.animatedpicture.changedArea
-import robotran.web.tower.JsBytes
-import robotran.web.tower.outcome
-import robotran.web.tower.toByteArray
+import robotran.web.device.JsBytes
+import robotran.web.device.outcome
+import robotran.web.device.toByteArray
 import robotran.workshop.platform.VideoRecorder
 import kotlin.js.Promise
 

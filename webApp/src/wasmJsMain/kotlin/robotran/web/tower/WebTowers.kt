@@ -9,6 +9,12 @@ import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPorts
 import robotran.tower.port.UsbTower
 import robotran.tower.port.UsbTowerRequest
+import robotran.web.device.SeenDevices
+import robotran.web.device.SerialPort
+import robotran.web.device.UsbDevice
+import robotran.web.device.browserSerial
+import robotran.web.device.browserUsb
+import robotran.web.device.outcome
 
 /**
  * Towers through Web Serial and WebUSB, which Chromium's browsers have. The browser remembers which ones the pupil has
@@ -18,8 +24,7 @@ internal class WebTowers : TowerPorts {
     private val serial = browserSerial()
     private val usb = browserUsb()
 
-    /** All that were seen on this page. A device's ID is its place here. */
-    private val seen = mutableListOf<JsAny>()
+    private val seen = SeenDevices()
 
     override val kinds: Set<TowerKind> = buildSet {
         if (serial != null) add(TowerKind.SERIAL)
@@ -41,7 +46,7 @@ internal class WebTowers : TowerPorts {
     }
 
     override suspend fun open(device: TowerDevice): OpenedTower {
-        val found = device.id.toIntOrNull()?.let { seen.getOrNull(it) } ?: return OpenedTower.Failure(OpenFailure.GONE)
+        val found = seen.named(device.id) ?: return OpenedTower.Failure(OpenFailure.GONE)
         return when (device.kind) {
             TowerKind.SERIAL -> openSerial(found.unsafeCast())
             TowerKind.USB -> openUsb(found.unsafeCast())
@@ -80,17 +85,11 @@ internal class WebTowers : TowerPorts {
         val name = listOfNotNull(info.usbVendorId, info.usbProductId).joinToString(":") {
             it.toString(HEX).padStart(4, '0')
         }
-        return TowerDevice(idOf(port), name, TowerKind.SERIAL)
+        return TowerDevice(seen.idOf(port), name, TowerKind.SERIAL)
     }
 
-    private fun deviceOf(device: UsbDevice) = TowerDevice(idOf(device), device.productName.orEmpty(), TowerKind.USB)
-
-    private fun idOf(device: JsAny): String {
-        val known = seen.indexOfFirst { isSame(it, device) }
-        if (known >= 0) return known.toString()
-        seen += device
-        return seen.lastIndex.toString()
-    }
+    private fun deviceOf(device: UsbDevice) =
+        TowerDevice(seen.idOf(device), device.productName.orEmpty(), TowerKind.USB)
 
     private companion object {
         const val HEX = 16
@@ -118,5 +117,3 @@ private fun usbFailure(error: String): OpenFailure = when (error) {
 
 private fun claimFailure(error: String): OpenFailure =
     if (error == "NotFoundError") OpenFailure.GONE else OpenFailure.HELD_BY_DRIVER
-
-private fun isSame(one: JsAny, other: JsAny): Boolean = js("one === other")

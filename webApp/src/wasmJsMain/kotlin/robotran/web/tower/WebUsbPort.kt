@@ -9,6 +9,11 @@ import robotran.tower.port.ReceivedBytes
 import robotran.tower.port.TowerKind
 import robotran.tower.port.TowerPort
 import robotran.tower.port.UsbTower
+import robotran.web.device.UsbDevice
+import robotran.web.device.bytesOf
+import robotran.web.device.outcome
+import robotran.web.device.toByteArray
+import robotran.web.device.toJs
 
 /** A USB tower, which is open and whose interface is claimed. */
 internal class WebUsbPort(private val device: UsbDevice) : TowerPort {

@@ -194,6 +194,9 @@ enum class BrickKind(
         ProgramWay.HUB,
     )
 
+    /** What it is called on the command line. */
+    val word: String get() = name.lowercase().replace('_', '-')
+
     /** What is printed beside the port for sensors with this [number], from 1. */
     fun inputLabel(number: Int): String = if (hasLetteredInputs) MotorPort.entries[number - 1].name else "$number"
 

@@ -63,7 +63,7 @@ internal class HubInputs(private val model: HubModel) {
 
     fun color(port: HubPort): HubColor {
         val light = reading(port) as? HubReading.Light ?: return HubColor.NONE
-        return ColorFinder.find(light, colors[port] ?: HubColor.DETECTABLE)
+        return ColorFinder.find(light, colors[port] ?: model.devices.colors)
     }
 
     /** A program starts: what the last one made is forgotten. */

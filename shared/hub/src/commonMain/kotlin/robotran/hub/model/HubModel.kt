@@ -6,6 +6,8 @@ import robotran.brick.kind.BrickKind
  * The hubs that run programs with Pybricks. A row holds the facts of a hub.
  *
  * @property kind the same among all bricks.
+ * @property className its class in `pybricks.hubs`.
+ * @property devices its motors and sensors in Pybricks.
  * @property motorPorts the ports for motors.
  * @property sensorPorts the ports for sensors, in the order of their numbers in other languages, from 1.
  * @property hasMatrix whether it has 5 by 5 lights.
@@ -23,6 +25,8 @@ import robotran.brick.kind.BrickKind
  */
 enum class HubModel(
     val kind: BrickKind,
+    val className: String,
+    val devices: HubDevices,
     val motorPorts: List<HubPort>,
     val sensorPorts: List<HubPort>,
     val hasMatrix: Boolean,
@@ -41,6 +45,8 @@ enum class HubModel(
     /** Also the hub of Robot Inventor, which has the same parts. */
     SPIKE_PRIME(
         kind = BrickKind.SPIKE_PRIME,
+        className = "PrimeHub",
+        devices = HubDevices.POWERED_UP,
         motorPorts = LETTERS,
         sensorPorts = LETTERS,
         hasMatrix = true,
@@ -58,6 +64,8 @@ enum class HubModel(
     ),
     SPIKE_ESSENTIAL(
         kind = BrickKind.SPIKE_ESSENTIAL,
+        className = "EssentialHub",
+        devices = HubDevices.POWERED_UP,
         motorPorts = LETTERS.take(2),
         sensorPorts = LETTERS.take(2),
         hasMatrix = false,
@@ -75,6 +83,8 @@ enum class HubModel(
     ),
     TECHNIC_HUB(
         kind = BrickKind.TECHNIC_HUB,
+        className = "TechnicHub",
+        devices = HubDevices.POWERED_UP,
         motorPorts = LETTERS.take(4),
         sensorPorts = LETTERS.take(4),
         hasMatrix = false,
@@ -92,6 +102,8 @@ enum class HubModel(
     ),
     EV3(
         kind = BrickKind.EV3,
+        className = "EV3Brick",
+        devices = HubDevices.EV3,
         motorPorts = LETTERS.take(4),
         sensorPorts = NUMBERS,
         hasMatrix = false,
@@ -116,6 +128,8 @@ enum class HubModel(
     ),
     NXT_PYBRICKS(
         kind = BrickKind.NXT_PYBRICKS,
+        className = "NXTBrick",
+        devices = HubDevices.NXT,
         motorPorts = LETTERS.take(3),
         sensorPorts = NUMBERS,
         hasMatrix = false,

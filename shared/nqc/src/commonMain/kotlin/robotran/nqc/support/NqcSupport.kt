@@ -2,6 +2,7 @@ package robotran.nqc.support
 
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.CodeTokenKind
 import robotran.languagesupport.LanguageSupport
@@ -19,7 +20,7 @@ object NqcSupport : LanguageSupport {
     override val bricks = setOf(BrickKind.ofLegoFirmware)
     override val isForLegoFirmware = true
 
-    override fun translations(brick: BrickKind): List<ProgramLanguage> = listOf(ProgramLanguage.LASM)
+    override fun translations(brick: BrickKind): List<ShownLanguage> = listOf(ShownLanguage.LASM)
 }
 
 private object NqcMeasure : ProgramMeasure {

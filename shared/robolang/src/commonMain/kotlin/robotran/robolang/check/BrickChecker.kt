@@ -1,6 +1,7 @@
 package robotran.robolang.check
 
 import robotran.brick.kind.BrickKind
+import robotran.hub.model.HubModel
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
 import robotran.robolang.diagnostic.DiagnosticCode
@@ -72,7 +73,14 @@ internal class BrickChecker(private val context: CheckContext, private val robot
         val own = button.on(brick)
         if (own == button || (own != null && BrickDialect.of(brick).takesButtonsOfOthers)) return
         val fix = own?.let { SourceFix(range, "button ${it.keyword.text}") }
-        context.report(DiagnosticCode.BRICK_LACKS, range, messages.noNxtButton(), fix)
+        context.report(DiagnosticCode.BRICK_LACKS, range, noButton(), fix)
+    }
+
+    private val isHub: Boolean get() = HubModel.of(brick) != null
+
+    private fun noButton(): String {
+        if (!isHub) return messages.noNxtButton()
+        return messages.noSuchButton(BrickButton.of(brick).map { "\"button ${it.keyword.text}\"" })
     }
 
     private fun port(port: Int, range: SourceRange) {
@@ -89,8 +97,8 @@ internal class BrickChecker(private val context: CheckContext, private val robot
             BrickFeature.MOTOR_COUNTERS -> messages.noMotorDegrees()
             BrickFeature.SONAR -> messages.noSonar()
             BrickFeature.COLOUR_SENSOR -> messages.noColourSensor()
-            BrickFeature.SOUND_SENSOR -> messages.noSoundSensor()
-            BrickFeature.ENTER_BUTTON, BrickFeature.ESCAPE_BUTTON -> messages.noNxtButton()
+            BrickFeature.SOUND_SENSOR -> if (isHub) messages.noSoundSensorOnHub() else messages.noSoundSensor()
+            BrickFeature.ENTER_BUTTON, BrickFeature.ESCAPE_BUTTON -> noButton()
         }
         context.report(DiagnosticCode.BRICK_LACKS, range, message)
     }

@@ -1,24 +1,24 @@
 package robotran.robolang.python
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.HubFigures
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.TimeUnit
-import robotran.robolang.syntax.TurnDirection
 
 /** Writes the commands to the robot; in a task each that takes time is awaited. */
 internal class PybricksCommands(
-    private val robot: PybricksRobot,
+    private val robot: RobotTarget.Hub,
     private val expressions: PythonExpressions,
     private val devices: PybricksDevices,
     private val uses: PythonUses,
     private val notes: PythonNotes,
     private val speeds: PybricksSpeeds,
 ) {
-    private val hub = robot.hub
+    private val hub = robot.model
     private val messages = notes.messages
     private val motors = PybricksMotors(robot, expressions, devices, uses, notes, speeds)
     private val numbers = PybricksNumbers(expressions)
@@ -38,8 +38,8 @@ internal class PybricksCommands(
     fun linesOf(command: Command): List<String> = when (command) {
         is Command.Move -> move(command)
         is Command.Turn -> turn(command)
-        is Command.StartMoving -> motors.start(ahead = sign(command.direction), turn = 0)
-        is Command.StartTurning -> motors.start(ahead = 0, turn = sign(command.direction))
+        is Command.StartMoving -> motors.start(command, ahead = signOf(command.direction), turn = 0)
+        is Command.StartTurning -> motors.start(command, ahead = 0, turn = signOf(command.direction))
         is Command.StopDriving -> motors.stop()
         is Command.Power -> motors.power(command)
         is Command.Motor -> motors.command(command)
@@ -49,8 +49,8 @@ internal class PybricksCommands(
         is Command.Wait -> listOf(wait(numbers.milliseconds(command.duration, command.unit)))
         is Command.WaitUntil -> waitUntil(command)
         is Command.ResetTimer -> listOf("${devices.timer()}.reset()")
-        is Command.Beep -> sound(command, "", "${PybricksFigures.BEEP_MILLISECONDS}")
-        is Command.Buzz -> sound(command, "$BUZZ", "${PybricksFigures.BUZZ_MILLISECONDS}")
+        is Command.Beep -> sound(command, "", "${HubFigures.BEEP_MILLISECONDS}")
+        is Command.Buzz -> sound(command, "$BUZZ", "${HubFigures.BUZZ_MILLISECONDS}")
         is Command.Play -> play(command)
         is Command.Show -> show(command)
         is Command.ShowText -> showText(command)
@@ -62,27 +62,24 @@ internal class PybricksCommands(
 
     private fun waiting(call: String): String = expressions.waiting(call).text
 
-    private fun sign(direction: MoveDirection) = if (direction == MoveDirection.FORWARD) 1 else -1
-
-    /** A turn to the right is positive. */
-    private fun sign(direction: TurnDirection) = if (direction == TurnDirection.RIGHT) 1 else -1
-
     private fun move(command: Command.Move): List<String> {
-        val sign = sign(command.direction)
-        val distance = command.distance ?: return motors.forTime(ahead = sign, turn = 0, time(command.duration))
+        val sign = signOf(command.direction)
+        val distance =
+            command.distance ?: return motors.forTime(command, ahead = sign, turn = 0, time(command.duration))
         notes.tell(command.range, messages.wheelDegrees())
-        return listOf(waiting("${devices.base()}.straight(${numbers.times(distance, sign * MILLIMETRES)})"))
+        val millimetres = numbers.times(distance, sign * HubFigures.MILLIMETRES_PER_CENTIMETRE)
+        return motors.remembered(command) + waiting("${devices.base()}.straight($millimetres)")
     }
 
     private fun turn(command: Command.Turn): List<String> {
-        val sign = sign(command.direction)
-        val angle = command.angle ?: return motors.forTime(ahead = 0, turn = sign, time(command.duration))
+        val sign = signOf(command.direction)
+        val angle = command.angle ?: return motors.forTime(command, ahead = 0, turn = sign, time(command.duration))
         notes.tell(command.range, messages.wheelDegrees())
         val fraction = (expressions.literal(angle) as? NumberValue.Decimal)?.decimal
         if (fraction != null && fraction != fraction.toInt().toFloat()) {
             notes.tell(angle.range, messages.wholeDegrees())
         }
-        return listOf(waiting("${devices.base()}.turn(${numbers.times(angle, sign)})"))
+        return motors.remembered(command) + waiting("${devices.base()}.turn(${numbers.times(angle, sign)})")
     }
 
     private fun time(duration: Expression?): String {
@@ -96,14 +93,14 @@ internal class PybricksCommands(
             notes.tell(command.range, messages.noPen())
             return emptyList()
         }
-        devices.pen(pen.port)
+        devices.pen(pen)
         val helper = if (command.position == PenPosition.DOWN) PythonHelper.PEN_DOWN else PythonHelper.PEN_UP
         return listOf(waiting("${uses.use(helper)}()"))
     }
 
     private fun waitUntil(command: Command.WaitUntil): List<String> = listOf(
         "while ${expressions.opposite(command.condition)}:",
-        "    ${wait("${PybricksFigures.PAUSE}")}",
+        "    ${wait("$PAUSE")}",
     )
 
     /** A tone; without a [hertz] the usual one. */
@@ -168,11 +165,12 @@ internal class PybricksCommands(
         }
     }
 
-    private companion object {
-        const val MILLIMETRES = 10
-        const val BUZZ = PybricksFigures.BUZZ_HERTZ
+    companion object {
+        /** How long a loop that does nothing else waits, in milliseconds. */
+        const val PAUSE = 10
+        private const val BUZZ = HubFigures.BUZZ_HERTZ
 
         /** Two digits have room on the display. */
-        const val LARGEST_SHOWN = 99
+        private const val LARGEST_SHOWN = 99
     }
 }

@@ -1,6 +1,7 @@
 package robotran.robolang.python
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.roundAsPython
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit

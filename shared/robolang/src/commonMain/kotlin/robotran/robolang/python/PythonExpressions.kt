@@ -3,6 +3,7 @@ package robotran.robolang.python
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
+import robotran.robolang.robot.HubFigures
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
@@ -246,6 +247,6 @@ internal class PythonExpressions(
     }
 
     private companion object {
-        const val LARGEST = PybricksFigures.LARGEST
+        const val LARGEST = HubFigures.LARGEST
     }
 }

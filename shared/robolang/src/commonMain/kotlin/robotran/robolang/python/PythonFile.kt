@@ -4,7 +4,8 @@ import robotran.language.source.SourceRange
 import robotran.robolang.RobolangProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.robolang.robot.SensorPorts
+import robotran.robolang.robot.HubUses
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
@@ -22,22 +23,22 @@ import robotran.robolang.translate.SourceLines
 /** Assembles a translation: devices, figures, functions, the main program. */
 internal class PythonFile(
     program: RobolangProgram,
-    private val robot: PybricksRobot,
+    private val robot: RobotTarget.Hub,
     private val notes: PythonNotes,
     reserved: Set<String>,
 ) {
     private val checked = program.checked
     private val tree = checked.tree
     private val isReacting = tree.behaviours.isNotEmpty()
-    private val speeds = PybricksSpeeds(tree, robot)
+    private val hubUses = HubUses(tree, robot)
+    private val speeds = PybricksSpeeds(tree, robot, hubUses)
     private val pythonNames = PythonNames(reserved)
-    private val uses = PythonUses(robot, isReacting)
+    private val uses = PythonUses(robot, isReacting, speeds.ways)
     private val usesColours = allExpressions(tree).any {
         it is Expression.Sense && checked.typeOf(it) == ValueType.COLOUR
     }
     private val devices = PybricksDevices(robot, uses, usesColours)
-    private val senses =
-        PybricksSenses(robot, tree.robot, SensorPorts(tree, program.robot.kind), devices, uses, notes)
+    private val senses = PybricksSenses(robot, tree.robot, hubUses, devices, uses, notes)
     private val awaited = AwaitedRoutines(checked, senses::isAwaited)
     private val expressions = PythonExpressions(checked, pythonNames, uses, notes, awaited, senses::written)
     private val commands = PybricksCommands(robot, expressions, devices, uses, notes, speeds)

@@ -1,5 +1,10 @@
 package robotran.robolang.python
 
+import robotran.robolang.robot.HubFigures
+import robotran.robolang.robot.RobotTarget
+import robotran.robolang.robot.fastestAhead
+import robotran.robolang.robot.fastestTurn
+import robotran.robolang.robot.wheelSpeed
 import robotran.robolang.template.fillIn
 import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
@@ -26,6 +31,7 @@ internal enum class PythonHelper(
     PEN_DOWN("pen_down"),
     PEN_UP("pen_up"),
     SET_POWER("set_power", others = listOf("speed", "turn_rate")),
+    RUN_ON("run_on"),
     SHOW("show"),
     BLINK("blink", imports = listOf("pybricks.parameters:Color", "pybricks.tools:wait")),
     DISTANCE("distance"),
@@ -36,27 +42,50 @@ internal enum class PythonHelper(
     val names: List<String> get() = others + called
 
     /** Its Python for [robot]; in tasks if [isReacting]. */
-    fun textFor(robot: PybricksRobot, isReacting: Boolean): String {
-        val text = (if (robot.hub.hasScreen) SECTIONS["$name, screen"] else null) ?: SECTIONS.getValue(name)
+    fun textFor(robot: RobotTarget.Hub, isReacting: Boolean, ways: PybricksWays): String {
+        val text = (if (robot.model.hasScreen) SECTIONS["$name, screen"] else null) ?: SECTIONS.getValue(name)
         val values = mapOf(
             "ASYNC" to if (isReacting) "async " else "",
             "AWAIT" to if (isReacting) "await " else "",
-            "POWER" to powerWithin(robot.hub.fastest),
-            "SPEED" to decimalFigure(POWER_TO_SPEED * robot.wheelDiameter),
-            "RATE" to decimalFigure(POWER_TO_RATE * robot.wheelDiameter / robot.track),
+            "SPEED" to within(robot, robot.wheelSpeed(STEP), robot.fastestAhead),
+            "RATE" to within(robot, STEP * robot.wheelDiameter / robot.track, robot.fastestTurn),
+            "DRIVE_ON" to driveOn(ways),
         )
-        return text.fillIn(values)
+        return text.fillIn(values).trimEnd()
     }
 
-    private fun powerWithin(fastest: Int): String {
-        val isFastEnough = fastest >= PybricksFigures.speedOf(PybricksFigures.HIGHEST_POWER)
-        return if (isFastEnough) FROM_SLOWEST else "min($FROM_SLOWEST, $fastest / ${PybricksFigures.SPEED_OF_POWER})"
+    /** A speed for a power, [step] for each, and what the motors can do at most. */
+    private fun within(robot: RobotTarget.Hub, step: Double, most: Int): String {
+        val rounded = "round(${decimalFigure(step)} * power)"
+        val isFastEnough = robot.model.motor.highestSpeed >= HubFigures.speedOf(HubFigures.HIGHEST_POWER)
+        return if (isFastEnough) rounded else "min($rounded, $most)"
+    }
+
+    /** How the robot goes on with a new power. */
+    private fun driveOn(ways: PybricksWays): String {
+        val only = ways.onlyOfBase
+        val (condition, speeds) = when {
+            !ways.driveOn -> return ""
+
+            only == null ->
+                "(${PybricksWays.AHEAD} or ${PybricksWays.TURN}) and " to
+                    "${PybricksWays.AHEAD} * speed, ${PybricksWays.TURN} * turn_rate"
+
+            else -> "" to "${times(only.first, "speed")}, ${times(only.second, "turn_rate")}"
+        }
+        return "    if ${condition}not robot.done():\n        robot.drive($speeds)"
+    }
+
+    private fun times(way: Int, speed: String): String = if (way == 0) {
+        "0"
+    } else if (way < 0) {
+        "-$speed"
+    } else {
+        speed
     }
 
     private companion object {
-        const val FROM_SLOWEST = "max(power, 1 / 3)"
-        const val POWER_TO_SPEED = PybricksFigures.SPEED_OF_POWER * kotlin.math.PI / PybricksFigures.FULL_TURN
-        const val POWER_TO_RATE = PybricksFigures.SPEED_OF_POWER.toDouble()
+        const val STEP = HubFigures.SPEED_OF_POWER.toDouble()
         val SECTIONS: Map<String, String> by lazy { sectionsOf(templates.getValue("python/helpers.py")) }
     }
 }

@@ -45,7 +45,7 @@ internal class PythonStatements(
     /** [statements] in the block that is open, which ends at [lastLine]. */
     fun block(statements: List<Statement>, lastLine: Int, pause: Pause? = null, next: String? = null) {
         writer.enterBlock()
-        val wait = { writer.line(commands.wait("${PybricksFigures.PAUSE}")) }
+        val wait = { writer.line(commands.wait("${PybricksCommands.PAUSE}")) }
         if (pause == Pause.FIRST) wait()
         write(statements)
         writer.commentsAbove(lastLine + 1)

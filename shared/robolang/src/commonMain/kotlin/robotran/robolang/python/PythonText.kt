@@ -1,5 +1,7 @@
 package robotran.robolang.python
 
+import robotran.robolang.robot.roundAsPython
+
 /** An expression of Python with the precedence of its outermost operator. */
 internal class PythonText(val text: String, val strength: Int) {
     /** It, in brackets unless it binds at least as tightly as [wanted]. */
@@ -27,12 +29,13 @@ internal object PythonStrength {
 /** [text] as a text of Python. */
 internal fun pythonString(text: String): String = "\"" + text.replace("\\", "\\\\").replace("\"", "\\\"") + "\""
 
-/** The whole number next to [value], the even one of two, as Python's `round` has it. */
-internal fun roundAsPython(value: Double): Long {
-    val below = kotlin.math.floor(value)
-    val rest = value - below
-    val isUp = rest > HALF || (rest == HALF && below % 2 != 0.0)
-    return below.toLong() + if (isUp) 1 else 0
+/** [figure] with at most three digits behind its point, and none that says nothing. */
+internal fun decimalFigure(figure: Double): String {
+    val thousandths = roundAsPython(figure * THOUSAND)
+    val whole = thousandths / THOUSAND
+    val rest = "${thousandths % THOUSAND}".padStart(DIGITS, '0').trimEnd('0')
+    return if (rest.isEmpty()) "$whole" else "$whole.$rest"
 }
 
-private const val HALF = 0.5
+private const val THOUSAND = 1000
+private const val DIGITS = 3

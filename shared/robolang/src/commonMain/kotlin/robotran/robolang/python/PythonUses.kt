@@ -1,7 +1,13 @@
 package robotran.robolang.python
 
+import robotran.robolang.robot.RobotTarget
+
 /** What a translation uses of modules and of its own helpers. */
-internal class PythonUses(private val robot: PybricksRobot, private val isReacting: Boolean) {
+internal class PythonUses(
+    private val robot: RobotTarget.Hub,
+    private val isReacting: Boolean,
+    private val ways: PybricksWays,
+) {
     private val imports = mutableMapOf<String, Set<String>>()
     private val helpers = mutableSetOf<PythonHelper>()
 
@@ -33,7 +39,7 @@ internal class PythonUses(private val robot: PybricksRobot, private val isReacti
     }
 
     /** What is used so far, for [takeBack]. */
-    fun copy(): PythonUses = PythonUses(robot, isReacting).also { it.takeBack(this) }
+    fun copy(): PythonUses = PythonUses(robot, isReacting, ways).also { it.takeBack(this) }
 
     /** Only what [earlier] has is used: what was written since is left out. */
     fun takeBack(earlier: PythonUses) {
@@ -54,7 +60,7 @@ internal class PythonUses(private val robot: PybricksRobot, private val isReacti
     fun writeHelpers(writer: PythonWriter) {
         for (helper in PythonHelper.entries.filter { it in helpers }) {
             writer.gap()
-            writer.lines(helper.textFor(robot, isReacting))
+            writer.lines(helper.textFor(robot, isReacting, ways))
         }
     }
 }

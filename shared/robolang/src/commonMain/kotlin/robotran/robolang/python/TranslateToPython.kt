@@ -2,6 +2,7 @@ package robotran.robolang.python
 
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.PythonTranslationMessages
+import robotran.robolang.robot.RobotTarget
 
 /**
  * Translates [program] to Python for a [robot] whose hub runs Pybricks, as a teacher would write it: the devices of the
@@ -12,7 +13,7 @@ import robotran.robolang.messages.PythonTranslationMessages
  */
 fun translateToPython(
     program: RobolangProgram,
-    robot: PybricksRobot,
+    robot: RobotTarget.Hub,
     messages: PythonTranslationMessages,
 ): PythonTranslation {
     // Written once to know the names that the translation itself uses, which the pupil's then must not have.

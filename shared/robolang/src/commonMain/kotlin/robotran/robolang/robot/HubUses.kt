@@ -63,6 +63,9 @@ internal class HubUses(tree: SyntaxTree, private val robot: RobotTarget.Hub) {
         return all.firstOrNull { it == named } ?: all.firstOrNull()
     }
 
+    /** Whether the header says that [sense] is on this port. */
+    fun isNamed(port: Int, sense: Sense): Boolean = ports.settingAt(port) == sense
+
     private fun isColourAt(sense: Sense) = sense is Sense.Sensor && ports.senseAt(sense.port) == Sense.Colour
 
     private fun isRunOfWheel(command: Command): Boolean = command is Command.Motor && command.port in wheels &&
@@ -71,7 +74,7 @@ internal class HubUses(tree: SyntaxTree, private val robot: RobotTarget.Hub) {
     private fun needsBase(command: Command): Boolean = when (command) {
         is Command.Move -> command.distance != null || !areWheelsApart
         is Command.Turn -> command.angle != null || !areWheelsApart
-        is Command.StartMoving, is Command.StartTurning, is Command.Power -> !areWheelsApart
+        is Command.StartMoving, is Command.StartTurning, is Command.StopDriving, is Command.Power -> !areWheelsApart
         else -> false
     }
 
@@ -102,14 +105,22 @@ internal class HubUses(tree: SyntaxTree, private val robot: RobotTarget.Hub) {
 
     companion object {
         private val BUMPERS = setOf(HubDeviceKind.FORCE_SENSOR, HubDeviceKind.TOUCH_SENSOR)
+        private val EYES = setOf(HubDeviceKind.COLOR_SENSOR, HubDeviceKind.LIGHT_SENSOR)
         private val KINDS = mapOf(
             Sense.LeftBumper to BUMPERS,
             Sense.RightBumper to BUMPERS,
-            Sense.Light to setOf(HubDeviceKind.COLOR_SENSOR, HubDeviceKind.LIGHT_SENSOR),
+            Sense.Light to EYES,
             Sense.Colour to setOf(HubDeviceKind.COLOR_SENSOR),
             Sense.Distance to setOf(HubDeviceKind.ULTRASONIC_SENSOR),
             Sense.Loudness to setOf(HubDeviceKind.SOUND_SENSOR),
         )
+
+        /** The kinds of sensors that do the same as [kind]. */
+        fun likeOf(kind: HubDeviceKind): Set<HubDeviceKind> = when (kind) {
+            in BUMPERS -> BUMPERS
+            in EYES -> EYES
+            else -> setOf(kind)
+        }
 
         /** The button that [sense] asks for; null if it asks for none, or for one that no program sees. */
         fun buttonOf(sense: Sense): HubButton? = (sense as? Sense.Button)?.button?.let { buttonOf(it) }

@@ -1,6 +1,7 @@
 package robotran.robolang.run
 
 import robotran.robolang.messages.RobolangRunMessages
+import robotran.robolang.robot.HubFigures
 
 /** Whole numbers of MicroPython on a hub: 31 bits, and beyond them a mistake; division truncates, as on other bricks. */
 internal data object HubWhole : Arithmetic by Arithmetic.Whole {
@@ -38,7 +39,6 @@ internal data object HubDecimal : Arithmetic by Arithmetic.Decimal {
 
 /** [value] if 31 bits hold it; otherwise the run fails. */
 internal fun short(value: Long, messages: RobolangRunMessages): Int =
-    if (value in SMALLEST..LARGEST) value.toInt() else fail(messages.tooLargeForHub())
+    if (value in -LARGEST - 1..LARGEST) value.toInt() else fail(messages.tooLargeForHub())
 
-private const val LARGEST = (1L shl 30) - 1
-private const val SMALLEST = -(1L shl 30)
+private const val LARGEST = HubFigures.LARGEST.toLong()

@@ -10,9 +10,11 @@ import robotran.hub.program.Hub
 import robotran.hub.program.HubCall
 import robotran.hub.program.HubNative
 import robotran.robolang.messages.RobolangRunMessages
+import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.SensorPorts
+import robotran.robolang.robot.roundAsPython
 import robotran.robolang.syntax.MoveDirection
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.PenPosition
@@ -68,8 +70,9 @@ internal class HubDevice private constructor(
                 make(HubCall.on(HubNative.MOTOR_RESET_ANGLE, HubPort.of(motor), 0), line)
             }
         }
+        if (!model.devices.choosesColors) return at(null)
         for (port in uses.coloured) {
-            val colors = HubCall.detectableColors(model.sensorPorts[port - 1], HubSenses.COLOURS)
+            val colors = HubCall.detectableColors(model.sensorPorts[port - 1], HubFigures.COLOURS)
             make(colors, uses.sensors.getValue(port))
         }
         at(null)
@@ -78,8 +81,8 @@ internal class HubDevice private constructor(
     private fun driveBase() = HubCall.driveBase(
         HubPort.of(robot.left),
         HubPort.of(robot.right),
-        roundAsPython(robot.wheelDiameter * THOUSANDTHS),
-        roundAsPython(robot.track * THOUSANDTHS),
+        roundAsPython(robot.wheelDiameter * THOUSANDTHS).toInt(),
+        roundAsPython(robot.track * THOUSANDTHS).toInt(),
     )
 
     override fun startMoving(direction: MoveDirection, sourceLine: Int) = drive.start(sign(direction), 0, sourceLine)
@@ -89,7 +92,7 @@ internal class HubDevice private constructor(
     override fun stopDriving(sourceLine: Int) = drive.stop(sourceLine)
 
     override fun drive(direction: MoveDirection, distance: NumberValue, sourceLine: Int): Int {
-        val sign = sign(direction) * HubConstants.MILLIMETRES_PER_CENTIMETRE
+        val sign = sign(direction) * HubFigures.MILLIMETRES_PER_CENTIMETRE
         drive.straight(times(distance, sign), sourceLine)
         return 0
     }
@@ -103,9 +106,9 @@ internal class HubDevice private constructor(
     override fun endDrive(sourceLine: Int) = Unit
 
     override fun startPen(position: PenPosition, sourceLine: Int): Int {
-        val degrees = if (position == PenPosition.DOWN) HubConstants.PEN_DEGREES else 0
+        val degrees = if (position == PenPosition.DOWN) HubFigures.PEN_DEGREES else 0
         robot.pen?.let { pen ->
-            calls.on(HubNative.MOTOR_RUN_TARGET, pen, sourceLine, HubConstants.PEN_SPEED, degrees, 0)
+            calls.on(HubNative.MOTOR_RUN_TARGET, pen, sourceLine, HubFigures.PEN_SPEED, degrees, 0)
             remember(pen)
         }
         return 0
@@ -115,7 +118,7 @@ internal class HubDevice private constructor(
 
     override fun setPower(side: PowerSide, power: Int, sourceLine: Int) = drive.setPower(side, power, sourceLine)
 
-    override fun setPower(motor: MotorPort, power: Int, sourceLine: Int) = drive.setPower(motor, power)
+    override fun setPower(motor: MotorPort, power: Int, sourceLine: Int) = drive.setPower(motor, power, sourceLine)
 
     override fun run(motor: MotorPort, mode: MotorMode, sourceLine: Int) = when (mode) {
         MotorMode.FORWARD -> drive.run(motor, 1, sourceLine)
@@ -129,7 +132,7 @@ internal class HubDevice private constructor(
     override fun turnMotor(motor: MotorPort, angle: NumberValue, waits: Boolean, sourceLine: Int) {
         val degrees = times(angle, 1)
         val noWait = if (waits) 0 else 1
-        calls.on(HubNative.MOTOR_RUN_ANGLE, motor, sourceLine, HubConstants.TURNING_SPEED, degrees, noWait)
+        calls.on(HubNative.MOTOR_RUN_ANGLE, motor, sourceLine, HubFigures.TURNING_SPEED, degrees, noWait)
         remember(motor)
     }
 
@@ -139,9 +142,9 @@ internal class HubDevice private constructor(
     override fun resetMotor(motor: MotorPort, sourceLine: Int) =
         calls.on(HubNative.MOTOR_RESET_ANGLE, motor, sourceLine, 0)
 
-    override fun beep(sourceLine: Int) = tone(HubConstants.BEEP_HERTZ, HubConstants.BEEP_MILLISECONDS, sourceLine)
+    override fun beep(sourceLine: Int) = tone(HubFigures.BEEP_HERTZ, HubFigures.BEEP_MILLISECONDS, sourceLine)
 
-    override fun buzz(sourceLine: Int) = tone(HubConstants.BUZZ_HERTZ, HubConstants.BUZZ_MILLISECONDS, sourceLine)
+    override fun buzz(sourceLine: Int) = tone(HubFigures.BUZZ_HERTZ, HubFigures.BUZZ_MILLISECONDS, sourceLine)
 
     override fun playTone(hertz: Int, hundredths: Int, sourceLine: Int) =
         tone(hertz, hundredths * MILLISECONDS_PER_HUNDREDTH, sourceLine)
@@ -180,7 +183,7 @@ internal class HubDevice private constructor(
         if (!model.hasMatrix) return
         if (text.length == 1) return calls.make(HubCall.of(HubNative.DISPLAY_CHAR, text), sourceLine)
         calls.make(HubCall.of(HubNative.DISPLAY_TEXT, text), sourceLine)
-        outputMilliseconds = text.length * HubConstants.LETTER_MILLISECONDS
+        outputMilliseconds = text.length * HubFigures.LETTER_MILLISECONDS
     }
 
     override fun showColour(colour: Int, sourceLine: Int) = print("Color.${colourName(colour)}", sourceLine)
@@ -198,7 +201,7 @@ internal class HubDevice private constructor(
 
     private fun times(value: NumberValue, factor: Int): Int = when (value) {
         is NumberValue.Whole -> short(value.value.toLong() * factor, messages)
-        is NumberValue.Decimal -> short(roundAsPython(value.decimal.toDouble() * factor).toLong(), messages)
+        is NumberValue.Decimal -> short(roundAsPython(value.decimal.toDouble() * factor), messages)
     }
 
     private fun sign(direction: MoveDirection) = if (direction == MoveDirection.FORWARD) 1 else -1

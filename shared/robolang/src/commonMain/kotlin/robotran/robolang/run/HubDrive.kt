@@ -7,19 +7,24 @@ import robotran.hub.model.HubPort
 import robotran.hub.program.Hub
 import robotran.hub.program.HubCall
 import robotran.hub.program.HubNative
+import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.robot.speedAhead
+import robotran.robolang.robot.turnRate
 import robotran.robolang.syntax.PowerSide
-import kotlin.math.PI
-import kotlin.math.floor
 
 /** The wheels of a robot with a hub: together as a driving base or, if their powers differ, each by its motor. */
 internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: HubUses, private val calls: HubCalls) {
     private val speeds = MotorPort.entries.associateWith {
-        HubConstants.speedOf(HubConstants.FIRST_POWER)
+        HubFigures.speedOf(HubFigures.FIRST_POWER)
     }.toMutableMap()
     private val base get() = calls.hub.driveBase
     private var move = 0
+
+    /** Which way the base drives since its command of that number, and each motor. */
+    private var way = Way(0, 0, NEVER)
+    private val ways = mutableMapOf<MotorPort, Way>()
 
     /** Drives ahead or back by [ahead] 1 or -1, or turns to the right or left by [turn]. */
     fun start(ahead: Int, turn: Int, sourceLine: Int) {
@@ -28,7 +33,9 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
             run(robot.right, ahead - turn, sourceLine)
         } else {
             val speed = speedOf(robot.left)
-            calls.of(HubNative.DRIVE_BASE_DRIVE, sourceLine, ahead * speedAhead(speed), turn * turnRate(speed))
+            val straight = ahead * robot.speedAhead(speed)
+            calls.of(HubNative.DRIVE_BASE_DRIVE, sourceLine, straight, turn * robot.turnRate(speed))
+            way = Way(ahead, turn, base?.commands ?: NEVER)
         }
     }
 
@@ -51,23 +58,35 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
     val isMoving: Boolean get() = base?.let { it.commands == move && !it.isDone } == true
 
     fun setPower(side: PowerSide, power: Int, sourceLine: Int) {
-        val speed = HubConstants.speedOf(power)
+        val speed = HubFigures.speedOf(power)
         if (side != PowerSide.RIGHT) speeds[robot.left] = speed
         if (side != PowerSide.LEFT) speeds[robot.right] = speed
-        if (!uses.areWheelsApart) {
-            // A hub refuses what its motors cannot do.
-            val straight = minOf(speedAhead(speed), base?.straightLimit ?: Int.MAX_VALUE)
-            val turn = minOf(turnRate(speed), base?.turnLimit ?: Int.MAX_VALUE)
-            calls.of(HubNative.DRIVE_BASE_SETTINGS, sourceLine, straight, turn)
+        if (uses.areWheelsApart) {
+            if (side != PowerSide.RIGHT) runOn(robot.left, sourceLine)
+            if (side != PowerSide.LEFT) runOn(robot.right, sourceLine)
+        } else {
+            calls.of(HubNative.DRIVE_BASE_SETTINGS, sourceLine, robot.speedAhead(speed), robot.turnRate(speed))
+            if (base?.commands == way.command) start(way.ahead, way.turn, sourceLine)
         }
     }
 
-    fun setPower(motor: MotorPort, power: Int) {
-        speeds[motor] = HubConstants.speedOf(power)
+    fun setPower(motor: MotorPort, power: Int, sourceLine: Int) {
+        speeds[motor] = HubFigures.speedOf(power)
+        runOn(motor, sourceLine)
     }
 
-    fun run(motor: MotorPort, sign: Int, sourceLine: Int) =
+    /** A motor that turns goes on with its new speed: a hub takes no other for what it does already. */
+    private fun runOn(motor: MotorPort, sourceLine: Int) {
+        val way = ways[motor] ?: return
+        if (commandsOf(motor) == way.command) run(motor, way.ahead, sourceLine)
+    }
+
+    fun run(motor: MotorPort, sign: Int, sourceLine: Int) {
         calls.on(HubNative.MOTOR_RUN, motor, sourceLine, sign * speedOf(motor))
+        ways[motor] = Way(sign, 0, commandsOf(motor))
+    }
+
+    private fun commandsOf(motor: MotorPort): Int = calls.hub.motor(HubPort.of(motor))?.commands ?: NEVER
 
     private fun speedOf(motor: MotorPort): Int = speeds.getValue(motor)
 
@@ -76,12 +95,12 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
         move = base?.commands ?: 0
     }
 
-    /** Millimetres a second of wheels that turn [degrees] a second. */
-    private fun speedAhead(degrees: Int): Int =
-        roundAsPython(degrees * PI * robot.wheelDiameter / HubConstants.FULL_TURN)
+    /** [ahead] or to the right, 1 or -1, since the command of this number. */
+    private class Way(val ahead: Int, val turn: Int, val command: Int)
 
-    /** Degrees a second that the robot turns with them. */
-    private fun turnRate(degrees: Int): Int = roundAsPython(degrees * robot.wheelDiameter / robot.track)
+    private companion object {
+        const val NEVER = -1
+    }
 }
 
 /** Makes the calls of a program to its hub; one that the hub refuses ends the program. */
@@ -96,13 +115,3 @@ internal class HubCalls(val hub: Hub, private val messages: HubErrorMessages) {
         fail(messages.reason(error, call))
     }
 }
-
-/** The nearest whole number; of two the even one, as Python's `round`. */
-internal fun roundAsPython(value: Double): Int {
-    val below = floor(value)
-    val rest = value - below
-    val isUp = rest > HALF || (rest == HALF && below.toLong() % 2 != 0L)
-    return (if (isUp) below + 1 else below).toInt()
-}
-
-private const val HALF = 0.5

@@ -1,10 +1,10 @@
 package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
-import robotran.hub.model.HubColor
 import robotran.hub.model.HubPort
 import robotran.hub.program.Hub
 import robotran.hub.program.HubReading
+import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.HubUses
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.PaintColour
@@ -41,7 +41,7 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
     override fun hasDistance(port: Int): Boolean = true
 
     override fun distance(port: Int): Int =
-        (read(Sense.Distance) as? HubReading.Distance)?.let(::centimetres) ?: HubConstants.NOTHING
+        (read(Sense.Distance) as? HubReading.Distance)?.let(::centimetres) ?: HubFigures.NOTHING
 
     override fun loudness(port: Int): Int = (read(Sense.Loudness) as? HubReading.Sound)?.intensity ?: 0
 
@@ -58,21 +58,12 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
 
     private fun centimetres(reading: HubReading.Distance): Int {
         val isNothing = hub.model.kind.hasLetteredInputs && reading.millimetres >= HubReading.FAR
-        return if (isNothing) HubConstants.NOTHING else reading.millimetres / MILLIMETRES
+        return if (isNothing) HubFigures.NOTHING else reading.millimetres / MILLIMETRES
     }
 
-    companion object {
-        /** The colours that a program tells apart. */
-        val COLOURS: List<HubColor> = listOf(
-            HubColor.RED,
-            HubColor.YELLOW,
-            HubColor.GREEN,
-            HubColor.BLUE,
-            HubColor.WHITE,
-            HubColor.BLACK,
-        )
-        private const val NO_COLOUR = -1
-        private const val MILLIMETRES = 10
-        private const val MILLIVOLTS = 1000f
+    private companion object {
+        const val NO_COLOUR = -1
+        const val MILLIMETRES = 10
+        const val MILLIVOLTS = 1000f
     }
 }

@@ -1,8 +1,10 @@
 package robotran.robolang.support
 
 import robotran.brick.kind.BrickKind
+import robotran.hub.model.HubModel
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.languagesupport.CodeSyntax
 import robotran.languagesupport.CodeTokenKind
 import robotran.languagesupport.LanguageSupport
@@ -42,9 +44,10 @@ object RobolangSupport : LanguageSupport {
 
     override fun usualWord(word: String, program: String): String = vocabularyOf(program).inEnglish(word)
 
-    override fun translations(brick: BrickKind): List<ProgramLanguage> = listOfNotNull(
-        ProgramLanguage.JAVA.takeIf { brick.java != null },
-        ProgramLanguage.NQC.takeIf { brick.hasLegoFirmware },
+    override fun translations(brick: BrickKind): List<ShownLanguage> = listOfNotNull(
+        ShownLanguage.JAVA.takeIf { brick.java != null },
+        ShownLanguage.NQC.takeIf { brick.hasLegoFirmware },
+        ShownLanguage.PYTHON.takeIf { HubModel.of(brick) != null },
     )
 }
 

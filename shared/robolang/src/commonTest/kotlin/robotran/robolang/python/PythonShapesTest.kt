@@ -3,7 +3,6 @@ package robotran.robolang.python
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
-import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 /** The shapes of a program: plain, and with tasks if it has a `whenever`. */
@@ -120,21 +119,43 @@ class PythonShapesTest {
     }
 
     @Test
-    fun `a power that changes while the robot drives is told with what to do`() {
-        val notes = pythonOf("start forward\nwait 1 second\npower 5\nwait 1 second\nstop").notes.map { it.message }
-        assertTrue(notes.any { "Say it again" in it }, notes.toString())
-        assertTrue(pythonOf("power 5\nforward 20").notes.none { "Say it again" in it.message })
+    fun `a power that changes while the robot drives takes effect at once`() {
+        val lines = pythonLinesOf("start forward\nwait 1 second\npower 5\nwait 1 second\nstop")
+        val place = lines.indexOf("    robot.settings(straight_speed=speed, turn_rate=turn_rate)")
+        assertEquals("    if not robot.done():", lines[place + 1])
+        assertEquals("        robot.drive(speed, 0)", lines[place + 2])
+        assertTrue(pythonLinesOf("power 5\nforward 20").none { "done" in it })
+        assertTrue(pythonLinesOf("power 5\nforward for 1 second").none { "done" in it })
+    }
+
+    @Test
+    fun `a wheel whose power changes while it turns goes on with it`() {
+        val lines = mainLinesOf("power left 2\nstart forward\nwait 1 second\npower right 5\nwait 1 second")
+        val expected = listOf(
+            "right_speed = 360",
+            "left_speed = 240",
+            "left_motor.run(left_speed)",
+            "right_motor.run(right_speed)",
+            "wait(1000)",
+            "right_speed = 600",
+            "run_on(right_motor, right_speed)",
+        )
+        assertEquals(expected, lines.take(expected.size))
+    }
+
+    @Test
+    fun `a robot that drives more than one way remembers which`() {
+        val base = pythonLinesOf("start forward\nwait 1 second\nstart turning left\npower 5\nwait 1 second")
+        assertContains(base, "ahead, turn = 0, -1")
+        assertContains(base, "        robot.drive(ahead * speed, turn * turn_rate)")
+        val motors = mainLinesOf("motor B forward\nwait 1 second\nmotor B backward\nmotor B power 5", nxtRobot)
+        assertContains(motors, "way_b = -1")
+        assertContains(motors, "run_on(pen_motor, way_b * speed_b)")
     }
 
     @Test
     fun `single motors are told with those of the wheels`() {
         val notes = pythonOf("motor C forward").notes.map { it.message }
         assertContains(notes, "The wheels of this robot are motors A and B.")
-    }
-
-    @Test
-    fun `hubs have the words of the command line`() {
-        assertEquals(PybricksHub.PRIME, PybricksHub.of("spike-prime"))
-        assertNull(PybricksHub.of("rcx"))
     }
 }

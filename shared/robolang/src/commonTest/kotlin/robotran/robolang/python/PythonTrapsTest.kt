@@ -1,5 +1,10 @@
 package robotran.robolang.python
 
+import robotran.language.Language
+import robotran.robolang.RobolangResult
+import robotran.robolang.compileRobolang
+import robotran.robolang.messages.RobolangMessages
+import robotran.robolang.robot.RobotTarget
 import kotlin.test.Test
 import kotlin.test.assertContains
 import kotlin.test.assertEquals
@@ -153,12 +158,19 @@ class PythonTrapsTest {
         for (part in listOf(".speaker", ".display", ".screen")) assertFalse(part in python, python)
         assertContains(python, "blink(100)")
         assertContains(notesOf("beep", essentialRobot).single(), "no speaker")
-        assertContains(
-            pythonOf("if button left\n  beep\nend", essentialRobot).notes.first {
-                it.isLost
-            }.message,
-            "button enter",
+    }
+
+    @Test
+    fun `what a hub lacks is a mistake in the program, with what to do instead`() {
+        assertEquals(
+            "This hub has no such button. Use \"button enter\".",
+            mistakeOf("if button left\n  beep\nend", essentialRobot),
         )
+        assertEquals(
+            "This hub has no such button. Use \"button enter\", \"button left\" or \"button right\".",
+            mistakeOf("wait until button escape", bumperRobot),
+        )
+        assertContains(mistakeOf("show loudness", bumperRobot), "This hub has no sound sensor.")
     }
 
     @Test
@@ -179,7 +191,9 @@ class PythonTrapsTest {
 
     @Test
     fun `nothing keeps a program from being stopped`() {
-        for ((name, source) in recordedPythonSources) assertFalse("except" in pythonOf(source).python, name)
+        for ((name, source) in recordedPythonSources) {
+            assertFalse("except" in pythonOf(source, hubRobotFor(source)).python, name)
+        }
     }
 
     @Test
@@ -200,7 +214,12 @@ class PythonTrapsTest {
         assertContains(pythonLinesOf("wait until button enter"), "hub.system.set_stop_button(Button.BLUETOOTH)")
         assertContains(pythonLinesOf("wait until button enter", essentialRobot), "hub.system.set_stop_button(None)")
         assertFalse(pythonOf("wait until button enter", nxtRobot).python.contains("set_stop_button"))
-        assertContains(pythonOf("wait until button escape").notes.first { it.isLost }.message, "Use another button")
+        assertContains(
+            pythonOf("wait until button escape", ev3Robot).notes.first {
+                it.isLost
+            }.message,
+            "Use another button",
+        )
     }
 
     @Test
@@ -213,18 +232,20 @@ class PythonTrapsTest {
     fun `power 7 is no more than the motors of a hub can do`() {
         assertContains(mainLinesOf("power 7\nforward 10"), "robot.settings(straight_speed=411, turn_rate=420)")
         assertContains(
-            mainLinesOf("power 7\nforward 10", PybricksRobot.defaultFor(PybricksHub.EV3)),
+            mainLinesOf("power 7\nforward 10", ev3Robot),
             "robot.settings(straight_speed=390, turn_rate=400)",
         )
         val program = "power 2 + 5\nstart forward"
         assertContains(pythonOf(program).python, "    power = max(power, 1 / 3)\n")
-        assertContains(
-            pythonOf(program, PybricksRobot.defaultFor(PybricksHub.EV3)).python,
-            "    power = min(max(power, 1 / 3), 800 / 120)\n",
-        )
+        assertContains(pythonOf(program, ev3Robot).python, "    speed = min(round(58.643 * power), 390)\n")
     }
 
-    private fun notesOf(source: String, robot: PybricksRobot = bumperRobot) = pythonOf(source, robot).notes.map {
+    private fun mistakeOf(source: String, robot: RobotTarget.Hub): String {
+        val result = compileRobolang("test.robo", source, robot, RobolangMessages.of(Language.ENGLISH))
+        return (result as RobolangResult.Failure).diagnostics.single().message
+    }
+
+    private fun notesOf(source: String, robot: RobotTarget.Hub = bumperRobot) = pythonOf(source, robot).notes.map {
         it.message
     }
 }

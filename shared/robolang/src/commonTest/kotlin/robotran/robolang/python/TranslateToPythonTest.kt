@@ -23,7 +23,7 @@ class TranslateToPythonTest {
         assertTrue(recordedPythonSources.size >= 10)
         for ((name, source) in recordedPythonSources) {
             val recorded = recordedPython[name.removeSuffix(".robo") + ".py.txt"]
-            assertEquals(recorded, pythonOf(source, robotFor(source), name = name).python, name)
+            assertEquals(recorded, pythonOf(source, hubRobotFor(source), name = name).python, name)
         }
     }
 
@@ -106,17 +106,17 @@ class TranslateToPythonTest {
 
     @Test
     fun `what is missing is told at its place and leaves a comment`() {
-        val translation = pythonOf("forward 20\nwait until loudness > 50\nbeep")
+        val translation = pythonOf("forward 20\nwait until distance < 50\nbeep")
         val note = translation.notes.single { it.isLost }
         assertEquals(2, note.range.line)
         assertContains(translation.python.lines(), "# ${note.message}")
     }
 
     @Test
-    fun `a robot with gears, thousandths and other motors is written as it is`() {
-        val robot = bumperRobot.copy(gears = listOf(12, 20), wheelDiameter = 49.6, track = 114.25)
+    fun `the wheels of a robot are written to the thousandth`() {
+        val robot = bumperRobot.copy(wheelDiameter = 49.6, track = 114.25)
         val lines = pythonLinesOf("forward 20", robot)
-        assertContains(lines, "left_motor = Motor(Port.A, Direction.COUNTERCLOCKWISE, gears=[12, 20])")
+        assertContains(lines, "left_motor = Motor(Port.A, Direction.COUNTERCLOCKWISE)")
         assertContains(lines, "robot = DriveBase(left_motor, right_motor, wheel_diameter=49.6, axle_track=114.25)")
     }
 
@@ -132,7 +132,7 @@ class TranslateToPythonTest {
         /** The translations of all valid programs. */
         val allPrograms: Map<String, PythonTranslation> by lazy {
             sources.filter { (name, text) -> programForHub(text, name) != null }
-                .mapValues { (name, text) -> pythonOf(text, robotFor(text), name = name) }
+                .mapValues { (name, text) -> pythonOf(text, hubRobotFor(text), name = name) }
         }
     }
 }

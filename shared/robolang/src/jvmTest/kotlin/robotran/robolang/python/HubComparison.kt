@@ -1,9 +1,8 @@
 package robotran.robolang.python
 
-import robotran.robolang.RobolangProgram
+import robotran.robolang.RobolangHubProgram
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
-import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.allExpressions
 import kotlin.math.abs
 
@@ -24,18 +23,12 @@ internal class HubComparison(
     override fun toString(): String = "$name: $result $detail"
 }
 
-/** Compares what [python] did, whose log is [log], with what [program] does in the interpreter. */
-internal fun compareOnHub(
-    name: String,
-    program: RobolangProgram,
-    robot: PybricksRobot,
-    python: String,
-    log: List<String>,
-): HubComparison {
-    val first = HubRun.ofLog(log, python)
-    val second = runOnHub(program, robot)
-    val same = first.calls.zip(second.calls).takeWhile { (one, other) -> areAlike(one, other) }.size
-    val sizes = listOf(first.calls.size, second.calls.size)
+/** Compares what the translation of [program] did, whose log is [log], with what the interpreter does. */
+internal fun compareOnHub(name: String, program: RobolangHubProgram, log: List<String>): HubComparison {
+    val first = RecordedCalls.ofLog(log)
+    val second = callsOf(program)
+    val same = first.lines.zip(second.lines).takeWhile { (one, other) -> areAlike(one, other) }.size
+    val sizes = listOf(first.lines.size, second.lines.size)
     val size = if (first.isOver && second.isOver) sizes.max() else sizes.min()
     val reason = reasonNotToCompare(program)
     return when {
@@ -48,17 +41,12 @@ internal fun compareOnHub(
     }
 }
 
-private fun difference(first: HubRun, second: HubRun, place: Int): String = "at call $place: ${first.calls.getOrNull(
-    place,
-)} (${first.end}), not ${second.calls.getOrNull(place)} (${second.end})"
+private fun difference(first: RecordedCalls, second: RecordedCalls, place: Int): String =
+    "at call $place: ${first.lines.getOrNull(place)} (${first.end}), " +
+        "not ${second.lines.getOrNull(place)} (${second.end})"
 
-private fun reasonNotToCompare(program: RobolangProgram): String? {
-    val expressions = allExpressions(program.checked.tree)
-    return when {
-        expressions.any { it is Expression.Call && it.name.key == BuiltIn.RANDOM.text } -> "random numbers"
-        expressions.any { it is Expression.Sense && it.sense is Sense.Sensor } -> "ports of an NXT"
-        else -> null
-    }
+private fun reasonNotToCompare(program: RobolangHubProgram): String? = "random numbers".takeIf {
+    allExpressions(program.checked.tree).any { it is Expression.Call && it.name.key == BuiltIn.RANDOM.text }
 }
 
 /** Numbers that are shown may differ in their last digits, as decimal numbers of a hub do. */
@@ -67,15 +55,6 @@ internal fun areAlike(first: String, second: String): Boolean {
     val shown = SHOWN.matchEntire(first)?.groupValues?.get(1)?.toDoubleOrNull() ?: return false
     val wanted = SHOWN.matchEntire(second)?.groupValues?.get(1)?.toDoubleOrNull() ?: return false
     return abs(shown - wanted) <= maxOf(ALMOST, abs(wanted) * ALMOST)
-}
-
-/** The robot that has what a program asks for. */
-internal fun robotOf(program: RobolangProgram): PybricksRobot {
-    val asksForDistance = allExpressions(program.checked.tree).any {
-        it is Expression.Sense &&
-            it.sense == Sense.Distance
-    }
-    return if (asksForDistance) sonarRobot else bumperRobot
 }
 
 private val SHOWN = Regex("print \"(.*)\"")

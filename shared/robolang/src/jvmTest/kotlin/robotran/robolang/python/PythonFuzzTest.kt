@@ -15,8 +15,8 @@ class PythonFuzzTest {
         val messages = PythonTranslationMessages.of(Language.ENGLISH)
         val translations = (1..Fuzzing.share(1000, atLeast = 50)).associate { number ->
             val text = ProgramWriter(Random(Fuzzing.seed + number), isForNxt = true).write()
-            val program = assertNotNull(programForHub(text), text)
-            "$number" to translateToPython(program, if (number % 2 == 0) bumperRobot else nxtRobot, messages).python
+            val program = assertNotNull(programForHub(text, robot = nxtRobot), text)
+            "$number" to translateToPython(program, program.robot, messages).python
         }
         if (!MicroPython.isHere) return
         val logs = MicroPython.run(translations.mapValues { (_, python) -> compiling(python) })

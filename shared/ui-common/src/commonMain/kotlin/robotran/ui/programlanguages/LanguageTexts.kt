@@ -3,6 +3,7 @@ package robotran.ui.programlanguages
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.JavaPlatform
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.ui.texts.CommonTexts
 import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.NxtTexts
@@ -15,7 +16,6 @@ import robotran.uikit.*
  * @property hint in an empty program.
  * @property newFile adds a file to a program; null if that has only one.
  * @property removeFile removes it.
- * @property asTranslation about programs that are shown in it; null if none are.
  * @property helpName what the help on its words is called on a brick, if that is not the language's own name.
  */
 class LanguageTexts(
@@ -23,7 +23,6 @@ class LanguageTexts(
     val hint: Label,
     val newFile: Label? = null,
     val removeFile: Label = NqcTexts::editorRemoveFile,
-    val asTranslation: TranslationTexts? = null,
     val helpName: Map<BrickKind, Label> = emptyMap(),
 )
 
@@ -39,8 +38,7 @@ class TranslationTexts(val switch: Label, val label: Label, val noneYet: Label)
 val ProgramLanguage.texts: LanguageTexts get() = TEXTS.getValue(this)
 
 /** What is said about programs that are shown in this language. */
-val ProgramLanguage.translationTexts: TranslationTexts
-    get() = checkNotNull(texts.asTranslation) { "No programs are shown in $ownName." }
+val ShownLanguage.translationTexts: TranslationTexts get() = SHOWN.getValue(this)
 
 private val TEXTS = mapOf(
     ProgramLanguage.ROBOLANG to LanguageTexts(CommonTexts::programNewRobolang, CommonTexts::programHint),
@@ -49,8 +47,7 @@ private val TEXTS = mapOf(
         CommonTexts::programHintJava,
         CommonTexts::programNewClass,
         CommonTexts::removeClass,
-        TranslationTexts(CommonTexts::translation, CommonTexts::translationLabel, CommonTexts::translationNone),
-        mapOf(
+        helpName = mapOf(
             BrickKind.with(JavaPlatform.LEJOS) to CommonTexts::helpJava,
             BrickKind.with(JavaPlatform.NXJ) to NxtTexts::learningHelpNxj,
         ),
@@ -59,15 +56,16 @@ private val TEXTS = mapOf(
         NqcTexts::programNewNqc,
         NqcTexts::programHintNqc,
         NqcTexts::programNewFile,
-        asTranslation = TranslationTexts(NqcTexts::editorNqc, NqcTexts::editorNqcLabel, NqcTexts::editorNqcNone),
     ),
-    ProgramLanguage.LASM to LanguageTexts(
-        NqcTexts::programNewLasm,
-        NqcTexts::programHintLasm,
-        asTranslation = TranslationTexts(
-            NqcTexts::editorAssembly,
-            NqcTexts::editorAssemblyLabel,
-            NqcTexts::editorAssemblyNone,
-        ),
-    ),
+    ProgramLanguage.LASM to LanguageTexts(NqcTexts::programNewLasm, NqcTexts::programHintLasm),
+)
+
+private val SHOWN = mapOf(
+    ShownLanguage.JAVA to
+        TranslationTexts(CommonTexts::translation, CommonTexts::translationLabel, CommonTexts::translationNone),
+    ShownLanguage.NQC to TranslationTexts(NqcTexts::editorNqc, NqcTexts::editorNqcLabel, NqcTexts::editorNqcNone),
+    ShownLanguage.LASM to
+        TranslationTexts(NqcTexts::editorAssembly, NqcTexts::editorAssemblyLabel, NqcTexts::editorAssemblyNone),
+    ShownLanguage.PYTHON to
+        TranslationTexts(CommonTexts::python, CommonTexts::pythonLabel, CommonTexts::pythonNone),
 )

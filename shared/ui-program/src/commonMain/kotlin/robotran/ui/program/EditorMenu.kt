@@ -12,7 +12,7 @@ import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.unit.dp
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.support
 import robotran.robolang.words.Vocabulary
 import robotran.robolang.words.vocabularyOf
@@ -34,7 +34,7 @@ import robotran.workshop.state.ProgramsState
 internal fun EditorMenu(
     state: ProgramsState,
     places: ToolPlaces,
-    onTranslation: (Boolean, ProgramLanguage) -> Unit,
+    onTranslation: (Boolean, ShownLanguage) -> Unit,
     onSend: () -> Unit,
     onWords: (Vocabulary) -> Unit,
     onBlockWords: (inEnglish: Boolean) -> Unit,

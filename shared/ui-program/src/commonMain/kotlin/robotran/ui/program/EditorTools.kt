@@ -11,7 +11,7 @@ import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Alignment
 import androidx.compose.ui.Modifier
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.support
 import robotran.projects.ProgramView
 import robotran.robolang.words.Vocabulary
@@ -27,7 +27,7 @@ import robotran.workshop.state.ProgramsState
 @Composable
 internal fun EditorTools(
     state: ProgramsState,
-    onTranslation: (Boolean, ProgramLanguage) -> Unit,
+    onTranslation: (Boolean, ShownLanguage) -> Unit,
     onView: (ProgramView) -> Unit,
     onSend: () -> Unit,
     onWords: (Vocabulary) -> Unit,

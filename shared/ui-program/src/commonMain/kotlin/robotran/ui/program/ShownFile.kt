@@ -169,10 +169,11 @@ private fun Translation(
     modifier: Modifier,
 ) {
     val current = state.currentTranslation
+    val kind = state.translationKind ?: return
     TranslationPane(
         ShownTranslation(
             state.translation,
-            state.translationKind ?: state.program.language,
+            kind,
             state.isTranslated,
             highlighted = current?.linesOf(state.file.name, state.caretLine)?.toSet().orEmpty(),
             running = current?.linesOf(state.file.name, runningLine)?.toSet().orEmpty(),
@@ -184,11 +185,16 @@ private fun Translation(
         },
         onNote = { file.actions.goToLine(it.line) },
         onZoom = file.actions::zoom,
-        onKeep = current?.takeIf { state.hasRoom }?.let { kept ->
-            { onEvent(ProgramEvent.ProgramAdded(Program.of(kept.fileName, kept.text))) }
-        },
+        onKeep = current?.let { keeping(it, state) }?.let { event -> { onEvent(event) } },
         modifier,
     )
+}
+
+/** What keeps [translation]: as a program if it is one and has room, otherwise in a file. */
+private fun keeping(translation: ProgramTranslation, state: ProgramsState): WorkshopEvent? = when {
+    translation.language.programs == null -> DocumentEvent.TranslationSaved(translation)
+    state.hasRoom -> ProgramEvent.ProgramAdded(Program.of(translation.fileName, translation.text))
+    else -> null
 }
 
 /** The translation, if it is that of the program as it is now. */

@@ -28,11 +28,11 @@ import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.text.style.TextOverflow
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.languagesupport.CodeTokens
 import robotran.programs.ProgramTranslation
 import robotran.programs.TranslationNote
-import robotran.programs.support
+import robotran.programs.code
 import robotran.textediting.text.TextDocument
 import robotran.ui.program.editor.EditorMarks
 import robotran.ui.program.editor.EditorPaint
@@ -60,18 +60,21 @@ import robotran.uikit.*
 @Immutable
 internal class ShownTranslation(
     val translation: ProgramTranslation?,
-    val kind: ProgramLanguage,
+    val kind: ShownLanguage,
     val isNow: Boolean,
     val highlighted: Set<Int>,
     val running: Set<Int>,
-)
+) {
+    /** Whether pupils can go on with it as with a program of their own. */
+    val isProgram: Boolean get() = kind.programs != null
+}
 
 /**
  * A program as another text.
  *
  * @param onLine receives the tapped line, from 1.
  * @param onNote receives the tapped note.
- * @param onKeep adds it as a new program; null if there is no room.
+ * @param onKeep adds it as a new program, or saves it if nobody programs in it here; null if there is no room.
  */
 @Composable
 internal fun TranslationPane(
@@ -103,7 +106,7 @@ internal fun TranslationPane(
             Text(title, Modifier.weight(1f), TextStyles.small, maxLines = 2, overflow = TextOverflow.Ellipsis)
             if (translation != null && isNow && onKeep != null) {
                 Button(
-                    EditorTexts.translationKeep(spoken),
+                    if (shown.isProgram) EditorTexts.translationKeep(spoken) else EditorTexts.translationSave(spoken),
                     ProgramTags.TRANSLATION_KEEP,
                     ButtonKind.LINK,
                     style = TextStyles.small,
@@ -143,12 +146,10 @@ private fun TranslatedText(
     val label = translation.language.translationTexts.label(spoken)
     val view = remember { EditorView() }
     val draft = remember(translation.text) { TextDocument(translation.text.trimEnd('\n')) }
-    val language = translation.language
-    val brick = remember(draft) {
-        language.support.code.brickOf(draft.lines) ?: BrickKind.default
-    }
-    val layouts = rememberLineLayouts(language, brick, codeSize)
-    val pieces = remember(draft) { CodeTokens(draft.lines, language.support.code, brick) }
+    val code = translation.language.code
+    val brick = remember(draft) { code.brickOf(draft.lines) ?: BrickKind.default }
+    val layouts = rememberLineLayouts(code, brick, codeSize)
+    val pieces = remember(draft) { CodeTokens(draft.lines, code, brick) }
     val paint = remember(draft, marks) { EditorPaint(draft, marks, hasFocus = false) }
     val line by rememberUpdatedState(onLine)
     val zoom by rememberUpdatedState(onZoom)

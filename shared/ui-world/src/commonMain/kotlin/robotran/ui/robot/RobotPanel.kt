@@ -71,7 +71,7 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     ChosenName(robotElementText(scope.robot, chosen), WorldTags.ROBOT_CHOSEN_NAME)
     EditorActions(scope, actionsOf(scope.robot, chosen))
     HorizontalDivider()
-    Form(scope.robot.fieldsOf(chosen), scope)
+    Form(scope.editing.fieldsOf(chosen), scope)
 }
 
 /** A list of all elements. */

@@ -4,6 +4,7 @@ import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.ui.learning.ExamplePictures
@@ -113,7 +114,7 @@ class NqcPictures {
         workshop.handle(LearningEvent.PageClosed)
         workshop.handle(ProgramEvent.ProgramAdded(Program.of("hello.robo", ROBOLANG)))
         compile(workshop)
-        workshop.handle(ProgramEvent.TranslationShown(true, ProgramLanguage.NQC))
+        workshop.handle(ProgramEvent.TranslationShown(true, ShownLanguage.NQC))
         val draft = workshop.state.programs.draft
         workshop.handle(ProgramEvent.DraftChanged(draft.withCaret(draft.text.indexOf("turn")), EditKind.OTHER))
         keep(workshop, "translation")

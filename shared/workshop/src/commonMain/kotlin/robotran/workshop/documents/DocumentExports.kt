@@ -12,10 +12,11 @@ import robotran.legofirmware.image.toBytes
 import robotran.programs.Program
 import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
+import robotran.programs.ProgramTranslation
 import robotran.programs.TimedCompilation
 import robotran.programs.brickOf
-import robotran.programs.support
 import robotran.programs.firmwareImage
+import robotran.programs.support
 import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
@@ -99,6 +100,9 @@ internal class DocumentExports(
             )
         }
     }
+
+    suspend fun saveTranslation(translation: ProgramTranslation) =
+        save(translation.fileName, translation.language.fileKind, translation.text.encodeToByteArray())
 
     /** Saves what a real brick needs to run the shown program: an image for LEGO's firmware, or a kit for leJOS. */
     suspend fun saveKit() {

@@ -93,6 +93,7 @@ class DocumentStateHolder(
             DocumentEvent.LinkPastingRequested -> view.show(DocumentDialog.PastingLink())
             DocumentEvent.ReplayRequested -> launch { exports.saveReplay() }
             DocumentEvent.ProgramFileRequested -> launch { exports.saveProgram() }
+            is DocumentEvent.TranslationSaved -> launch { exports.saveTranslation(event.translation) }
             DocumentEvent.KitRequested -> launch { exports.saveKit() }
             is DocumentEvent.AboutRequested -> view.show(DocumentDialog.About(event.version))
             is DocumentEvent.WorkOrFileChosen -> launch { opener.answer(event.isWork) }

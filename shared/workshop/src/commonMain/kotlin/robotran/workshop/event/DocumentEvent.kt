@@ -1,6 +1,7 @@
 package robotran.workshop.event
 
 import robotran.brick.kind.BrickKind
+import robotran.programs.ProgramTranslation
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
 
@@ -79,6 +80,9 @@ sealed interface DocumentEvent : WorkshopEvent {
 
     /** Exports the current program as a file. */
     data object ProgramFileRequested : DocumentEvent
+
+    /** Exports what a program is shown as. */
+    data class TranslationSaved(val translation: ProgramTranslation) : DocumentEvent
 
     /** Exports the current program with everything that a real brick needs. */
     data object KitRequested : DocumentEvent

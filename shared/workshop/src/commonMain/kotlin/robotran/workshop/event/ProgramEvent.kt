@@ -1,6 +1,7 @@
 package robotran.workshop.event
 
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.language.source.Diagnostic
 import robotran.programs.Program
 import robotran.robolang.words.Vocabulary
@@ -39,7 +40,7 @@ sealed interface ProgramEvent : WorkshopEvent {
     data class FixApplied(val diagnostic: Diagnostic) : ProgramEvent
 
     /** Shows or hides the current program as another text; of several, [kind], or the one shown last for null. */
-    data class TranslationShown(val shown: Boolean, val kind: ProgramLanguage? = null) : ProgramEvent
+    data class TranslationShown(val shown: Boolean, val kind: ShownLanguage? = null) : ProgramEvent
 
     /** Shows the programs of the robot [name]. */
     data class RobotChosen(val name: String) : ProgramEvent

@@ -53,9 +53,9 @@ internal class NqcVersions {
 
     private fun translation(task: Lesson, file: SourceFile, name: String): Program? {
         val written = Program.of(file.name, file.text)
-        if (language !in written.language.support.translations(task.brick)) return null
+        val shown = written.language.support.translations(task.brick).find { it.programs == language } ?: return null
         val compiled = compiler.compileNow(written) as? ProgramResult.Success ?: return null
-        return written.translated(compiled.program, language, Language.ENGLISH)?.takeIf { it.notes.isEmpty() }
+        return written.translated(compiled.program, shown, Language.ENGLISH)?.takeIf { it.notes.isEmpty() }
             ?.let { Program.of(name, it.text) }
     }
 

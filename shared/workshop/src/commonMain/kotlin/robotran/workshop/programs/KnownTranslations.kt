@@ -1,7 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.ProgramTranslation
 
 /**
@@ -10,10 +10,10 @@ import robotran.programs.ProgramTranslation
  * @property current the translations of the program as it is, once they were asked for.
  * @param old the last ones of earlier states of it.
  */
-internal class KnownTranslations(private val old: Map<ProgramLanguage, ProgramTranslation> = emptyMap()) {
-    val current = mutableMapOf<Pair<ProgramLanguage, Language>, ProgramTranslation?>()
+internal class KnownTranslations(private val old: Map<ShownLanguage, ProgramTranslation> = emptyMap()) {
+    val current = mutableMapOf<Pair<ShownLanguage, Language>, ProgramTranslation?>()
 
-    fun earlier(to: ProgramLanguage): ProgramTranslation? = old[to]
+    fun earlier(to: ShownLanguage): ProgramTranslation? = old[to]
 
     /** Those for the same program once it has changed. */
     fun older(): KnownTranslations = KnownTranslations(old + current.values.filterNotNull().associateBy { it.language })

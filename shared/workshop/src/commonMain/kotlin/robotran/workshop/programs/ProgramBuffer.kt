@@ -1,7 +1,7 @@
 package robotran.workshop.programs
 
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.language.source.Diagnostic
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
@@ -48,7 +48,7 @@ internal class ProgramBuffer private constructor(
      * This program in the language [to], with remarks in [language]; translates only on demand. With errors, the last valid
      * translation, if it was used.
      */
-    fun translation(to: ProgramLanguage, language: Language): ProgramTranslation? =
+    fun translation(to: ShownLanguage, language: Language): ProgramTranslation? =
         translations.current.getOrPut(to to language) {
             runnable?.let { program.translated(it, to, language) } ?: translations.earlier(to)
         }

@@ -6,7 +6,7 @@ import androidx.compose.runtime.setValue
 import robotran.brick.kind.BrickKind
 import robotran.documents.SavedBreakpoint
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceRange
@@ -47,7 +47,7 @@ class ProgramsStateHolder private constructor(
 
     private val preferences = services.preferences
     private var translationShown = false
-    private var lastTranslation: ProgramLanguage? = null
+    private var lastTranslation: ShownLanguage? = null
     private var searchRequested = false
     private val shown: RobotPrograms get() = all.shown
     private val compileScheduler = CompileScheduler()

@@ -11,19 +11,15 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.support
 import robotran.projects.target
-import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.python.PybricksHub
-import robotran.robolang.python.PybricksRobot
 import robotran.robolang.python.PythonTranslation
 import robotran.robolang.python.translateToPython
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.support.RobolangSupport
 import robotran.workshop.service.Services
-import kotlin.coroutines.cancellation.CancellationException
 
 /** Makes of a pupil's program for the shown robot what its hub runs. */
 internal class HubProgramBuilder(private val services: Services) {
@@ -35,14 +31,9 @@ internal class HubProgramBuilder(private val services: Services) {
         if (target == null || program.language.support != RobolangSupport) return refuse(program)
         return when (val read = compileRobolang(program.name, program.text, target, RobolangMessages.of(language))) {
             is RobolangResult.Failure -> HubTranslation.Failure(read.diagnostics)
-            is RobolangResult.Success -> checked(program.name, python(read.program, target))
+            is RobolangResult.Success ->
+                checked(program.name, translateToPython(read.program, target, PythonTranslationMessages.of(language)))
         }
-    }
-
-    private fun python(program: RobolangProgram, target: RobotTarget.Hub): PythonTranslation {
-        val word = target.kind.name.lowercase().replace('_', '-')
-        val robot = PybricksRobot.defaultFor(checkNotNull(PybricksHub.of(word)))
-        return translateToPython(program, robot, PythonTranslationMessages.of(language))
     }
 
     private fun checked(name: String, python: PythonTranslation): HubTranslation {
@@ -64,19 +55,13 @@ internal class HubProgramBuilder(private val services: Services) {
 
     suspend fun compile(translation: PythonTranslation): HubBuildResult {
         val compiler = services.platform.mpyCompiler ?: return HubBuildResult.NoCompiler
-        val compiled = try {
-            withContext(services.platform.background) {
-                compiler.compile(translation.fileName, translation.python)
-            }
-        } catch (cancelled: CancellationException) {
-            throw cancelled
-        } catch (_: Throwable) {
-            // A page may be unable to fetch it; the exception's type depends on the platform.
-            return HubBuildResult.NoCompiler
+        val compiled = withContext(services.platform.background) {
+            compiler.compile(translation.fileName, translation.python)
         }
         return when (compiled) {
             is MpyResult.Success -> HubBuildResult.Success(HubProgram(compiled.mpy), sourceMapOf(translation))
             is MpyResult.Failure -> HubBuildResult.CompilerFailed
+            MpyResult.NotLoaded -> HubBuildResult.NoCompiler
         }
     }
 }

@@ -4,7 +4,7 @@ import androidx.compose.runtime.Immutable
 import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.language.Language
-import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.language.source.Diagnostic
 import robotran.languagesupport.SourceFile
 import robotran.programs.Program
@@ -66,7 +66,7 @@ data class ProgramsState(
     val compileStatus: CompileStatus,
     val errorPointedOut: Boolean,
     val translationShown: Boolean,
-    val translationKind: ProgramLanguage?,
+    val translationKind: ShownLanguage?,
     val translation: ProgramTranslation?,
     val isTranslated: Boolean,
     val searchRequested: Boolean,
@@ -83,7 +83,7 @@ data class ProgramsState(
     val brick: BrickKind get() = robot.description.brick
 
     /** What the current program can be shown as. */
-    val translationKinds: List<ProgramLanguage> get() = program.language.support.translations(brick)
+    val translationKinds: List<ShownLanguage> get() = program.language.support.translations(brick)
 
     /** Whether the brick has a free slot. */
     val hasRoom: Boolean get() = programs.size < BrickProgram.MAX_PROGRAMS

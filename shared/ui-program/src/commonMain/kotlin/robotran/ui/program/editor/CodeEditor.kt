@@ -25,6 +25,7 @@ import androidx.compose.ui.unit.dp
 import kotlinx.coroutines.delay
 import robotran.language.source.SourceSpan
 import robotran.languagesupport.CodeTokens
+import robotran.programs.support
 import robotran.textediting.text.TextDocument
 import robotran.textediting.text.TextSelection
 import robotran.ui.program.tags.ProgramTags
@@ -52,7 +53,7 @@ internal fun CodeEditor(
     control.follow(draft)
     control.clipboard = LocalClipboardManager.current
     val brick = remember(draft.lines, control.brick) { control.syntax.brickOf(draft.lines) ?: control.brick }
-    val layouts = rememberLineLayouts(control.language, brick, codeSize)
+    val layouts = rememberLineLayouts(control.language.support.code, brick, codeSize)
     val pieces = remember(draft.lines, control.language, brick) { CodeTokens(draft.lines, control.syntax, brick) }
     val hasFocus = control.hasFocus
     var composing by remember { mutableStateOf<SourceSpan?>(null) }

@@ -13,8 +13,7 @@ import androidx.compose.ui.text.rememberTextMeasurer
 import androidx.compose.ui.unit.Density
 import androidx.compose.ui.unit.sp
 import robotran.brick.kind.BrickKind
-import robotran.language.ProgramLanguage
-import robotran.programs.support
+import robotran.languagesupport.CodeSyntax
 import robotran.textediting.rows.LineRows
 import robotran.textediting.rows.rowsOf
 import robotran.ui.code.CodeColours
@@ -27,7 +26,7 @@ internal class LineLayouts(
     private val measurer: TextMeasurer,
     val style: TextStyle,
     private val colours: CodeColours,
-    private val language: ProgramLanguage,
+    private val code: CodeSyntax,
     private val brick: BrickKind,
     density: Density,
 ) {
@@ -52,7 +51,7 @@ internal class LineLayouts(
 
     private fun layOut(text: String, startsInComment: Boolean, columns: Int): LaidOutLine {
         val rows = rowsOf(text, columns)
-        val spans = language.support.code.tokens(text, startsInComment, brick).tokens.map {
+        val spans = code.tokens(text, startsInComment, brick).tokens.map {
             AnnotatedString.Range(
                 SpanStyle(colours.of(it.kind)),
                 rows.shown.column(it.start),
@@ -122,13 +121,13 @@ internal class RowPiece(val row: Int, val left: Float, val right: Float)
 
 /** The line layouts of a program for a [brick], for a font size of [size] sp and the theme's colours. */
 @Composable
-internal fun rememberLineLayouts(language: ProgramLanguage, brick: BrickKind, size: Float): LineLayouts {
+internal fun rememberLineLayouts(code: CodeSyntax, brick: BrickKind, size: Float): LineLayouts {
     val measurer = rememberTextMeasurer(cacheSize = 0)
     val colours = codeColours()
     val density = LocalDensity.current
     val style = editorStyle(size)
-    return remember(measurer, colours, density, style, language, brick) {
-        LineLayouts(measurer, style, colours, language, brick, density)
+    return remember(measurer, colours, density, style, code, brick) {
+        LineLayouts(measurer, style, colours, code, brick, density)
     }
 }
 

@@ -2,6 +2,7 @@ package robotran.ui.program.tags
 
 import robotran.language.Language
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.projects.ProgramView
 import robotran.robolang.words.BlockGroup
 import robotran.workshop.state.NoteKind
@@ -166,7 +167,7 @@ object ProgramTags {
 
     fun tool(command: Enum<*>) = "tool-${command.name.lowercase()}"
 
-    fun translation(language: ProgramLanguage) = "translation-${language.name.lowercase()}"
+    fun translation(language: ShownLanguage) = "translation-${language.name.lowercase()}"
 
     fun view(view: ProgramView) = "view-${view.name.lowercase()}"
 }

@@ -1,6 +1,7 @@
 package robotran.ui.program.blocks
 
 import kotlinx.coroutines.runBlocking
+import robotran.brick.kind.BrickKind
 import robotran.brick.program.StepKind
 import robotran.language.Language
 import robotran.projects.ProgramView
@@ -14,6 +15,7 @@ import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.openWorkshop
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.Pane
@@ -31,6 +33,15 @@ class BlocksRunPictures {
 
     @Test
     fun `a paused run beside text and Java can be photographed`() = photograph("run-java") { workshop ->
+        workshop.write(SOURCE, caret = 0)
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BOTH))
+        workshop.handle(ProgramEvent.TranslationShown(true))
+        workshop.stepTo(5)
+    }
+
+    @Test
+    fun `a paused run on a hub beside Python can be photographed`() = photograph("run-python") { workshop ->
+        workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.SPIKE_PRIME))
         workshop.write(SOURCE, caret = 0)
         workshop.handle(BlockEvent.ViewChosen(ProgramView.BOTH))
         workshop.handle(ProgramEvent.TranslationShown(true))

@@ -10,6 +10,7 @@ import androidx.compose.ui.test.hasAnyAncestor
 import androidx.compose.ui.test.hasTestTag
 import androidx.compose.ui.test.onAllNodesWithTag
 import androidx.compose.ui.test.onNodeWithTag
+import robotran.brick.kind.BrickKind
 import robotran.projects.ProgramView
 import robotran.ui.program.tags.ProgramTags
 import robotran.ui.program.write
@@ -23,6 +24,7 @@ import robotran.workshop.Workshop
 import robotran.workshop.event.BlockEvent
 import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
+import robotran.workshop.event.WorldEditEvent
 import robotran.workshop.state.DrawerTab
 import robotran.workshop.state.NoteKind
 import kotlin.test.Test
@@ -53,6 +55,19 @@ class BlocksRunTest {
         for (tag in PANES) assertTrue(isLit(tag), tag)
         touch(RunTags.STOP)
         for (tag in PANES) assertFalse(isLit(tag), tag)
+    }
+
+    @Test
+    fun `the line that runs on a hub is lit in blocks, in the text and in Python at once`() = onLaptop { workshop ->
+        workshop.handle(WorldEditEvent.PenbotChosen(workshop.state.programs.shownRobot, BrickKind.SPIKE_PRIME))
+        workshop.write(SOURCE, caret = 0)
+        workshop.handle(BlockEvent.ViewChosen(ProgramView.BOTH))
+        workshop.handle(ProgramEvent.TranslationShown(true))
+        pass(300)
+        for (tag in PANES) assertFalse(isLit(tag), tag)
+        step(3)
+        for (tag in PANES) assertTrue(isLit(tag), tag)
+        onNodeWithTag(ProgramTags.TRANSLATION_KEEP).assertTextContains("Save the file")
     }
 
     @Test

@@ -56,7 +56,7 @@ class LessonProgramsFitTest {
 
         @Composable
         fun Editor() {
-            layouts = rememberLineLayouts(language, brick, Dimensions.CODE_SIZE.value)
+            layouts = rememberLineLayouts(language.support.code, brick, Dimensions.CODE_SIZE.value)
             val paint = remember(draft) { EditorPaint(draft, EditorMarks(), hasFocus = false) }
             EditorSurface(paint, pieces, view, layouts, emptyList(), Modifier.fillMaxSize())
         }

@@ -1,15 +1,17 @@
 @file:OptIn(ExperimentalWasmJsInterop::class)
 
-package robotran.web.tower
+package robotran.web.device
 
 import kotlin.js.Promise
 
-/** The parts of the Web Serial API that towers need. */
+/** The parts of the Web Serial API that towers and hubs need. */
 internal external interface Serial : JsAny {
     fun getPorts(): Promise<JsArray<SerialPort>>
 
     /** Shows the browser's dialog; rejected with `NotFoundError` if the pupil chooses nothing. */
     fun requestPort(): Promise<SerialPort>
+
+    fun requestPort(options: JsAny): Promise<SerialPort>
 }
 
 internal external interface SerialPort : JsAny {
@@ -20,6 +22,8 @@ internal external interface SerialPort : JsAny {
     fun open(options: JsAny): Promise<JsAny?>
 
     fun close(): Promise<JsAny?>
+
+    fun setSignals(signals: JsAny): Promise<JsAny?>
 
     fun getInfo(): SerialPortInfo
 }
@@ -58,6 +62,3 @@ internal external interface StreamWriter : JsAny {
 
 /** Null in browsers without Web Serial, and on pages that are neither `https` nor on this machine. */
 internal fun browserSerial(): Serial? = js("navigator.serial || null")
-
-/** The options of a tower's port. The browser's default buffer is smaller than the echo of a message. */
-internal fun towerLine(): JsAny = js("({ baudRate: 2400, dataBits: 8, stopBits: 1, parity: 'odd', bufferSize: 65536 })")

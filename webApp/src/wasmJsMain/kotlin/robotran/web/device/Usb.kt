@@ -1,10 +1,10 @@
 @file:OptIn(ExperimentalWasmJsInterop::class)
 
-package robotran.web.tower
+package robotran.web.device
 
 import kotlin.js.Promise
 
-/** The parts of the WebUSB API that the USB tower needs. */
+/** The parts of the WebUSB API that towers and hubs need. */
 internal external interface Usb : JsAny {
     fun getDevices(): Promise<JsArray<UsbDevice>>
 
@@ -46,19 +46,6 @@ internal external interface UsbOutResult : JsAny {
 
 /** Null in browsers without WebUSB, and on pages that are neither `https` nor on this machine. */
 internal fun browserUsb(): Usb? = js("navigator.usb || null")
-
-internal fun onlyDevice(vendorId: Int, productId: Int): JsAny = js("({ filters: [{ vendorId, productId }] })")
-
-internal fun vendorRequest(request: Int, value: Int): JsAny =
-    js("({ requestType: 'vendor', recipient: 'device', request, value, index: 0 })")
-
-/** The number of the endpoint of the first interface in [direction], `in` or `out`; 0 for none. */
-internal fun endpointOf(device: UsbDevice, direction: String): Int = js(
-    """(() => {
-        const found = device.configuration.interfaces[0].alternate.endpoints.find((each) => each.direction === direction);
-        return found ? found.endpointNumber : 0;
-    })()""",
-)
 
 internal fun bytesOf(result: UsbInResult): JsBytes = js(
     "result.data ? new Uint8Array(result.data.buffer, result.data.byteOffset, result.data.byteLength) : new Uint8Array(0)",

@@ -1,6 +1,6 @@
 @file:OptIn(ExperimentalWasmJsInterop::class)
 
-package robotran.web.tower
+package robotran.web.device
 
 import kotlinx.coroutines.await
 import kotlin.js.Promise

@@ -1,6 +1,6 @@
 @file:OptIn(ExperimentalWasmJsInterop::class)
 
-package robotran.web.tower
+package robotran.web.device
 
 /** JavaScript's `Uint8Array`. */
 internal external interface JsBytes : JsAny {
