@@ -2,7 +2,7 @@
 
 /**
  * The script that switches it on, for `prepare` of `openPage`. `globalThis.hub` is the hub: `slot` is the program that it
- * holds, null for none; `starts` counts how often a program was started; `loseConnection()` is what distance does.
+ * holds, null for none; `starts` counts how often a program was started, `pieces` what has come of programs; `loseConnection()` is what distance does.
  *
  * - `way`: 'bluetooth', 'serial' (firmware 4.1) or 'packets' (firmware 4.0).
  * - `prints`: what each program prints before it ends; none ends if `stays`.
@@ -22,7 +22,7 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
   const [RUNNING, DOWNLOADING] = [1 << 6, 1 << 13];
   const [OK, DOWNLOAD_STATE, NOT_ALLOWED, INVALID, BUSY] = [0, 0x0e, 0x13, 0x80, 0x81];
 
-  const hub = { slot: null, starts: 0, stops: 0, asked: [], loseAfter, isLost: false };
+  const hub = { slot: null, starts: 0, stops: 0, pieces: 0, asked: [], loseAfter, isLost: false };
   globalThis.hub = hub;
 
   const u32 = (number) => [0, 8, 16, 24].map((shift) => (number >>> shift) & 255);
@@ -107,6 +107,7 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
     if (isRunning) return BUSY;
     if (download === null) return DOWNLOAD_STATE;
     if (offset + bytes.length > programBytes) return NOT_ALLOWED;
+    hub.pieces++;
     bytes.forEach((byte, index) => {
       download[offset + index] = byte;
     });

@@ -3,11 +3,9 @@ package robotran.android.tower
 import android.app.Application
 import android.content.Intent
 import android.content.pm.PackageManager
-import android.hardware.usb.UsbConfiguration
 import android.hardware.usb.UsbConstants
 import android.hardware.usb.UsbDevice
 import android.hardware.usb.UsbDeviceConnection
-import android.hardware.usb.UsbEndpoint
 import android.hardware.usb.UsbInterface
 import android.hardware.usb.UsbManager
 import android.os.Looper
@@ -28,10 +26,7 @@ import org.robolectric.annotation.Config
 import org.robolectric.annotation.Implementation
 import org.robolectric.annotation.Implements
 import org.robolectric.annotation.Resetter
-import org.robolectric.shadow.api.Shadow
 import org.robolectric.shadows.ShadowUsbDeviceConnection
-import org.robolectric.util.ReflectionHelpers
-import org.robolectric.util.ReflectionHelpers.ClassParameter.from
 import robotran.tower.port.OpenFailure
 import robotran.tower.port.OpenedTower
 import robotran.tower.port.TowerDevice
@@ -170,34 +165,11 @@ class AndroidTowersTest {
     private companion object {
         val TOWER = TowerDevice("/dev/bus/usb/001/004", "LEGO USB Tower", TowerKind.USB)
 
-        /** A device with one interface and two interrupt endpoints of eight bytes, like the tower. */
-        fun usbDevice(name: String, vendor: Int, product: Int): UsbDevice {
-            val endpoints = arrayOf(
-                made<UsbEndpoint>(UsbConstants.USB_DIR_IN or 1, UsbConstants.USB_ENDPOINT_XFER_INT, 8, 10),
-                made<UsbEndpoint>(UsbConstants.USB_DIR_OUT or 2, UsbConstants.USB_ENDPOINT_XFER_INT, 8, 10),
-            )
-            val line = made<UsbInterface>(0, 0, "", UsbConstants.USB_CLASS_VENDOR_SPEC, 0, 0)
-            ReflectionHelpers.setField(line, "mEndpoints", endpoints)
-            val configuration = made<UsbConfiguration>(1, "", 0, 50)
-            ReflectionHelpers.setField(configuration, "mInterfaces", arrayOf(line))
-            val device = Shadow.newInstanceOf(UsbDevice::class.java)
-            val fields = mapOf(
-                "mName" to name,
-                "mVendorId" to vendor,
-                "mProductId" to product,
-                "mProductName" to "LEGO USB Tower",
-                "mConfigurations" to arrayOf(configuration),
-            )
-            for ((field, value) in fields) ReflectionHelpers.setField(device, field, value)
-            return device
-        }
+        fun usbDevice(name: String, vendor: Int, product: Int): UsbDevice =
+            usbDevice(name, vendor, product, "LEGO USB Tower", listOf(interruptLine()))
 
-        /** Android's constructors of these classes are hidden. */
-        inline fun <reified T : Any> made(vararg values: Any): T {
-            val parameters = values.map { value ->
-                if (value is Int) from(Int::class.javaPrimitiveType, value) else from(String::class.java, value)
-            }
-            return ReflectionHelpers.callConstructor(T::class.java, *parameters.toTypedArray())
-        }
+        /** One interface with two interrupt endpoints of eight bytes, like the tower's. */
+        private fun interruptLine() =
+            usbInterface(number = 0, UsbConstants.USB_CLASS_VENDOR_SPEC, endpoints = UsbConstants.USB_ENDPOINT_XFER_INT)
     }
 }

@@ -21,7 +21,10 @@ import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
 import robotran.projects.target
+import robotran.robolang.RobolangHubProgram
 import robotran.robolang.RobolangProgram
+import robotran.robolang.messages.PythonTranslationMessages
+import robotran.robolang.python.translateToPython
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -104,7 +107,7 @@ internal class DocumentExports(
     suspend fun saveTranslation(translation: ProgramTranslation) =
         save(translation.fileName, translation.language.fileKind, translation.text.encodeToByteArray())
 
-    /** Saves what a real brick needs to run the shown program: an image for LEGO's firmware, or a kit for leJOS. */
+    /** Saves what a real brick needs to run the shown program: an image for LEGO's firmware, Python for a hub, or a kit for leJOS. */
     suspend fun saveKit() {
         val program = current.shownProgram
         val target = targetOf(program)
@@ -118,7 +121,12 @@ internal class DocumentExports(
 
             is ProgramResult.Success -> {
                 val image = result.firmwareImage
-                if (image == null) saveKit(program, kitOf(program, result, target)) else saveImage(program, image)
+                val runnable = result.program
+                when {
+                    image != null -> saveImage(program, image)
+                    runnable is RobolangHubProgram -> savePython(program, runnable)
+                    else -> saveKit(program, kitOf(program, result, target))
+                }
             }
         }
     }
@@ -140,6 +148,12 @@ internal class DocumentExports(
         val brick = brickOf(program) ?: robot.brick
         val isItsOwn = program.language.support.files.isFor(brick, robot.brick)
         return if (isItsOwn) robot.target else brick.penbotTarget
+    }
+
+    private suspend fun savePython(program: Program, runnable: RobolangHubProgram) {
+        val python = translateToPython(runnable, runnable.robot, PythonTranslationMessages.of(preferences.language))
+        val name = program.name.removeSuffix(program.language.extension)
+        save(name, FileKind.PYTHON, python.python.encodeToByteArray())
     }
 
     private suspend fun saveImage(program: Program, image: RcxImage) =

@@ -243,6 +243,15 @@ class HubSendTest {
     }
 
     @Test
+    fun `what is saved for a real robot with a hub is Python`() = onHub { workshop ->
+        files.location = "/home/ada/drive.py"
+        workshop.handle(DocumentEvent.KitRequested)
+        end(workshop)
+        assertEquals("drive.py", files.suggestion)
+        assertTrue("from pybricks" in files.disk.getValue("/home/ada/drive.py").decodeToString())
+    }
+
+    @Test
     fun `a compiler that cannot be fetched is told, and fetched again`() {
         var isThere = false
         val compiler = object : MpyCompiler {

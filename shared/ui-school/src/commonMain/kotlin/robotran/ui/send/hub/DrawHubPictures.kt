@@ -21,10 +21,10 @@ internal fun DrawScope.drawProgramToHub(colours: RobotranColours) {
 }
 
 internal fun DrawScope.drawNoWay(colours: RobotranColours) {
-    drawTablet(Offset(14f, 22f), colours)
-    drawCross(Offset(88f, 60f), 11f, colours.error)
-    drawHub(Offset(108f, 14f), HubFace.OFF)
-    drawSheet(Offset(190f, 26f), colours, lines = 5, size = Size(46f, 68f))
+    drawTablet(Offset(4f, 22f), colours)
+    drawCross(Offset(73f, 60f), 8f, colours.error)
+    drawHub(Offset(90f, 14f), HubFace.OFF)
+    drawSheet(Offset(174f, 20f), colours, lines = 5, size = Size(62f, 76f))
 }
 
 internal fun DrawScope.drawSwitchOn(colours: RobotranColours) {
