@@ -103,6 +103,7 @@ class MotorControlTest {
         assertNear(960.0, motor.speed.toDouble(), 20.0, "speed")
         assertNear(300.0, bench.motor(HubPort.C).speed.toDouble(), 10.0, "reversed")
         assertEquals(MotorMode.BACKWARD, bench.brick.motor(MotorPort.C).mode)
+        assertEquals(MotorMode.FORWARD, bench.brick.state.motors[MotorPort.C.ordinal].mode)
     }
 
     @Test

@@ -50,7 +50,7 @@ fun RobotDescription.wholeFields(): List<Field<RobotEdit>> = listOf(
         "robot-brick",
         RobotTexts::brick,
         BrickKind.entries.map { kind ->
-            Option(kind, { kind.name })
+            Option(kind, { kind.label })
         },
         brick,
     ) { kind ->

@@ -32,6 +32,10 @@ internal class HubMotor(val port: HubPort) : HubMotorView {
     var state = MotorState(checkNotNull(port.motorPort), MotorMode.FLOAT, power = 0)
         private set
 
+    /** The same in the program's direction, as its angle; the same object until that changes. */
+    var shownState = state
+        private set
+
     override var commands = 0
         private set
 
@@ -162,6 +166,7 @@ internal class HubMotor(val port: HubPort) : HubMotorView {
     private fun tell(mode: MotorMode, power: Int) {
         if (state.mode != mode || state.power != power) {
             state = state.copy(mode = mode, power = power, brakesInPauses = true)
+            shownState = if (sign < 0) state.copy(mode = mode.reversed) else state
         }
     }
 
@@ -171,3 +176,10 @@ internal class HubMotor(val port: HubPort) : HubMotorView {
         const val ACCELERATION = HubMotorKind.ACCELERATION.toDouble()
     }
 }
+
+private val MotorMode.reversed: MotorMode
+    get() = when (this) {
+        MotorMode.FORWARD -> MotorMode.BACKWARD
+        MotorMode.BACKWARD -> MotorMode.FORWARD
+        MotorMode.BRAKE, MotorMode.FLOAT -> this
+    }

@@ -40,10 +40,10 @@ internal class HubHardware(val model: HubModel, private val messages: HubMessage
     /** The same since the program started; null without a gyro. */
     val heading: Double? get() = if (model.hasGyro) turned - headingZero else null
 
-    /** The commands for the motors, the same list until one changes. */
-    var motorStates: List<MotorState> = motorList.map { it.state }
+    /** The commands for the motors in the program's directions, the same list until one changes. */
+    var motorStates: List<MotorState> = motorList.map { it.shownState }
         get() {
-            if (field.indices.any { field[it] !== motorList[it].state }) field = motorList.map { it.state }
+            if (field.indices.any { field[it] !== motorList[it].shownState }) field = motorList.map { it.shownState }
             return field
         }
         private set

@@ -18,8 +18,8 @@ import robotran.ui.run.texts.RunTexts
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.LearningTexts
 import robotran.ui.texts.CommonTexts
-import robotran.ui.texts.NqcTexts
 import robotran.ui.texts.HubTexts
+import robotran.ui.texts.NqcTexts
 import robotran.ui.theme.coloursOf
 import robotran.uikit.*
 import robotran.workshop.Workshop

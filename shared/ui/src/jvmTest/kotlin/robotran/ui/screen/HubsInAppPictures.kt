@@ -2,9 +2,9 @@ package robotran.ui.screen
 
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
-import robotran.programs.Program
 import robotran.workshop.Workshop
 import robotran.workshop.event.DocumentEvent
+import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.RunEvent
 import robotran.workshop.event.ScreenEvent
 import robotran.workshop.event.SettingsEvent
@@ -32,10 +32,29 @@ class HubsInAppPictures {
         }
     }
 
-    private fun open(brick: BrickKind, theme: AppTheme): Workshop {
-        val workshop = runBlocking { openWorkshop(listOf(Program.of("square.robo", SQUARE))) }
-        workshop.handle(SettingsEvent.SettingsChanged(Settings(theme = theme)))
+    @Test
+    fun `hubs in space, and the question which robot one has, can be photographed`() {
+        for (brick in BrickKind.entries.filter { it.java == null }) {
+            val workshop = open(brick, AppTheme.LIGHT, isIn3D = true)
+            photograph(workshop, 1280, 800).keepAs("hubs/${brick.name.lowercase()}-space")
+            workshop.close()
+        }
+        for ((name, width, height) in listOf(Triple("phone", 411, 891), Triple("laptop", 1440, 900))) {
+            for (theme in listOf(AppTheme.LIGHT, AppTheme.DARK)) {
+                val workshop = runBlocking { openWorkshop() }
+                workshop.handle(SettingsEvent.SettingsChanged(Settings(theme = theme)))
+                workshop.handle(DocumentEvent.RobotChoiceRequested)
+                photograph(workshop, width, height).keepAs("hubs/choice-$name-${theme.name.lowercase()}")
+                workshop.close()
+            }
+        }
+    }
+
+    private fun open(brick: BrickKind, theme: AppTheme, isIn3D: Boolean = false): Workshop {
+        val workshop = runBlocking { openWorkshop() }
+        workshop.handle(SettingsEvent.SettingsChanged(Settings(theme = theme, isIn3D = isIn3D)))
         workshop.handle(DocumentEvent.NewWithBrick(brick))
+        workshop.handle(ProgramEvent.ProgramEdited(SQUARE))
         runBlocking { workshop.compilePrograms() }
         workshop.handle(RunEvent.RunPressed)
         workshop.advance(4_000)

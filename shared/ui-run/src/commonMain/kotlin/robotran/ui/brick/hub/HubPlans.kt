@@ -16,11 +16,11 @@ import robotran.uikit.*
 /** SPIKE Prime: a flat light box with 5 by 5 lights, a round button in a ring of light, and three ports at each side. */
 internal fun primePlan(model: HubModel): HubPlan {
     val body = Rect(26f, 3f, 238f, 421f)
-    val matrix = Rect(72f, 82f, 192f, 202f)
+    val matrix = Rect(81f, 90f, 183f, 192f)
     val middle = Rect(99f, 302f, 165f, 368f)
     val places = List(model.sensorPorts.size) { index ->
         val top = 78f + index / 2 * 68f
-        if (index % 2 == 0) Rect(0f, top, 64f, top + 63f) else Rect(200f, top, 264f, top + 63f)
+        if (index % 2 == 0) Rect(0f, top, 73f, top + 63f) else Rect(191f, top, 264f, top + 63f)
     }
     return HubPlan(
         caseOf(body, 26f) + listOf(
