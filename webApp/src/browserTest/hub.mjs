@@ -7,12 +7,13 @@
  * - `way`: 'bluetooth', 'serial' (firmware 4.1) or 'packets' (firmware 4.0).
  * - `prints`: what each program prints before it ends; none ends if `stays`.
  * - `loseAfter`: the connection is lost once that many bytes of the first download have come.
- * - `pieceTakes`: milliseconds for each piece of a program over Bluetooth; other operations take 3.
+ * - `pieceTakes`: milliseconds for each piece of a program over Bluetooth, below 1000; other operations take 3.
+ * - `messageBytes`: the longest command over Bluetooth.
  * - `lego`: whether it has LEGO's own firmware.
  */
 export const switchOn = (options) => `(${hubInPage})(${JSON.stringify(options)});`;
 
-function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAFE_INTEGER, pieceTakes = 3, programBytes = 52_300, lego = false }) {
+function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAFE_INTEGER, pieceTakes = 3, messageBytes = 512, programBytes = 52_300, lego = false }) {
   const SERVICE = 'c5f50001-8280-46da-89f4-6d8051e4aeef';
   const COMMANDS = 'c5f50002-8280-46da-89f4-6d8051e4aeef';
   const CAPABILITIES = 'c5f50003-8280-46da-89f4-6d8051e4aeef';
@@ -31,13 +32,13 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
   const dom = (name) => new DOMException(name, name);
   const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
   const view = (bytes) => new DataView(Uint8Array.from(bytes).buffer);
-  const messageBytes = way === 'serial' ? 60 : way === 'packets' ? 63 : 512;
+  const longest = way === 'serial' ? 60 : way === 'packets' ? 63 : messageBytes;
   const values = {
     '2a00': text('Robo 7'),
     '2a26': text(way === 'serial' ? '4.1.0' : '4.0.1'),
     '2a28': text(way === 'serial' ? '1.6.0' : '1.5.0'),
     '2a50': [1, 0x97, 3, 0x81, 0, 0, 0],
-    capabilities: [messageBytes & 255, messageBytes >> 8, ...u32(0x2b), ...u32(programBytes), 5],
+    capabilities: [longest & 255, longest >> 8, ...u32(0x2b), ...u32(programBytes), 5],
   };
 
   /** What hears events. */

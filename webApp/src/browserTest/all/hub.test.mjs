@@ -121,7 +121,7 @@ test("a hub with LEGO's own firmware is told as such", () =>
   }));
 
 test('whoever cancels is not stuck, and a compiler that does not come is told', () =>
-  onPage({ ...TABLET, hasTouch: true, address: LINK, prepare: switchOn({ way: 'bluetooth', pieceTakes: 4000 }) }, async ({ page }) => {
+  onPage({ ...TABLET, hasTouch: true, address: LINK, prepare: switchOn({ way: 'bluetooth', pieceTakes: 600, messageBytes: 40 }) }, async ({ page }) => {
     await page.route('**/mpy-cross-v6*.wasm', (route) => route.abort());
     await writeProgram(page, LONG);
     await pointAtTool(page, 'send-robot', tap);
@@ -130,7 +130,7 @@ test('whoever cancels is not stuck, and a compiler that does not come is told', 
     await tap(page, 'send-again');
     await tap(page, 'send-look-bluetooth');
     await tap(page, 'send-confirm');
-    await page.waitForFunction(() => globalThis.hub.pieces === 1);
+    await page.waitForFunction(() => globalThis.hub.pieces > 0);
     await tap(page, 'send-cancel');
     await appears(page, 'send-again');
     assert.equal((await hub(page)).slot, null);

@@ -47,8 +47,7 @@ object RobolangSupport : LanguageSupport {
     override fun translations(brick: BrickKind): List<ShownLanguage> = listOfNotNull(
         ShownLanguage.JAVA.takeIf { brick.java != null },
         ShownLanguage.NQC.takeIf { brick.hasLegoFirmware },
-        ShownLanguage.PYTHON.takeIf { HubModel.of(brick) != null },
-    )
+    ).ifEmpty { listOfNotNull(ShownLanguage.PYTHON.takeIf { HubModel.of(brick) != null }) }
 }
 
 private object RobolangFiles : ProgramFiles(ProgramLanguage.ROBOLANG) {

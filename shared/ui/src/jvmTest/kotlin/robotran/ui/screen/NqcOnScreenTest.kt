@@ -9,6 +9,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import robotran.brick.kind.BrickKind
 import robotran.language.ProgramLanguage
+import robotran.language.ShownLanguage
 import robotran.programs.Program
 import robotran.textediting.EditKind
 import robotran.textediting.text.TextDocument
@@ -109,7 +110,7 @@ class NqcOnScreenTest {
         workshop.write("show \"hello\"\nforward 20\n")
         onNodeWithTag(ProgramTags.EDITOR_MORE).performClick()
         pass(300)
-        onNodeWithTag(ProgramTags.translation(ProgramLanguage.NQC)).performClick()
+        onNodeWithTag(ProgramTags.translation(ShownLanguage.NQC)).performClick()
         pass(300)
         onNodeWithTag(ProgramTags.TRANSLATION_TEXT).assertTextContains("task main()", substring = true)
         onNodeWithTag(ProgramTags.TRANSLATION_REMARKS).assertIsDisplayed()
