@@ -94,6 +94,7 @@ export const CHOICES = {
   'try-tutorial': (page) => appears(page, 'tutorial'),
   'try-worlds': (page) => appears(page, 'worlds-page'),
   'try-lessons': (page) => appears(page, 'map-page'),
+  'try-robot': (page) => appears(page, 'robot-spike-prime'),
   'try-teachers': (page) => appears(page, 'teachers-page'),
   'first-run-close': (page) => page.waitForFunction(() => !document.querySelector('[data-tag="first-run"]'), null, { timeout: PATIENCE }),
 };

@@ -6,7 +6,7 @@ import { linkTo } from '../link.mjs';
 import { photograph } from '../page.mjs';
 import { onPage, PHONE, TABLET } from '../set-up.mjs';
 import { ends } from '../send.mjs';
-import { appears, choose, disappears, pointAtTool, says, tap } from '../words.mjs';
+import { appears, choose, disappears, pointAtTool, reports, says, tap } from '../words.mjs';
 
 const WORLD = {
   format: 'robotran-world',
@@ -76,6 +76,29 @@ test('a program goes by Bluetooth from a phone into the hub; the connection brea
       await photograph(page, 'hub-phone-ended');
       await tap(page, 'send-cancel');
       await disappears(page, 'send-sheet');
+      assert.deepEqual(troubles, []);
+    },
+  ));
+
+test('from "which robot" to the hub, by touch, in Spanish, with the program of the first minute', () =>
+  onPage(
+    { ...PHONE, hasTouch: true, welcome: true, locale: 'es-ES', prepare: switchOn({ way: 'bluetooth', prints: ['hecho'] }) },
+    async ({ page, troubles }) => {
+      await tap(page, 'try-robot');
+      await appears(page, 'robot-spike-prime');
+      await photograph(page, 'hub-which-robot');
+      await tap(page, 'robot-spike-prime');
+      await tap(page, 'run');
+      await reports(page, (now) => now.status === 'ended' && now.inkCentimetres > 70);
+      await photograph(page, 'hub-drawn');
+      await pointAtTool(page, 'send-robot', tap);
+      await tap(page, 'send-look-bluetooth');
+      await tap(page, 'send-confirm');
+      await appears(page, 'send-start');
+      assertHolds((await hub(page)).slot, ['straight', 'turn']);
+      await tap(page, 'send-start');
+      await says(page, 'send-output', /hecho/);
+      await photograph(page, 'hub-done-es');
       assert.deepEqual(troubles, []);
     },
   ));
