@@ -91,6 +91,7 @@ test('from "which robot" to the hub, by touch, in Spanish, with the program of t
       await tap(page, 'run');
       await reports(page, (now) => now.status === 'ended' && now.inkCentimetres > 70);
       await photograph(page, 'hub-drawn');
+      await tap(page, 'tab-program');
       await pointAtTool(page, 'send-robot', tap);
       await tap(page, 'send-look-bluetooth');
       await tap(page, 'send-confirm');
