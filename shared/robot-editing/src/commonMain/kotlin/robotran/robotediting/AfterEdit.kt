@@ -14,7 +14,8 @@ import robotran.world.robot.things
 
 /** The state after [edit]. A refused edit leaves the robot unchanged and sets [RobotEditing.error]. */
 fun RobotEditing.after(edit: RobotEdit): RobotEditing {
-    val calm = copy(error = null)
+    val isMeasuring = edit is RobotEdit.Measure || edit == RobotEdit.FinishChange
+    val calm = copy(error = null, measured = measured.takeIf { isMeasuring })
     return when (edit) {
         is RobotEdit.Choose -> calm.dropped().copy(chosen = edit.element?.takeIf { robot.has(it) })
         is RobotEdit.ChooseNext -> calm.dropped().nextChosen(edit.backwards)
@@ -34,6 +35,8 @@ fun RobotEditing.after(edit: RobotEdit): RobotEditing {
         is RobotEdit.Change,
         is RobotEdit.Replace,
         -> calm.dropped().changed(edit)
+
+        is RobotEdit.Measure -> calm.dropped().changed(edit).copy(measured = edit.measured)
     }
 }
 
@@ -62,6 +65,7 @@ private fun RobotEditing.changed(edit: RobotEdit): RobotEditing = when (val outc
 private fun RobotEditing.outcomeOf(edit: RobotEdit): Outcome? = when (edit) {
     is RobotEdit.Add -> robot.added(edit.item, edit.at)
     is RobotEdit.Change -> Outcome.Made(edit.robot, chosen, edit.what)
+    is RobotEdit.Measure -> Outcome.Made(robot.copy(drive = edit.measured.drive), chosen, "measured")
     is RobotEdit.Replace -> Outcome.Made(edit.robot, null, isRead = true)
     is RobotEdit.Nudge -> chosen?.let { moved(robot.moved(it, edit.x, edit.y)) }
     is RobotEdit.TurnBy -> chosen?.let { moved(robot.turned(it, edit.degrees)) }

@@ -49,6 +49,9 @@ sealed interface RobotEdit {
      */
     data class Change(val robot: RobotDescription, val what: String? = null) : RobotEdit
 
+    /** Puts the wheels right by what was measured; changes of it are one undo step, up to a [FinishChange]. */
+    data class Measure(val measured: Measured) : RobotEdit
+
     /** Builds another robot. */
     data class Replace(val robot: RobotDescription) : RobotEdit
 

@@ -14,6 +14,7 @@ import robotran.world.robot.robotErrors
  * @property chosen the chosen element of [robot]; null for none.
  * @property error why the last edit did nothing; null if it was not refused.
  * @property errors what is impossible about the robot.
+ * @property measured what was measured since the wheels were chosen; null for nothing.
  */
 data class RobotEditing(
     val robot: RobotDescription,
@@ -22,6 +23,7 @@ data class RobotEditing(
     override val gesture: Gesture<RobotSnapshot, RobotHandle>? = null,
     val error: RobotEditError? = null,
     val errors: List<RobotError> = emptyList(),
+    val measured: Measured? = null,
 ) : Editor<RobotSnapshot, RobotHandle, RobotEditing> {
     val isPossible: Boolean get() = errors.isEmpty()
 

@@ -62,7 +62,7 @@ private fun RobotCard(brick: BrickKind, onClick: () -> Unit) {
             Text(
                 HubTexts.robotWith(spoken, brick),
                 Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
-                style = TextStyles.label.strong,
+                style = TextStyles.label,
             )
         }
     }
@@ -89,9 +89,9 @@ private val STANDING = RobotState(
     leftBumperPressed = false,
     rightBumperPressed = false,
 )
-private val CARD_WIDTH = 132.dp
+private val CARD_WIDTH = 128.dp
 private val PICTURE_HEIGHT = 112.dp
-private val WORDS_HEIGHT = 52.dp
+private val WORDS_HEIGHT = 68.dp
 
 /** How much of the sheet a picture shows from top to bottom, and how far its middle is ahead of the wheels. */
 private const val SHOWN_CENTIMETRES = 22f

@@ -12,6 +12,7 @@ import robotran.robotediting.RobotElement
 import robotran.robotediting.elementOf
 import robotran.robotediting.elements
 import robotran.robotediting.fieldsOf
+import robotran.robotediting.measuredFields
 import robotran.robotediting.wholeFields
 import robotran.ui.editing.ChoosingRow
 import robotran.ui.editing.ChosenName
@@ -71,7 +72,7 @@ private fun ChosenElement(scope: RobotScope, chosen: RobotElement) {
     ChosenName(robotElementText(scope.robot, chosen), WorldTags.ROBOT_CHOSEN_NAME)
     EditorActions(scope, actionsOf(scope.robot, chosen))
     HorizontalDivider()
-    Form(scope.robot.fieldsOf(chosen), scope)
+    Form(scope.robot.fieldsOf(chosen) + scope.editing.measuredFields(), scope)
 }
 
 /** A list of all elements. */

@@ -32,18 +32,14 @@ import robotran.uikit.*
  * on the screen of the computer that it is connected with.
  *
  * @param unit of the plan.
+ * @param printed how many lines there is room for.
  */
 @Composable
-internal fun HubDisplayView(state: HubState, unit: Dp, modifier: Modifier = Modifier) {
+internal fun HubDisplayView(state: HubState, unit: Dp, modifier: Modifier = Modifier, printed: Int = PRINTED) {
     val screen = state.screen
-    val printed = if (screen.lights.isEmpty() &&
-        screen.rows.isEmpty()
-    ) {
-        screen.printed.takeLast(PRINTED)
-    } else {
-        emptyList()
-    }
-    val description = descriptionOf(screen, printed)
+    val hasOwn = screen.lights.isNotEmpty() || screen.rows.isNotEmpty()
+    val lines = if (hasOwn) emptyList() else screen.printed.takeLast(printed)
+    val description = descriptionOf(screen, lines)
     val spokenModifier = modifier.testTag(RunTags.LCD).clearAndSetSemantics {
         contentDescription = description
         liveRegion = LiveRegionMode.Polite
@@ -51,7 +47,7 @@ internal fun HubDisplayView(state: HubState, unit: Dp, modifier: Modifier = Modi
     when {
         screen.lights.isNotEmpty() -> Lights(screen.lights, spokenModifier)
         screen.rows.isNotEmpty() -> Rows(screen.rows, state.model.columns, spokenModifier)
-        else -> Printed(printed, unit, spokenModifier)
+        else -> Printed(lines, unit, spokenModifier)
     }
 }
 

@@ -46,7 +46,9 @@ internal class HubFace(private val model: HubModel) : BrickFace {
     override fun StripDisplay(state: BrickState, isLow: Boolean) {
         val height = if (isLow) 48.dp else 58.dp
         val width = if (model.hasMatrix) height else height * 2
-        HubDisplayView(state as HubState, unit = width / STRIP_UNITS, Modifier.size(width, height))
+        val hasOwn = model.hasMatrix || model.hasScreen
+        val unit = if (hasOwn) width / STRIP_UNITS else 1.dp
+        HubDisplayView(state as HubState, unit, Modifier.size(width, height), printed = STRIP_LINES)
     }
 
     /** The ring of the status light around the button. */
@@ -111,15 +113,17 @@ internal class HubFace(private val model: HubModel) : BrickFace {
         }
         val isPlugged = remember(robot) { motor.port in robot.pluggedMotors }
         val isDriven = motor.mode == MotorMode.FORWARD || motor.mode == MotorMode.BACKWARD
+        val isNarrow = !model.kind.hasLetteredInputs && model.motorPorts.size > NARROW_FROM
+        val words = if (isNarrow) NARROW_SIZE else WORDS_SIZE
         val driven = listOf(
-            PortItem.Sign(11f, 9f) { drawDirectionArrow(motor.mode == MotorMode.FORWARD, it) },
-            PortItem.Words("${motor.power}"),
+            PortItem.Sign(words * ARROW, 9f) { drawDirectionArrow(motor.mode == MotorMode.FORWARD, it) },
+            PortItem.Words("${motor.power}", words),
         )
         return PortView(
             name,
             description,
             listOf(
-                listOf(PortItem.Words(name)) + if (isDriven) driven else emptyList(),
+                listOf(PortItem.Words(name, words)) + if (isDriven) driven else emptyList(),
                 if (isPlugged || degrees != 0) listOf(PortItem.Words("$degrees°", VALUE_SIZE)) else emptyList(),
             ),
             isDriven,
@@ -138,6 +142,15 @@ internal class HubFace(private val model: HubModel) : BrickFace {
 
         /** How many units wide a screen would be that is as wide as that of a brick in one row. */
         const val STRIP_UNITS = 184f
+
+        /** How many lines of output a brick in one row has room for. */
+        const val STRIP_LINES = 2
+
+        /** The size of the words on a port where four of them are in a row. */
+        const val NARROW_SIZE = 14f
+        const val WORDS_SIZE = 16f
+        const val NARROW_FROM = 3
+        const val ARROW = 0.68f
     }
 }
 
