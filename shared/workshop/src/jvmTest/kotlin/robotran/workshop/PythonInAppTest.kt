@@ -95,7 +95,8 @@ class PythonInAppTest {
         workshop.handle(ProgramEvent.TranslationShown(true))
         machine.files.location = "out"
         workshop.handle(DocumentEvent.TranslationSaved(workshop.python))
-        assertEquals("square.py" to workshop.python.text, machine.files.suggestion to machine.files.disk.getValue("out").decodeToString())
+        assertEquals("square.py", machine.files.suggestion)
+        assertEquals(workshop.python.text, machine.files.disk.getValue("out").decodeToString())
         workshop.close()
     }
 }
