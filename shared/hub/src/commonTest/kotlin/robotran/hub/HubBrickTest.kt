@@ -67,6 +67,21 @@ class HubBrickTest {
     }
 
     @Test
+    fun `a program that ends when its move has ended needs no explanation, though the motor is still held`() {
+        val moves: (Hub) -> ProgramStatus = { hub ->
+            hub.call(HubCall.device(HubDeviceKind.MOTOR, HubPort.A), TEST_LINE)
+            hub.call(HubCall.on(HubNative.MOTOR_RUN_ANGLE, HubPort.A, 500, 90, 0), TEST_LINE)
+            ProgramStatus.Waiting(hub.milliseconds + 2_000)
+        }
+        brick.runSnippet(ScriptedProgram(name = "moved", actions = arrayOf(moves)))
+        bench.wait(1_900)
+        assertTrue(brick.state.run is RunState.Running)
+        bench.wait(200)
+        assertEquals(RunState.Ended(stopped = false), brick.state.run)
+        assertEquals(null, brick.state.explanation)
+    }
+
+    @Test
     fun `a program can take another button for stopping, and then sees the middle one`() {
         push(BrickButton.ENTER)
         assertEquals(null, bench.call(HubNative.SET_STOP_BUTTON, HubButton.BLUETOOTH.ordinal))

@@ -22,6 +22,9 @@ internal class AxisControl(private val stiffness: Double, private var tolerance:
     /** Whether it controls at all. */
     val isActive: Boolean get() = trajectory != null
 
+    /** Whether it is still on its way, and not only held where it has arrived. */
+    val isOnItsWay: Boolean get() = trajectory?.let { seconds < it.seconds } == true
+
     /** Whether the move is over; a move without an end always is. */
     var isDone = true
         private set

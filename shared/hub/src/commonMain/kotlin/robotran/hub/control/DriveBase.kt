@@ -32,6 +32,9 @@ internal class DriveBase(private val left: HubMotor, private val right: HubMotor
     /** Whether it controls its motors. */
     val isActive: Boolean get() = way.isActive
 
+    /** Whether a drive goes on. */
+    val isOnItsWay: Boolean get() = way.isOnItsWay || heading.isOnItsWay
+
     private val exactWay: Double get() = (left.exactAngle + right.exactAngle) / 2 - wayZero
     private val exactHeading: Double get() = (left.exactAngle - right.exactAngle) / 2 - headingZero
 

@@ -54,6 +54,9 @@ internal class HubMotor(val port: HubPort) : HubMotorView {
     override val isDone: Boolean get() = base?.takeIf { it.isActive }?.isDone ?: axis.isDone
     override val isStalled: Boolean get() = axis.isStalled
 
+    /** Whether a move of it goes on, or it turns without end. */
+    val isOnItsWay: Boolean get() = base?.takeIf { it.isActive }?.isOnItsWay ?: axis.isOnItsWay
+
     /** Whether a move or a hold keeps it. */
     val isControlled: Boolean get() = axis.isActive || base?.isActive == true
 

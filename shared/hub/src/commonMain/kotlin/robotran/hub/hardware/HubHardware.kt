@@ -56,11 +56,8 @@ internal class HubHardware(val model: HubModel, private val messages: HubMessage
         }
         private set
 
-    /** Whether a motor is driven. */
-    val isDriving: Boolean get() = motorList.any {
-        it.state.mode == MotorMode.FORWARD ||
-            it.state.mode == MotorMode.BACKWARD
-    }
+    /** Whether a motor is on its way somewhere; one that is held where it has arrived is not. */
+    val isDriving: Boolean get() = motorList.any { it.isOnItsWay }
 
     fun motor(port: HubPort): HubMotor? = motorList.find { it.port == port }
 
