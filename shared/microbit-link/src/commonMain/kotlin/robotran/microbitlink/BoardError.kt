@@ -35,7 +35,7 @@ sealed interface BoardError {
     /** The files of the board leave too little room. */
     data object NoRoom : BoardError
 
-    /** What the board says that it holds is not what was sent. */
+    /** What the board says that it holds is not what was sent, or it was misunderstood. */
     data object NotAsSent : BoardError
 }
 
@@ -60,10 +60,10 @@ enum class Remains {
     /** What it held before. */
     AS_BEFORE,
 
-    /** Not what was sent, and perhaps no whole program: it must be sent again. */
+    /** A part of what was sent, or nothing of it; perhaps no whole program. It must be sent again. */
     PART,
 
-    /** What was sent, what was there before, or a part: the board was not heard any more. */
+    /** What was sent, what was there before, or a part: it has all been sent, but the board has not confirmed it. */
     UNKNOWN,
 
     /** Exactly what was sent. */

@@ -90,7 +90,7 @@ class MicroPythonFileTest {
 
     @Test
     fun `files of a board that has swept them are read`() {
-        val image = madeUp(MicrobitBoard.V1).smallestImage.with(mainOf("print(1)\n")).value()
+        val image = madeUp(MicrobitBoard.V1).smallestImage.withFiles(mainOf("print(1)\n")).value()
         val area = image.memory.read(0x38800, 0x3FC00 - 0x38800)
         val swept = image.memory.with(
             0x38800,
@@ -168,7 +168,7 @@ class MicroPythonFileTest {
 
     @Test
     fun `blocks of 512 characters are read like sections`() {
-        val image = madeUp(MicrobitBoard.V2).smallestImage.with(mainOf("print(2)\n")).value()
+        val image = madeUp(MicrobitBoard.V2).smallestImage.withFiles(mainOf("print(2)\n")).value()
         val records = hexRecords(image.memory)
         var upper = HexRecord.upperAddress(0)
         val blocks = buildList {

@@ -51,12 +51,12 @@ class HostileHexFuzzTest {
     private fun mutated(random: Random): String {
         val text = StringBuilder(good.random(random))
         repeat(random.nextInt(1, 4)) {
-            val place = random.nextInt(text.length)
+            val place = random.nextInt(text.length + 1)
             when (random.nextInt(4)) {
-                0 -> text[place] = ":0123456789ABCDEFxyz\n\u0000é".random(random)
+                0 -> text.insert(place, ":0123456789ABCDEFxyz\n\u0000é".random(random))
                 1 -> text.deleteRange(place, minOf(text.length, place + random.nextInt(1, 200)))
                 2 -> text.insert(place, text.substring(place, minOf(text.length, place + random.nextInt(200))))
-                else -> text.setLength(place + 1)
+                else -> text.setLength(place)
             }
         }
         return text.toString()

@@ -31,7 +31,7 @@ class MicroPythonFile private constructor(
     fun textWith(files: Map<String, ByteArray>): ImageResult<String> {
         smallestImage.room.mistake(files)?.let { return ImageResult.Failure(it) }
         val filled = images.mapValues { (_, image) ->
-            when (val result = image.with(files)) {
+            when (val result = image.withFiles(files)) {
                 is ImageResult.Success -> result.value
                 is ImageResult.Failure -> return result
             }

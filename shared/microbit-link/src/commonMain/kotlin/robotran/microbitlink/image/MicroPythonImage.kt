@@ -41,7 +41,7 @@ class MicroPythonImage internal constructor(val memory: HexMemory, private val l
     }
 
     /** The same with [files] instead of those that are there. */
-    fun with(files: Map<String, ByteArray>): ImageResult<MicroPythonImage> {
+    fun withFiles(files: Map<String, ByteArray>): ImageResult<MicroPythonImage> {
         room.mistake(files)?.let { return ImageResult.Failure(it) }
         val fresh = clean
         val filled = fresh.memory.with(fresh.layout.filesStart, encodeFiles(files))

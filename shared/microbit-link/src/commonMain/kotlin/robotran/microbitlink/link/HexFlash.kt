@@ -68,7 +68,7 @@ internal class HexFlash(
                 val to = minOf(from + DapCommand.PAYLOAD, bytes.size)
                 // The last line may be whole without its end.
                 val isAtEnd = to >= bytes.size - 1
-                if (isAtEnd) remains = Remains.UNKNOWN
+                if (to >= bytes.size - LAST_LINE) remains = Remains.UNKNOWN
                 val answer = line.command(pieceOf(from, to), timeout = SLOW)
                 hasEnded = isAtEnd && answer.number in numbers.ends
                 if (!hasEnded) errorOf(answer)?.let { return it }
@@ -85,11 +85,10 @@ internal class HexFlash(
 
     private suspend fun open(): BoardError? {
         val before = remains
-        remains = if (before == Remains.PART) Remains.PART else Remains.UNKNOWN
+        // Nothing is erased yet: an earlier attempt may have sent everything.
+        if (before != Remains.UNKNOWN) remains = Remains.PART
         isOpen = true
-        val answer = line.command(DapCommand.OPEN_STREAM, DapCommand.HEX_STREAM, timeout = SLOW)
-        val error = errorOf(answer)
-        if (error == null) remains = Remains.PART
+        val error = errorOf(line.command(DapCommand.OPEN_STREAM, DapCommand.HEX_STREAM, timeout = SLOW))
         // What is refused at once has changed nothing.
         if (error is BoardError.Refused) remains = before
         return error
@@ -114,6 +113,9 @@ internal class HexFlash(
 
     private companion object {
         const val ATTEMPTS = 3
+
+        /** The characters of the last line, which says nothing but that it is the last. */
+        const val LAST_LINE = 12
 
         /** Bytes from one report to the next, in whole pieces. */
         const val REPORTED = DapCommand.PAYLOAD * 16

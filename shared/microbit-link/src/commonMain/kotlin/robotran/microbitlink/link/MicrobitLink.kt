@@ -53,7 +53,7 @@ class MicrobitLink(port: DapPort) {
     suspend fun flash(file: MicroPythonFile, program: ByteArray): SendResult = sending {
         val board = known.value.description ?: return@sending SendResult.Failure(BoardError.OutOfReach)
         val image = when (val result = file.imageFor(board.board)) {
-            is ImageResult.Success -> result.value.with(mapOf(MAIN_FILE to program))
+            is ImageResult.Success -> result.value.withFiles(mapOf(MAIN_FILE to program))
             is ImageResult.Failure -> result
         }
         when (image) {

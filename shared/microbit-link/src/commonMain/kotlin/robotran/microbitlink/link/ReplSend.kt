@@ -57,10 +57,8 @@ internal class ReplSend(
         }
         step("f.close()")?.let { return it }
         val told = repl.run(FINGERPRINT, READING)?.output?.trim() ?: return lost()
-        if (told != fingerprint(program)) {
-            remains = Remains.PART
-            return BoardError.NotAsSent
-        }
+        // The question may have been damaged on its way, too.
+        if (told != fingerprint(program)) return BoardError.NotAsSent
         remains = Remains.AS_SENT
         return null
     }

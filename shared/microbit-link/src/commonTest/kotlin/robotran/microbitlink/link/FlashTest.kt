@@ -28,7 +28,7 @@ class FlashTest {
     private val program = programOf(2_000)
 
     private fun whole(board: MicrobitBoard): String =
-        madeUpForBoth.imageFor(board).value().with(mapOf(MAIN_FILE to program)).value().hexText()
+        madeUpForBoth.imageFor(board).value().withFiles(mapOf(MAIN_FILE to program)).value().hexText()
 
     @Test
     fun `a board tells what it is`() = runTest {

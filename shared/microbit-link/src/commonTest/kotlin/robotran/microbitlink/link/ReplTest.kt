@@ -45,7 +45,7 @@ class ReplTest {
         val test = TestBoard(this)
         val image = checkNotNull(MicroPythonImage.of(test.board.memory))
         val files = mapOf("buggy.py" to programOf(300), MAIN_FILE to programOf(20))
-        val board = SimulatedBoard(image.with(files).value().memory)
+        val board = SimulatedBoard(image.withFiles(files).value().memory)
         val link = MicrobitLink(SimulatedDapPort(backgroundScope, board))
         link.open()
         assertEquals(SendResult.Success(attempts = 1), link.sendMain(programOf(50)))

@@ -22,7 +22,7 @@ internal class TestBoard(
     daplink: Int = if (type == MicrobitBoard.V1) 253 else 257,
     baudRate: Int = 115_200,
 ) {
-    private val old = madeUp(type).imageFor(type).value().with(mainOf(OLD)).value()
+    private val old = madeUp(type).imageFor(type).value().withFiles(mainOf(OLD)).value()
     val board = SimulatedBoard(old.memory, id, daplink, baudRate)
     val port = SimulatedDapPort(scope.backgroundScope, board, faults)
     val link = MicrobitLink(port)

@@ -118,7 +118,7 @@ class SimulatedPython(memory: HexMemory, private val keep: (HexMemory) -> Unit) 
         val filled = if (whole.isEmpty()) {
             old.clean
         } else {
-            (old.with(whole) as? ImageResult.Success)?.value
+            (old.withFiles(whole) as? ImageResult.Success)?.value
                 ?: return false
         }
         image = filled
