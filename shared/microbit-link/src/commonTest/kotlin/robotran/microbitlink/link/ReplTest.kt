@@ -67,6 +67,15 @@ class ReplTest {
     }
 
     @Test
+    fun `a program that has printed much does not disturb sending`() = runTest {
+        val test = TestBoard(this)
+        test.open()
+        test.board.python.print("raw REPL; CTRL-B to exit\r\n> and more\r\n".repeat(20))
+        assertEquals(SendResult.Success(attempts = 1), test.link.sendMain(programOf(200)))
+        assertContentEquals(programOf(200), test.board.python.files[MAIN_FILE])
+    }
+
+    @Test
     fun `a program without room is told and half of it is never started`() = runTest {
         val test = TestBoard(this)
         test.open()
