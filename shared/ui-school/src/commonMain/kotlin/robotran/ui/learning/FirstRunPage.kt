@@ -105,19 +105,19 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     }
 }
 
-/** The ways to all lessons, to another robot, and to what is for teachers. */
+/** The ways to another robot, to all lessons, and to what is for teachers. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
 private fun OtherPages(onEvent: (WorkshopEvent) -> Unit) = FlowRow(
     horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
     verticalArrangement = Arrangement.spacedBy(Space.SMALL),
 ) {
-    Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
-        onEvent(LearningEvent.PageRequested(LearningPage.MAP))
-    }
     Button(HubTexts.myRobot(spoken), LearningTags.TRY_ROBOT, ButtonKind.QUIET) {
         onEvent(LearningEvent.PageClosed)
         onEvent(DocumentEvent.RobotChoiceRequested)
+    }
+    Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
+        onEvent(LearningEvent.PageRequested(LearningPage.MAP))
     }
     Button(LearningTexts.teachers(spoken), LearningTags.TRY_TEACHERS, ButtonKind.QUIET) {
         onEvent(LearningEvent.PageRequested(LearningPage.TEACHERS))
