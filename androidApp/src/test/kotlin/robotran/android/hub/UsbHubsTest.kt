@@ -94,7 +94,9 @@ class UsbHubsTest {
         assertEquals(20, connection.read(HubValue.FIRMWARE)?.size)
         assertEquals(listOf("claim", "A1 1 ${0x2A26}"), RecordedConnection.calls)
         val event =
-            heard(connection) { checkNotNull(RecordedConnection.latest).writeIncomingData(byteArrayOf(2, 0) + ByteArray(62) { 7 }) }
+            heard(connection) {
+                checkNotNull(RecordedConnection.latest).writeIncomingData(byteArrayOf(2, 0) + ByteArray(62) { 7 })
+            }
         assertArrayEquals(byteArrayOf(0) + ByteArray(62) { 7 }, event)
         connection.close()
     }
