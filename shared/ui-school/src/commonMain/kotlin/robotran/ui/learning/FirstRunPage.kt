@@ -97,7 +97,7 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
             )
             ViewChoice(view, room == WelcomeRoom.HIGH) { onEvent(BlockEvent.ViewChosen(it)) }
             Things(room, onEvent, Modifier.fillMaxWidth())
-            OtherPages(onEvent)
+            OtherPages(room == WelcomeRoom.HIGH, onEvent)
             if (room == WelcomeRoom.HIGH) {
                 Text(LearningTexts.welcomeAgain(spoken), style = TextStyles.smallLines, color = colours.quiet)
             }
@@ -105,10 +105,10 @@ private fun Choices(view: ProgramView, room: WelcomeRoom, onEvent: (WorkshopEven
     }
 }
 
-/** The ways to another robot, to all lessons, and to what is for teachers. */
+/** The ways to another robot, with [hasRoom] to all lessons, and to what is for teachers. */
 @OptIn(ExperimentalLayoutApi::class)
 @Composable
-private fun OtherPages(onEvent: (WorkshopEvent) -> Unit) = FlowRow(
+private fun OtherPages(hasRoom: Boolean, onEvent: (WorkshopEvent) -> Unit) = FlowRow(
     horizontalArrangement = Arrangement.spacedBy(Space.SMALL),
     verticalArrangement = Arrangement.spacedBy(Space.SMALL),
 ) {
@@ -116,8 +116,10 @@ private fun OtherPages(onEvent: (WorkshopEvent) -> Unit) = FlowRow(
         onEvent(LearningEvent.PageClosed)
         onEvent(DocumentEvent.RobotChoiceRequested)
     }
-    Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
-        onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+    if (hasRoom) {
+        Button(LearningTexts.mapAll(spoken), LearningTags.TRY_LESSONS, ButtonKind.QUIET) {
+            onEvent(LearningEvent.PageRequested(LearningPage.MAP))
+        }
     }
     Button(LearningTexts.teachers(spoken), LearningTags.TRY_TEACHERS, ButtonKind.QUIET) {
         onEvent(LearningEvent.PageRequested(LearningPage.TEACHERS))
