@@ -69,14 +69,14 @@ class BothModesTest {
 
     @Test
     fun `programs of lessons and worlds pass in both modes`() {
-        val (ofNxt, others) = (programsIn("learning/lessons") + programsIn("learning/worlds"))
-            .partition { it.name.startsWith("nxt-") || it.parentFile.name.startsWith("nxt-") }
-            .toList()
-            .map { files -> files.mapIndexed { index, file -> renamed(index, file) } }
-        assertTrue(ofNxt.size >= 20, "${ofNxt.size} programs for an NXT")
-        assertTrue(others.size >= 150, "${others.size} others")
-        assertPass(ofNxt, "--brick", "nxt")
-        assertPass(others)
+        val byBrick = (programsIn("learning/lessons") + programsIn("learning/worlds"))
+            .groupBy { file -> BRICKS.keys.find { file.name.startsWith(it) || file.parentFile.name.startsWith(it) } }
+            .mapValues { (_, files) -> files.mapIndexed { index, file -> renamed(index, file) } }
+        for ((brick, least) in mapOf("nxt-" to 20, "spike-" to 20, null to 150)) {
+            val files = byBrick.getValue(brick)
+            assertTrue(files.size >= least, "${files.size} programs of $brick")
+            assertPass(files, *brick?.let { arrayOf("--brick", BRICKS.getValue(it)) }.orEmpty())
+        }
     }
 
     @Test
@@ -87,6 +87,8 @@ class BothModesTest {
     }
 
     private companion object {
+        /** The bricks of lessons and worlds whose names begin so; those of others are for an RCX. */
+        val BRICKS = mapOf("nxt-" to "nxt", "spike-" to "spike-prime")
         val BLOCK = Regex("```java\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
         val MAIN_CLASS = Regex("""^(?:public )?class (\w+)""", RegexOption.MULTILINE)
     }
