@@ -20,7 +20,7 @@ class EveryProgramLinksTest {
         runTest(timeout = 5.minutes) {
             val programs =
                 robolangExamples + lejosExamples +
-                    solutions.filterKeys { !it.startsWith(FOR_NXT) && !it.endsWith(".nqc") }
+                    solutions.filterKeys { !FOR_OTHERS.any(it::startsWith) && !it.endsWith(".nqc") }
             assertTrue(programs.size > 50, "${programs.size}")
             for (version in LejosVersion.entries) {
                 val refused = programs.mapNotNull { (name, text) -> refusalOf(name, text, version) }
@@ -81,8 +81,8 @@ class EveryProgramLinksTest {
     }
 
     private companion object {
-        /** How the names of worlds begin whose robots have an NXT. */
-        const val FOR_NXT = "nxt-"
+        /** How the names of worlds begin whose robots have another brick than an RCX. */
+        val FOR_OTHERS = listOf("nxt-", "spike-")
 
         const val ROWS = 10
 
