@@ -72,7 +72,7 @@ class BothModesTest {
         val byBrick = (programsIn("learning/lessons") + programsIn("learning/worlds"))
             .groupBy { file -> BRICKS.keys.find { file.name.startsWith(it) || file.parentFile.name.startsWith(it) } }
             .mapValues { (_, files) -> files.mapIndexed { index, file -> renamed(index, file) } }
-        for ((brick, least) in mapOf("nxt-" to 20, "spike-" to 20, null to 150)) {
+        for ((brick, least) in mapOf("nxt-" to 20, "spike-" to 10, null to 150)) {
             val files = byBrick.getValue(brick)
             assertTrue(files.size >= least, "${files.size} programs of $brick")
             assertPass(files, *brick?.let { arrayOf("--brick", BRICKS.getValue(it)) }.orEmpty())
