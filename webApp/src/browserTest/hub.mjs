@@ -23,7 +23,7 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
   const [RUNNING, DOWNLOADING] = [1 << 6, 1 << 13];
   const [OK, DOWNLOAD_STATE, NOT_ALLOWED, INVALID, BUSY] = [0, 0x0e, 0x13, 0x80, 0x81];
 
-  const hub = { slot: null, starts: 0, stops: 0, pieces: 0, asked: [], loseAfter, isLost: false };
+  const hub = { slot: null, starts: 0, stops: 0, pieces: 0, loseAfter, isLost: false };
   globalThis.hub = hub;
 
   const u32 = (number) => [0, 8, 16, 24].map((shift) => (number >>> shift) & 255);
@@ -360,21 +360,20 @@ function hubInPage({ way, prints = [], stays = false, loseAfter = Number.MAX_SAF
 
   const device = { bluetooth: bluetoothHub, serial: serialHub, packets: usbHub }[way]();
   let granted = [];
-  const grant = async (isRightKind, asked) => {
-    hub.asked.push(asked);
+  const grant = async (isRightKind) => {
     if (!navigator.userActivation.isActive) throw dom('SecurityError');
-    if (!isRightKind || hub.isHidden) throw dom('NotFoundError');
+    if (!isRightKind) throw dom('NotFoundError');
     granted = [device];
     return device;
   };
   const replace = (name, value) => Object.defineProperty(navigator, name, { value, configurable: true });
-  replace('bluetooth', { requestDevice: (options) => grant(way === 'bluetooth' && device.isFor(options), options) });
+  replace('bluetooth', { requestDevice: (options) => grant(way === 'bluetooth' && device.isFor(options)) });
   replace('serial', {
     getPorts: async () => (way === 'serial' && !hub.isLost ? granted : []),
-    requestPort: (options) => grant(way === 'serial' && options?.filters?.[0]?.usbVendorId === VENDOR, options),
+    requestPort: (options) => grant(way === 'serial' && options?.filters?.[0]?.usbVendorId === VENDOR),
   });
   replace('usb', {
     getDevices: async () => (way === 'packets' && !hub.isLost ? granted : []),
-    requestDevice: (options) => grant(way === 'packets' && options.filters[0].classCode === 0xff, options),
+    requestDevice: (options) => grant(way === 'packets' && options.filters[0].classCode === 0xff),
   });
 }

@@ -34,8 +34,8 @@ function assertHolds(slot, source) {
 
 const hub = (page) =>
   page.evaluate(() => {
-    const { slot, starts, stops, asked } = globalThis.hub;
-    return { slot, starts, stops, asked };
+    const { slot, starts } = globalThis.hub;
+    return { slot, starts };
   });
 
 async function writeProgram(page, text) {

@@ -5,6 +5,7 @@ import android.hardware.usb.UsbEndpoint
 import android.hardware.usb.UsbInterface
 import android.hardware.usb.UsbRequest
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.channels.BufferOverflow
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.withContext
 import robotran.hublink.connection.BytePort
@@ -19,7 +20,7 @@ internal class UsbStream(
     private val input: UsbEndpoint,
     private val output: UsbEndpoint,
 ) {
-    private val received = Channel<ByteArray>(Channel.UNLIMITED)
+    private val received = Channel<ByteArray>(MOST_PACKETS, BufferOverflow.DROP_OLDEST)
     private val reading = UsbRequest()
 
     @Volatile
@@ -66,6 +67,9 @@ internal class UsbStream(
     private companion object {
         /** Milliseconds. */
         const val SEND_TIMEOUT = 1_000
+
+        /** Of a hub that prints without end while nobody reads, the oldest are lost. */
+        const val MOST_PACKETS = 4_096
     }
 }
 

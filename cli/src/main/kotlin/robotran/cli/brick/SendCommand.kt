@@ -22,8 +22,8 @@ import robotran.cli.files.ProgramFiles
 import robotran.cli.files.readFile
 import robotran.cli.files.readProgramFiles
 import robotran.cli.hub.HubProgramOfFile
+import robotran.cli.hub.hubOf
 import robotran.cli.hub.hubProgramOf
-import robotran.cli.hub.isHub
 import robotran.cli.hub.requireImages
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
@@ -52,7 +52,7 @@ internal class SendCommand(
         "FILE",
         help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
             "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: " +
-            "one .mpy, or one .robo with --brick",
+            "one .mpy, or one .robo that names it or with --brick",
     ).multiple(required = true)
     private val port by portOption()
     private val slot by option(
@@ -73,7 +73,7 @@ internal class SendCommand(
             "or to a hub with Pybricks, by USB."
 
     override fun run() {
-        val hub = brick?.takeIf { it.isHub }
+        val hub = hubOf(files, brick, spoken.language)
         if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub(hub).status)
         brick?.let(::requireImages)
         val programs = when (val read = readProgramFiles(files, console.messages)) {

@@ -20,8 +20,8 @@ import robotran.cli.files.isNamed
 import robotran.cli.files.mayWrite
 import robotran.cli.files.writeFile
 import robotran.cli.hub.HubProgramOfFile
+import robotran.cli.hub.hubOf
 import robotran.cli.hub.hubProgramOf
-import robotran.cli.hub.isHub
 import robotran.cli.hub.requireImages
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
@@ -70,7 +70,7 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         if (!mayWrite(files, listOf(output), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        brick?.takeIf { it.isHub }?.let { throw ProgramResult(build(it).status) }
+        hubOf(files, brick, spoken.language)?.let { throw ProgramResult(build(it).status) }
         brick?.let(::requireImages)
         throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
     }

@@ -22,6 +22,7 @@ import robotran.cli.files.mayWrite
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
 import robotran.cli.hub.PythonOfFile
+import robotran.cli.hub.hubOf
 import robotran.cli.hub.isHub
 import robotran.cli.hub.pythonOf
 import robotran.cli.input.RobolangFile
@@ -75,7 +76,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         help =
             "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, " +
                 "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks " +
-                "(if --brick is one)",
+                "(if --brick or the program names one)",
     ).convert { text ->
         TargetLanguage.of(text)
             ?: fail("$text is none of ${TargetLanguage.entries.joinToString { it.word }}")
@@ -83,7 +84,6 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
     private val brick by brickOption()
-    private val hub get() = brick?.takeIf { it.isHub }
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
@@ -95,7 +95,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        val javaKit = kit.takeIf { output == null && hub == null && programs.all { isNamed(it, JAVA) } }
+        val javaKit = kit.takeIf { output == null && brick?.isHub != true && programs.all { isNamed(it, JAVA) } }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
@@ -103,8 +103,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (kit != null && targetOf(programs.single()) != TargetLanguage.JAVA) {
             throw UsageError("--kit goes with Java only")
         }
-        if ((hub != null) != (targetOf(programs.first()) == TargetLanguage.PYTHON)) {
-            throw UsageError("--to python goes with a hub, such as --brick spike-prime")
+        if (programs.any { (hubOf(it) != null) != (targetOf(it) == TargetLanguage.PYTHON) }) {
+            throw UsageError("--to python and a hub, such as --brick spike-prime, go together")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
     }
@@ -140,8 +140,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
+    private fun hubOf(program: String): BrickKind? = hubOf(listOf(program), brick, spoken.language)
+
     private fun targetOf(program: String): TargetLanguage = language ?: when {
-        hub != null -> TargetLanguage.PYTHON
+        hubOf(program) != null -> TargetLanguage.PYTHON
         FIRMWARE_ENDINGS.any { isNamed(program, it) } -> TargetLanguage.LASM
         else -> TargetLanguage.JAVA
     }
@@ -150,7 +152,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         TargetLanguage.JAVA -> translateToJava(program)
         TargetLanguage.NQC -> translateToNqc(program)
         TargetLanguage.LASM -> translateToLasm(program)
-        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(hub))
+        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(hubOf(program)))
     }
 
     private fun translateToPython(program: String, hub: BrickKind): ExitCode =

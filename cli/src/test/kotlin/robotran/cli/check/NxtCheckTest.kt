@@ -77,7 +77,7 @@ class NxtCheckTest : CommandTest() {
         val forNxt = nxjProgram("Fine", "Motor.A.rotate(90);")
         assertEquals(1, commandLine.execute(listOf("build", forNxt)))
         assertEquals(
-            "$forNxt:1:8: This program is for an NXT. Only programs for an RCX can be built for a real brick.",
+            "$forNxt:1:8: This program is for an NXT. Only programs for an RCX become an image.",
             console.complaints.single(),
         )
     }

@@ -38,7 +38,22 @@ class HubProgramTest : CommandTest() {
         assertEquals(2, run("translate", square, "--to", "python", "--brick", "nxt"))
         assertEquals(2, run("translate", square, "--brick", "spike-prime", "--kit", "$folder/kit.zip"))
         assertContains(console.complaints.removeLast(), "--kit goes with Java only")
-        console.complaints.forEach { assertContains(it, "--to python goes with a hub, such as --brick spike-prime") }
+        console.complaints.forEach {
+            assertContains(it, "--to python and a hub, such as --brick spike-prime, go together")
+        }
+    }
+
+    @Test
+    fun `the hub that a program names needs no option`() {
+        val spike = program("robot\n  brick spike\nend\nforward 10")
+        assertEquals(0, run("translate", spike), console.complaints.joinToString())
+        assertContains(console.said.single(), "robot.straight(100)")
+        assertEquals(0, run("translate", spike, "--to", "python"))
+        val file = folder.resolve("mine.mpy")
+        assertEquals(0, run("build", spike, "-o", "$file"), console.complaints.joinToString())
+        assertNotNull(HubProgram.read(file.readBytes()))
+        assertEquals(2, run("translate", spike, "--to", "java"))
+        assertEquals(2, run("translate", spike, square, "--to", "nqc"))
     }
 
     @Test

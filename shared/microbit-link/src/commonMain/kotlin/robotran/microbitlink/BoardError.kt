@@ -27,7 +27,7 @@ sealed interface BoardError {
     data object BadConnection : BoardError
 
     /** The board refuses what it gets. [number] is what it says. */
-    data class Refused(val number: Int, val kind: RefusalKind) : BoardError
+    data class Refused(val number: Int, val kind: FlashErrorKind) : BoardError
 
     /** Python does not answer: there is none on the board, or its program cannot be interrupted. */
     data object NoPython : BoardError

@@ -10,29 +10,30 @@ enum class DaplinkNumbers(internal val ends: Set<Int>) {
     ;
 
     /** What [number] means, which is neither 0 nor the end of the file. */
-    fun kindOf(number: Int): RefusalKind = COMMON[number] ?: if (this == NEWER) newerKind(number) else olderKind(number)
+    fun kindOf(number: Int): FlashErrorKind =
+        COMMON[number] ?: if (this == NEWER) newerKind(number) else olderKind(number)
 
-    private fun olderKind(number: Int): RefusalKind = when (number) {
-        in 7..10 -> RefusalKind.RESET
-        11, 12 -> RefusalKind.LOCKED
-        in 13..15 -> RefusalKind.WRITING
-        18 -> RefusalKind.CHECKSUM
-        in 19..22 -> RefusalKind.NOT_FOR_THIS_BOARD
-        25 -> RefusalKind.UNKNOWN_FILE
-        23, 24, in 26..33 -> RefusalKind.UPDATE
-        else -> RefusalKind.UNKNOWN
+    private fun olderKind(number: Int): FlashErrorKind = when (number) {
+        in 7..10 -> FlashErrorKind.RESET
+        11, 12 -> FlashErrorKind.LOCKED
+        in 13..15 -> FlashErrorKind.WRITING
+        18 -> FlashErrorKind.CHECKSUM
+        in 19..22 -> FlashErrorKind.NOT_FOR_THIS_BOARD
+        25 -> FlashErrorKind.UNKNOWN_FILE
+        23, 24, in 26..33 -> FlashErrorKind.UPDATE
+        else -> FlashErrorKind.UNKNOWN
     }
 
-    private fun newerKind(number: Int): RefusalKind = when (number) {
-        in 7..12 -> RefusalKind.RESET
-        13, 14 -> RefusalKind.LOCKED
-        in 15..18 -> RefusalKind.WRITING
-        21 -> RefusalKind.CHECKSUM
-        in 22..25 -> RefusalKind.NOT_FOR_THIS_BOARD
-        28 -> RefusalKind.UNKNOWN_FILE
-        29 -> RefusalKind.OTHER_BOARD
-        26, 27, in 30..37 -> RefusalKind.UPDATE
-        else -> RefusalKind.UNKNOWN
+    private fun newerKind(number: Int): FlashErrorKind = when (number) {
+        in 7..12 -> FlashErrorKind.RESET
+        13, 14 -> FlashErrorKind.LOCKED
+        in 15..18 -> FlashErrorKind.WRITING
+        21 -> FlashErrorKind.CHECKSUM
+        in 22..25 -> FlashErrorKind.NOT_FOR_THIS_BOARD
+        28 -> FlashErrorKind.UNKNOWN_FILE
+        29 -> FlashErrorKind.OTHER_BOARD
+        26, 27, in 30..37 -> FlashErrorKind.UPDATE
+        else -> FlashErrorKind.UNKNOWN
     }
 
     companion object {
@@ -47,12 +48,12 @@ enum class DaplinkNumbers(internal val ends: Set<Int>) {
         }
 
         private val COMMON = mapOf(
-            1 to RefusalKind.INTERNAL,
-            2 to RefusalKind.INTERNAL,
-            3 to RefusalKind.TRANSFER,
-            4 to RefusalKind.TIMED_OUT,
-            5 to RefusalKind.SIZE,
-            6 to RefusalKind.OUT_OF_ORDER,
+            1 to FlashErrorKind.INTERNAL,
+            2 to FlashErrorKind.INTERNAL,
+            3 to FlashErrorKind.TRANSFER,
+            4 to FlashErrorKind.TIMED_OUT,
+            5 to FlashErrorKind.SIZE,
+            6 to FlashErrorKind.OUT_OF_ORDER,
         )
     }
 }

@@ -118,7 +118,7 @@ class NxtProgramsTest {
         for (source in listOf(squareNxj, forNxt)) {
             val diagnostic = assertIs<ImageBuildResult.Failure>(rcx.buildImage(listOf(squareRcx, source))).diagnostics
             assertEquals(
-                "This program is for an NXT. Only programs for an RCX can be built for a real brick.",
+                "This program is for an NXT. Only programs for an RCX become an image.",
                 diagnostic.single().message,
             )
         }

@@ -7,8 +7,9 @@ import kotlin.test.assertTrue
 
 class BrickButtonTest {
     @Test
-    fun `a brick has each of its buttons once`() {
+    fun `a brick has each of its buttons once, and each button is on a brick`() {
         for (kind in BrickKind.entries) assertEquals(kind.buttons.distinct(), kind.buttons)
+        assertEquals(BrickButton.entries.toList(), BrickKind.allButtons)
         assertEquals(listOf("On-Off", "View", "Prgm", "Run"), BrickKind.RCX.buttons.map { it.label })
     }
 

@@ -15,9 +15,7 @@ internal suspend fun meetHub(connection: HubConnection, line: HubLine): HubResul
     val firmware = connection.version(HubValue.FIRMWARE)
     val profile = connection.version(HubValue.PROFILE)
     if (line.state.value.isGone) return failed(HubError.OutOfReach)
-    if (profile ==
-        null
-    ) {
+    if (profile == null) {
         return failed(if (connection.isSureOfPybricks) HubError.TooOld(firmware) else HubError.LegoFirmware)
     }
     if (profile < Profile.OLDEST) return failed(HubError.TooOld(firmware))

@@ -15,13 +15,8 @@ internal class Trajectory private constructor(
     private val last: Phase?,
 ) {
     /** How long it takes; endless without a target. */
-    val seconds: Double get() = if (last ==
-        null
-    ) {
-        Double.POSITIVE_INFINITY
-    } else {
-        first.seconds + middle.seconds + last.seconds
-    }
+    val seconds: Double
+        get() = last?.let { first.seconds + middle.seconds + it.seconds } ?: Double.POSITIVE_INFINITY
 
     fun position(time: Double): Double = start + sign * at(time) { phase, passed -> phase.distance(passed) }
 

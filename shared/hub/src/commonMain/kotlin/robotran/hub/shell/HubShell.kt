@@ -142,18 +142,9 @@ internal class HubShell(
     private fun showMenu() {
         if (hardware.model.hasMatrix) hardware.display.showCharacter("${selectedSlot + 1}")
         if (!hardware.model.hasScreen) return
-        hardware.display.showRows(
-            programs.mapIndexed { slot, program ->
-                (
-                    if (slot ==
-                        selectedSlot
-                    ) {
-                        "> "
-                    } else {
-                        "  "
-                    }
-                ) + (program?.name ?: "-")
-            },
-        )
+        val rows = programs.mapIndexed { slot, program ->
+            (if (slot == selectedSlot) "> " else "  ") + (program?.name ?: "-")
+        }
+        hardware.display.showRows(rows)
     }
 }

@@ -2,8 +2,8 @@ package robotran.microbitlink.sentences
 
 import robotran.language.Language
 import robotran.microbitlink.BoardError
+import robotran.microbitlink.FlashErrorKind
 import robotran.microbitlink.ImageError
-import robotran.microbitlink.RefusalKind
 import robotran.microbitlink.Remains
 import robotran.microbitlink.messages.MicrobitTexts
 
@@ -38,7 +38,7 @@ fun BoardError.sentence(language: Language): String = when (this) {
 }
 
 /** What an error number means, and what to do about it: for one that somebody has read off the board. */
-fun RefusalKind.sentence(language: Language): String = MicrobitTexts.refusal(language, this)
+fun FlashErrorKind.sentence(language: Language): String = MicrobitTexts.refusal(language, this)
 
 /** What the board has now. */
 fun Remains.sentence(language: Language): String = MicrobitTexts.remains(language, this)

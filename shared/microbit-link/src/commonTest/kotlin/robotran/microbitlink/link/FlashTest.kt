@@ -5,9 +5,9 @@ import kotlinx.coroutines.launch
 import kotlinx.coroutines.test.runTest
 import robotran.microbitlink.BoardError
 import robotran.microbitlink.BoardResult
+import robotran.microbitlink.FlashErrorKind
 import robotran.microbitlink.ImageError
 import robotran.microbitlink.MicrobitBoard
-import robotran.microbitlink.RefusalKind
 import robotran.microbitlink.Remains
 import robotran.microbitlink.SendProgress
 import robotran.microbitlink.SendResult
@@ -103,11 +103,11 @@ class FlashTest {
     fun `what a board refuses for good is told with its number`() = runTest {
         val lasting = TestBoard(this, faults = CableFaults(refusal = Refusal(number = 29, at = 1)))
         lasting.open()
-        val other = SendResult.Failure(BoardError.Refused(29, RefusalKind.OTHER_BOARD), Remains.PART)
+        val other = SendResult.Failure(BoardError.Refused(29, FlashErrorKind.OTHER_BOARD), Remains.PART)
         assertEquals(other, lasting.link.flash(madeUpForBoth, program))
         val always = TestBoard(this, faults = CableFaults(refusal = Refusal(number = 17, at = 1, times = 1_000)))
         always.open()
-        val writing = SendResult.Failure(BoardError.Refused(17, RefusalKind.WRITING), Remains.PART)
+        val writing = SendResult.Failure(BoardError.Refused(17, FlashErrorKind.WRITING), Remains.PART)
         assertEquals(writing, always.link.flash(madeUpForBoth, program))
     }
 

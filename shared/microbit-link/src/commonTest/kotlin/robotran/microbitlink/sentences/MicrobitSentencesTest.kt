@@ -2,9 +2,9 @@ package robotran.microbitlink.sentences
 
 import robotran.language.Language
 import robotran.microbitlink.BoardError
+import robotran.microbitlink.FlashErrorKind
 import robotran.microbitlink.ImageError
 import robotran.microbitlink.MicrobitBoard
-import robotran.microbitlink.RefusalKind
 import robotran.microbitlink.Remains
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -35,7 +35,7 @@ class MicrobitSentencesTest {
         BoardError.NotAMicrobit,
         BoardError.BrokenOff,
         BoardError.BadConnection,
-        BoardError.Refused(21, RefusalKind.CHECKSUM),
+        BoardError.Refused(21, FlashErrorKind.CHECKSUM),
         BoardError.NoPython,
         BoardError.NoRoom,
         BoardError.NotAsSent,
@@ -47,7 +47,7 @@ class MicrobitSentencesTest {
             val sentences = imageErrors.map { it.sentence(language) } + boardErrors.map { it.sentence(language) } +
                 Remains.entries.map { it.sentence(language) }
             assertEquals(sentences.size, sentences.toSet().size, "$language")
-            val refusals = RefusalKind.entries.map { it.sentence(language) }
+            val refusals = FlashErrorKind.entries.map { it.sentence(language) }
             assertTrue((sentences + refusals).all { it.isNotBlank() && '{' !in it && "null" !in it }, "$language")
             assertTrue(refusals.toSet().size >= 10, "$language: $refusals")
         }
@@ -57,7 +57,7 @@ class MicrobitSentencesTest {
     fun `sizes numbers and boards are told`() {
         val large = BoardError.BadFile(ImageError.TooLarge(30_000, 28_214)).sentence(Language.ENGLISH)
         assertEquals("The program is too large: it has 30,000 bytes, and the micro:bit has room for 28,214.", large)
-        assertTrue("21" in BoardError.Refused(21, RefusalKind.CHECKSUM).sentence(Language.GERMAN))
+        assertTrue("21" in BoardError.Refused(21, FlashErrorKind.CHECKSUM).sentence(Language.GERMAN))
         assertTrue("V2" in ImageError.OtherBoard(MicrobitBoard.V2).sentence(Language.SPANISH))
     }
 }

@@ -1,7 +1,7 @@
 package robotran.microbitlink
 
 /** What a number means with which a board refuses a file: after sending, in FAIL.TXT, or on its display. */
-enum class RefusalKind {
+enum class FlashErrorKind {
     INTERNAL,
     TRANSFER,
     TIMED_OUT,
@@ -33,7 +33,7 @@ enum class RefusalKind {
 
     companion object {
         /** The meaning of the number on a V2's display: 500 and more. */
-        fun ofDisplay(number: Int): RefusalKind =
+        fun ofDisplay(number: Int): FlashErrorKind =
             if (number > DISPLAYED) DaplinkNumbers.NEWER.kindOf(number - DISPLAYED) else UNKNOWN
 
         private const val DISPLAYED = 500

@@ -1,0 +1,20 @@
+package robotran.cli.hub
+
+import robotran.brick.kind.BrickKind
+import robotran.cli.files.ROBOLANG
+import robotran.cli.files.TextFile
+import robotran.cli.files.isNamed
+import robotran.cli.input.readRobolangText
+import robotran.language.Language
+import robotran.robolang.brickOfRobolang
+
+/**
+ * The hub with Pybricks that the only one of [programs] is for: [brick] or, if that is not given, the one that its header
+ * names; null if it is for no hub.
+ */
+internal fun hubOf(programs: List<String>, brick: BrickKind?, language: Language): BrickKind? {
+    if (brick != null) return brick.takeIf { it.isHub }
+    val name = programs.distinct().singleOrNull()?.takeIf { isNamed(it, ROBOLANG) } ?: return null
+    val text = (readRobolangText(name, language) as? TextFile.Success)?.text ?: return null
+    return brickOfRobolang(text)?.takeIf { it.isHub }
+}
