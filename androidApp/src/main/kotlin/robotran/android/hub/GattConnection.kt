@@ -11,6 +11,7 @@ import android.content.Context
 import android.os.Handler
 import android.os.Looper
 import kotlinx.coroutines.CompletableDeferred
+import kotlinx.coroutines.channels.BufferOverflow
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.withTimeoutOrNull
 import robotran.hublink.HubError
@@ -33,7 +34,7 @@ internal class GattConnection : BluetoothGattCallback() {
         private set
 
     /** What the hub tells, in order. Closed once it is gone. */
-    val events = Channel<ByteArray>(Channel.UNLIMITED)
+    val events = Channel<ByteArray>(MOST_EVENTS, BufferOverflow.DROP_OLDEST)
 
     /** The characteristic [id] of [service]; null if the hub has none. */
     fun characteristic(service: String, id: String): BluetoothGattCharacteristic? =
@@ -133,6 +134,9 @@ internal class GattConnection : BluetoothGattCallback() {
     }
 
     companion object {
+        /** Of a hub that prints without end while nobody reads, the oldest are lost. */
+        private const val MOST_EVENTS = 4_096
+
         private const val CONFIGURATION = "00002902-0000-1000-8000-00805f9b34fb"
 
         /** What Android takes at most; the hub and it agree on what both can do. */
