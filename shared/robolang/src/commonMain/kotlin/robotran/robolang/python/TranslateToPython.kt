@@ -2,6 +2,7 @@ package robotran.robolang.python
 
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.PythonTranslationMessages
+import robotran.robolang.python.pybricks.PybricksTarget
 import robotran.robolang.robot.RobotTarget
 
 /**
@@ -15,11 +16,17 @@ fun translateToPython(
     program: RobolangProgram,
     robot: RobotTarget.Hub,
     messages: PythonTranslationMessages,
+): PythonTranslation = translateToPython(program, messages) { PybricksTarget(robot, it) }
+
+private fun translateToPython(
+    program: RobolangProgram,
+    messages: PythonTranslationMessages,
+    targetOf: (PythonContext) -> PythonTarget,
 ): PythonTranslation {
     // Written once to know the names that the translation itself uses, which the pupil's then must not have.
-    val taken = PythonFile(program, robot, PythonNotes(messages), emptySet()).apply { write() }.names
+    val taken = PythonFile(program, targetOf, PythonNotes(messages), emptySet()).apply { write() }.names
     val notes = PythonNotes(messages)
-    val writer = PythonFile(program, robot, notes, taken).write()
+    val writer = PythonFile(program, targetOf, notes, taken).write()
     return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, notes.inOrder())
 }
 
