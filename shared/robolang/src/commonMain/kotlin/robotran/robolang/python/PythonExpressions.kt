@@ -40,6 +40,18 @@ internal class PythonExpressions(
     /** [expression], with brackets unless it binds at least as tightly as [strength]. */
     fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
 
+    /** The same inside another sum, difference or product of whole numbers, which is checked as a whole. */
+    private fun part(expression: Expression, strength: Int, isPart: Boolean): String {
+        val bare = bare(expression)
+        if (!isPart || bare !is Expression.Binary || !isSum(bare)) return text(expression, strength)
+        val inner = joined(bare, bare.operator.text, bare.operator.strength)
+        return if (expression is Expression.Brackets) "(${inner.text})" else inner.atLeast(strength)
+    }
+
+    /** Whether [expression] is a sum, a difference or a product of whole numbers. */
+    private fun isSum(expression: Expression.Binary): Boolean =
+        expression.operator in SUMS && program.typeOf(expression) == ValueType.WHOLE
+
     /** [expression] for a place of the type [wanted]: a whole number becomes a decimal one. */
     fun text(expression: Expression, wanted: ValueType): String {
         val isWhole = typeOf(expression) == ValueType.WHOLE
@@ -173,14 +185,15 @@ internal class PythonExpressions(
 
         else -> {
             val text = joined(expression, expression.operator.text, expression.operator.strength)
-            if (program.typeOf(expression) == ValueType.WHOLE) arithmetic.whole(text, expression) else text
+            if (isSum(expression)) arithmetic.whole(text, expression) else text
         }
     }
 
     /** Both sides of [expression] with [operator] between. */
     fun joined(expression: Expression.Binary, operator: String, strength: Int): PythonText {
-        val left = text(expression.left, strength)
-        return PythonText("$left $operator ${text(expression.right, strength + 1)}", strength)
+        val isSum = isSum(expression)
+        val left = part(expression.left, strength, isSum)
+        return PythonText("$left $operator ${part(expression.right, strength + 1, isSum)}", strength)
     }
 
     /** Both sides bind tighter than a comparison, so that no chain comes about. */
@@ -206,5 +219,9 @@ internal class PythonExpressions(
     private fun inBrackets(expression: Expression.Brackets): PythonText {
         val inner = written(bare(expression))
         return if (inner.strength >= PythonStrength.AWAIT) inner else primary("(${inner.text})")
+    }
+
+    private companion object {
+        val SUMS = setOf(BinaryOperator.PLUS, BinaryOperator.MINUS, BinaryOperator.TIMES)
     }
 }
