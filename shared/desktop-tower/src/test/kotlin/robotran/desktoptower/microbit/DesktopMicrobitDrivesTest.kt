@@ -66,8 +66,8 @@ class DesktopMicrobitDrivesTest {
         val drive = drives.available().single()
         assertEquals(DriveResult.Copied, drives.copy(HEX, drive))
         val patient = DesktopMicrobitDrives({ listOf(root) }, patience = 10.seconds)
+        file.toFile().delete()
         val board = launch(Dispatchers.IO) {
-            file.toFile().delete()
             while (!file.exists()) delay(10.milliseconds)
             root.deleteRecursively()
             delay(300.milliseconds)
