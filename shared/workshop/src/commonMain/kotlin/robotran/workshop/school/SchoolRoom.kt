@@ -86,7 +86,7 @@ internal class SchoolRoom<Projects>(
 
     private fun requestSending() = when (services.current.shownRobot.description.brick.programWay) {
         ProgramWay.HUB -> hubSend.handle(HubSendEvent.Requested)
-        ProgramWay.TOWER, ProgramWay.NONE -> send.handle(SendEvent.Requested)
+        ProgramWay.TOWER, ProgramWay.MICROBIT, ProgramWay.NONE -> send.handle(SendEvent.Requested)
     }
 
     /** Waits until everything is stored. */
