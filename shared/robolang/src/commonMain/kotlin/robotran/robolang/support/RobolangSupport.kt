@@ -2,6 +2,7 @@ package robotran.robolang.support
 
 import robotran.brick.kind.BrickKind
 import robotran.hub.model.HubModel
+import robotran.microbit.model.MicrobitModel
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.ShownLanguage
@@ -47,7 +48,9 @@ object RobolangSupport : LanguageSupport {
     override fun translations(brick: BrickKind): List<ShownLanguage> = listOfNotNull(
         ShownLanguage.JAVA.takeIf { brick.java != null },
         ShownLanguage.NQC.takeIf { brick.hasLegoFirmware },
-    ).ifEmpty { listOfNotNull(ShownLanguage.PYTHON.takeIf { HubModel.of(brick) != null }) }
+    ).ifEmpty { listOfNotNull(ShownLanguage.PYTHON.takeIf { runsPython(brick) }) }
+
+    private fun runsPython(brick: BrickKind) = HubModel.of(brick) != null || MicrobitModel.of(brick) != null
 }
 
 private object RobolangFiles : ProgramFiles(ProgramLanguage.ROBOLANG) {
