@@ -22,6 +22,7 @@ import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.send.HubProgramBuilder
 import robotran.workshop.send.HubSendStateHolder
+import robotran.workshop.send.MicrobitProgramBuilder
 import robotran.workshop.send.MicrobitSendStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
@@ -86,7 +87,16 @@ internal class SchoolRoom<Projects>(
 
     private fun requestSending() = when (services.current.shownRobot.description.brick.programWay) {
         ProgramWay.HUB -> hubSend.handle(HubSendEvent.Requested)
-        ProgramWay.TOWER, ProgramWay.MICROBIT, ProgramWay.NONE -> send.handle(SendEvent.Requested)
+        ProgramWay.MICROBIT -> requestMicrobit()
+        ProgramWay.TOWER, ProgramWay.NONE -> send.handle(SendEvent.Requested)
+    }
+
+    private fun requestMicrobit() {
+        val holder = microbit ?: with(services) {
+            MicrobitSendStateHolder(platform, scope, current, tabs, MicrobitProgramBuilder(this))
+        }
+        microbit = holder
+        holder.handle(MicrobitSendEvent.Requested)
     }
 
     /** Waits until everything is stored. */

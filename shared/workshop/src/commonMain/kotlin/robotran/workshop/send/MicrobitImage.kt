@@ -2,7 +2,6 @@ package robotran.workshop.send
 
 import robotran.microbitlink.ImageError
 import robotran.microbitlink.ImageResult
-import robotran.microbitlink.MicrobitBoard
 import robotran.microbitlink.files.MAIN_FILE
 import robotran.microbitlink.image.MicroPythonFile
 import robotran.workshop.state.ProgramSize
@@ -18,11 +17,4 @@ internal fun mistakeOf(file: MicroPythonFile, built: MicrobitTranslation.Success
 
 /** How much of a board [built] fills, with MicroPython of [file] if there is one. */
 internal fun sizeOf(file: MicroPythonFile?, built: MicrobitTranslation.Success): ProgramSize =
-    ProgramSize(built.bytes.size, file?.smallestImage?.room?.largestMain ?: built.board.usualRoom)
-
-/** The room for a program with the MicroPython that is usual, in bytes; see `docs/microbit-link.md`. */
-private val MicrobitBoard.usualRoom
-    get() = when (this) {
-        MicrobitBoard.V1 -> 28_214
-        MicrobitBoard.V2 -> 20_150
-    }
+    ProgramSize(built.bytes.size, file?.smallestImage?.room?.largestMain ?: built.maxBytes)

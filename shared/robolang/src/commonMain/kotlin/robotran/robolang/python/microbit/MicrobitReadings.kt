@@ -4,6 +4,7 @@ import robotran.language.source.SourceRange
 import robotran.microbit.buggy.AnalogLine
 import robotran.microbit.buggy.I2cLine
 import robotran.microbit.buggy.LineSensor
+import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.buggy.PinLine
 import robotran.microbit.model.MicrobitButton
 import robotran.robolang.python.PythonContext
@@ -11,7 +12,6 @@ import robotran.robolang.python.PythonStrength
 import robotran.robolang.python.PythonText
 import robotran.robolang.python.primary
 import robotran.robolang.robot.MicrobitFigures
-import robotran.robolang.robot.MicrobitSensor
 import robotran.robolang.robot.MicrobitUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
