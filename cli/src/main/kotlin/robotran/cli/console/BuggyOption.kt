@@ -10,7 +10,7 @@ import robotran.brick.kind.BuggyKind
 internal fun ParameterHolder.buggyOption(): NullableOption<BuggyKind, BuggyKind> = option(
     "--buggy",
     metavar = BuggyKind.entries.joinToString("|") { it.word },
-    help = "with --brick microbit or microbit-v1: the buggy that the micro:bit is plugged into; if not given, a Cutebot",
+    help = "with --brick microbit or microbit-v1: the buggy that the board is plugged into; if not given, a Cutebot",
 ).convert { text ->
     BuggyKind.of(text.lowercase()) ?: fail("$text is none of ${BuggyKind.entries.joinToString { it.word }}")
 }

@@ -58,8 +58,7 @@ private fun robotWith(brick: BrickKind, buggy: BuggyKind): RobotTarget {
         .firstOrNull { (it as? RobotTarget.Microbit)?.buggy?.kind == buggy }
     if (ready != null) return ready
     val other = Buggy.of(buggy)
-    return (brick.penbotTarget as RobotTarget.Microbit)
-        .copy(buggy = other, sensors = RobotTarget.Microbit.sensorsOf(other))
+    return (brick.penbotTarget as RobotTarget.Microbit).copy(buggy = other, sensors = other.sensors)
 }
 
 private fun pythonOf(name: String, robot: RobotTarget, language: Language): PythonOfFile =

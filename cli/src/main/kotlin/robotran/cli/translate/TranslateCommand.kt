@@ -77,8 +77,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         metavar = TargetLanguage.entries.joinToString("|") { it.word },
         help =
             "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, " +
-                "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks or a micro:bit " +
-                "(if --brick or the program names one)",
+                "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks or a " +
+                "micro:bit (if --brick or the program names one)",
     ).convert { text ->
         TargetLanguage.of(text)
             ?: fail("$text is none of ${TargetLanguage.entries.joinToString { it.word }}")
@@ -98,7 +98,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        val javaKit = kit.takeIf { output == null && brick?.isHub != true && brick?.isBoard != true && programs.all { isNamed(it, JAVA) } }
+        val javaKit = kit.takeIf {
+            output == null && brick?.isHub != true && brick?.isBoard != true &&
+                programs.all { isNamed(it, JAVA) }
+        }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")

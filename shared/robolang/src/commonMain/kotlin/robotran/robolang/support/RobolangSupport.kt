@@ -2,7 +2,6 @@ package robotran.robolang.support
 
 import robotran.brick.kind.BrickKind
 import robotran.hub.model.HubModel
-import robotran.microbit.model.MicrobitModel
 import robotran.language.Language
 import robotran.language.ProgramLanguage
 import robotran.language.ShownLanguage
@@ -12,6 +11,7 @@ import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.ProgramFiles
 import robotran.languagesupport.ProgramMeasure
 import robotran.languagesupport.SourceFile
+import robotran.microbit.model.MicrobitModel
 import robotran.robolang.RobolangWords
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.edit.RobolangSyntax

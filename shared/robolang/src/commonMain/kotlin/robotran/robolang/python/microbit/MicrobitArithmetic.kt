@@ -39,8 +39,14 @@ internal class MicrobitArithmetic(private val context: PythonContext) : PythonAr
     override fun quotient(expression: Expression.Binary): PythonText = when {
         !isWhole(expression) -> decimalQuotient(expression)
         isPlain(expression) -> expressions.joined(expression, "//", PythonStrength.PRODUCT)
+        // The smallest number divided by -1 is itself.
+        isSmallest(expression.left) && ranges.of(expression.right).min <= -1 ->
+            call(MicrobitHelper.WRAP, withLine(MicrobitHelper.DIVIDE, expression).text)
+
         else -> withLine(MicrobitHelper.DIVIDE, expression)
     }
+
+    private fun isSmallest(value: Expression): Boolean = ranges.of(value).min == Span.WORD.min
 
     private fun decimalQuotient(expression: Expression.Binary): PythonText {
         val divisor = expression.right

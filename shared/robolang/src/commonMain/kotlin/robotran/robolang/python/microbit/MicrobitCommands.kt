@@ -92,12 +92,18 @@ internal class MicrobitCommands(
 
     private fun measured(helper: MicrobitHelper, way: Expression): List<String> {
         if (!numbers.isPositive(way)) state.goesBack = true
-        state.go()
+        go()
         return listOf("${uses.use(helper)}(${expressions.text(way)})")
     }
 
-    private fun forTime(left: Int, right: Int, time: Expression): List<String> {
+    /** A behaviour cuts a drive short. */
+    private fun go() {
         state.go()
+        if (context.isReacting) uses.use(MicrobitHelper.PAUSE)
+    }
+
+    private fun forTime(left: Int, right: Int, time: Expression): List<String> {
+        go()
         val milliseconds = numbers.milliseconds(time, TimeUnit.SECONDS, durations)
         return listOf("${uses.use(MicrobitHelper.GO)}($left, $right, $milliseconds)")
     }
@@ -144,10 +150,15 @@ internal class MicrobitCommands(
 
     private fun motorOfPen(command: Command.Motor): List<String> {
         if (!hasPen || command.port != robot.pen) return lost(command, messages.noMotorOfBuggy("${command.port}"))
-        val angle = when (command.command) {
+        val angle = when (val order = command.command) {
             MotorCommand.Forward -> state.penDown()
+
             MotorCommand.Backward -> state.penUp()
-            else -> return emptyList()
+
+            MotorCommand.Stop, MotorCommand.Float -> return emptyList()
+
+            // A servo has no power; a wrong one is a mistake all the same.
+            is MotorCommand.Power -> return listOf(numbers.power(order.power)).filter { '(' in it }
         }
         return listOf("${uses.use(MicrobitHelper.SERVO)}($angle)")
     }

@@ -63,8 +63,7 @@ internal enum class MicrobitHelper(
     override val names: List<String> get() = others + called
 
     /** Its Python, with placeholders; a [variant] of it if there is one. */
-    fun template(variant: String?): String =
-        variant?.let { SECTIONS["$name, $it"] } ?: SECTIONS.getValue(name)
+    fun template(variant: String?): String = variant?.let { SECTIONS["$name, $it"] } ?: SECTIONS.getValue(name)
 
     private companion object {
         val SECTIONS: Map<String, String> by lazy { sectionsOf(templates.getValue("microbit/helpers.py")) }

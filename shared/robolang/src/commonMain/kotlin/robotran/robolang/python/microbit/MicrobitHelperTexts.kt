@@ -25,14 +25,12 @@ internal class MicrobitHelperTexts(
     private val usesButtonA = allExpressions(context.tree)
         .any { (it as? Expression.Sense)?.sense?.let(MicrobitUses::buttonOf) == MicrobitButton.A }
 
-    private val hasPen = robot.pen != null
-
-    /** Marks what the functions of each program use. */
-    fun useForStart() {
+    /** Marks what the functions that are used import. */
+    fun useImports() {
         start()
         frames()
-        if (hasPen) robot.buggy.pen?.let(wheels::linesOf)
-        robot.buggy.sonar?.let { if (MicrobitHelper.DISTANCE in uses) sonarPins() }
+        if (MicrobitHelper.SERVO in uses) robot.buggy.pen?.let(wheels::linesOf)
+        if (MicrobitHelper.DISTANCE in uses) sonarPins()
     }
 
     /** The lines that make the buggy ready. */

@@ -60,8 +60,7 @@ internal class MicrobitReactions(
         val rest = parts.statements
         val first = tree.leadingDeclarations.count { it in rest }
 
-        fun write(part: List<Statement>) =
-            statements.writeHere(part) { main.takeComments(parts.commentsOf(it.range)) }
+        fun write(part: List<Statement>) = statements.writeHere(part) { main.takeComments(parts.commentsOf(it.range)) }
         write(rest.take(first))
         if (watched.isCalledEarly) main.line("acting = 0")
         main.line("${context.uses.use(MicrobitHelper.LOOK)}()")

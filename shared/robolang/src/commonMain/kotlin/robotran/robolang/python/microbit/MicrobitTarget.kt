@@ -106,7 +106,6 @@ internal class MicrobitTarget(private val robot: RobotTarget.Microbit, private v
 
     override fun writeMain(parts: PythonParts, functions: PythonWriter, main: PythonWriter) {
         val start = uses.use(MicrobitHelper.START)
-        helpers.useForStart()
         val reactions = if (context.isReacting) MicrobitReactions(context, parts, watched) else null
         reactions?.writeBehaviours(functions)
         reactions?.writeList(main)
@@ -122,6 +121,8 @@ internal class MicrobitTarget(private val robot: RobotTarget.Microbit, private v
         main.open("finally")
         main.line("${uses.use(MicrobitHelper.STOP)}()")
         main.close()
+        helpers.useImports()
+        readings.functions()
     }
 
     private companion object {

@@ -10,7 +10,6 @@ import robotran.robolang.robot.wheelSpeed
 import robotran.robolang.template.fillIn
 import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
-import robotran.robolang.translate.WHENEVER
 
 /**
  * A function of a translation for a hub; `src/brick/python` has its Python.

@@ -119,7 +119,13 @@ internal class PybricksSenses(
             }
 
             HubDeviceKind.COLOR_SENSOR, HubDeviceKind.LIGHT_SENSOR -> {
-                if (context.expressions.typeOf(expression) == ValueType.COLOUR) colour(port, range) else light(port, range)
+                if (context.expressions.typeOf(expression) ==
+                    ValueType.COLOUR
+                ) {
+                    colour(port, range)
+                } else {
+                    light(port, range)
+                }
             }
 
             HubDeviceKind.ULTRASONIC_SENSOR -> distance(port, range)

@@ -30,8 +30,9 @@ internal fun compareOnBoard(
     python: String,
     log: List<String>,
 ): BoardComparison {
-    val first = BoardRun.ofLog(log, program.robot.buggy)
-    val second = boardRunOf(program)
+    val isBusy = PAUSE.containsMatchIn(python)
+    val second = boardRunOf(program, STEPS_OF_BOARD.takeIf { isBusy })
+    val first = BoardRun.ofLog(log, program.robot.buggy).upTo(second.until)
     val exact = sameCalls(first.calls, second.calls)
     val isSame = isAll(exact, first, second)
     return when {
@@ -39,35 +40,56 @@ internal fun compareOnBoard(
         first.isError && second.isError && first.errorLine == second.errorLine && isSame ->
             BoardComparison(name, "fail as in Robolang, in the same line", exact)
 
+        second.isError && DEEP in first.end -> BoardComparison(name, "call too deep, as in Robolang", exact)
+
         first.isError || second.isError ->
-            BoardComparison(name, "fail", exact, "${first.end} ${first.errorLine}, not ${second.end} ${second.errorLine}", true)
+            BoardComparison(
+                name,
+                "fail",
+                exact,
+                "${first.end} ${first.errorLine}, not ${second.end} ${second.errorLine}",
+                true,
+            )
 
         isSame -> BoardComparison(name, "make the same calls at the same times", exact)
-        PAUSE.containsMatchIn(python) -> ofBusyLoop(name, first, second)
+        isBusy -> ofBusyLoop(name, first, second)
         else -> BoardComparison(name, "differ", exact, difference(first, second, exact), isWrong = true)
     }
 }
 
 /** A loop that never waits does as many rounds as the board can: what it says again and again counts once. */
 private fun ofBusyLoop(name: String, first: BoardRun, second: BoardRun): BoardComparison {
-    val one = BoardRun(first.calls.withoutRepetition(), first.end)
-    val other = BoardRun(second.calls.withoutRepetition(), second.end)
-    val same = sameCalls(one.calls, other.calls)
+    val one = BoardRun(first.calls.withoutRepetition(), first.end, until = first.until)
+    val other = BoardRun(second.calls.withoutRepetition(), second.end, until = second.until)
+    val same = sameCalls(one.calls, other.calls, TOLERANCE_OF_LOOPS)
     if (isAll(same, one, other)) return BoardComparison(name, "make the same calls in loops that never wait", same)
-    return BoardComparison(name, "differ in a loop that never waits", same, difference(one, other, same), isWrong = true)
+    return BoardComparison(
+        name,
+        "differ in a loop that never waits",
+        same,
+        difference(one, other, same),
+        isWrong = true,
+    )
 }
 
 private fun isAll(same: Int, first: BoardRun, second: BoardRun): Boolean {
-    val sizes = listOf(first.calls.size, second.calls.size)
-    // A program whose time is up may have just begun another call.
-    return same == sizes.max() || (!first.isOver && !second.isOver && same >= sizes.max() - 2)
+    if (second.until == Long.MAX_VALUE) return same == maxOf(first.calls.size, second.calls.size)
+    // In the last moments one may have begun another call.
+    val last = second.until - TOLERANCE_OF_LOOPS
+    return same >= maxOf(first.calls.count { it.time < last }, second.calls.count { it.time < last })
 }
 
-private fun sameCalls(first: List<TimedCall>, second: List<TimedCall>): Int =
-    first.zip(second).takeWhile { (one, other) -> areAlike(one, other) }.size
+/** What is done before this time, with what may be one or two milliseconds off. */
+private fun BoardRun.upTo(time: Long): BoardRun = if (time == Long.MAX_VALUE) {
+    this
+} else {
+    BoardRun(calls.filter { it.time <= time }, end, errorLine, until)
+}
 
-private fun areAlike(first: TimedCall, second: TimedCall): Boolean =
-    abs(first.time - second.time) <= TOLERANCE && areAlike(first.call, second.call)
+private fun sameCalls(first: List<TimedCall>, second: List<TimedCall>, tolerance: Int = TOLERANCE): Int =
+    first.zip(second).takeWhile { (one, other) ->
+        abs(one.time - other.time) <= tolerance && areAlike(one.call, other.call)
+    }.size
 
 /** Numbers that are shown may differ in their last digits, as decimal numbers of a board do. */
 private fun areAlike(first: String, second: String): Boolean {
@@ -77,7 +99,8 @@ private fun areAlike(first: String, second: String): Boolean {
     if (shown[1] != wanted[1]) return false
     val number = numberOf(shown[2]) ?: return false
     val other = numberOf(wanted[2]) ?: return false
-    return number == other || (number.isNaN() && other.isNaN()) || abs(number - other) <= maxOf(ALMOST, abs(other) * ALMOST)
+    return number == other || (number.isNaN() && other.isNaN()) ||
+        abs(number - other) <= maxOf(ALMOST, abs(other) * ALMOST)
 }
 
 private fun numberOf(text: String): Double? = when (text.lowercase()) {
@@ -111,5 +134,12 @@ private val SHOWN = Regex("(print|display scroll|display show) (.*)")
 private val PAUSE = Regex("""(?m)^ +(sleep\(1\)|tick\(\)|look\(\))$""")
 private const val ALMOST = 1e-4
 
-/** In milliseconds. */
+/** What MicroPython for Node says when calls are too deep. */
+private const val DEEP = "pystack exhausted"
+
+/** How many statements a millisecond has in a loop that never waits. */
+private const val STEPS_OF_BOARD = 50
+
+/** In milliseconds; a loop that never waits takes a millisecond for each round in Python. */
 private const val TOLERANCE = 2
+private const val TOLERANCE_OF_LOOPS = 20

@@ -46,21 +46,28 @@ internal data class TimedCall(val time: Long, val call: String) {
 }
 
 /** The first line of a program for the fake modules: a comment with what [buggy] has on its pins. */
-internal fun fakePinsOf(buggy: Buggy): String = buggy.lines.withIndex().joinToString(" | ", prefix = "# ") { (line, it) ->
-    when (it) {
-        is PinLine -> "digital;${it.pin};$line;${it.darkIs}"
-        is AnalogLine -> "analog;${it.pin};$line;${if (it.isDarkHigh) 1 else 0}"
-        is I2cLine -> "i2c;${MicrobitCall.i2c(it.address, it.ask)};${it.bit};${it.darkIs};$line"
+internal fun fakePinsOf(buggy: Buggy): String =
+    buggy.lines.withIndex().joinToString(" | ", prefix = "# ") { (line, it) ->
+        when (it) {
+            is PinLine -> "digital;${it.pin};$line;${it.darkIs}"
+            is AnalogLine -> "analog;${it.pin};$line;${if (it.isDarkHigh) 1 else 0}"
+            is I2cLine -> "i2c;${MicrobitCall.i2c(it.address, it.ask)};${it.bit};${it.darkIs};$line"
+        }
     }
-}
 
 /**
  * What a program does on a board.
  *
  * @property end how it ended: `end`, `exit`, `time is up` or `error`.
  * @property errorLine the line in Robolang of the mistake that ended it.
+ * @property until when it was stopped by the test, if it was.
  */
-internal class BoardRun(val calls: List<TimedCall>, val end: String, val errorLine: Int? = null) {
+internal class BoardRun(
+    val calls: List<TimedCall>,
+    val end: String,
+    val errorLine: Int? = null,
+    val until: Long = Long.MAX_VALUE,
+) {
     val isOver: Boolean get() = end == "end" || end == "exit"
 
     val isError: Boolean get() = end.startsWith("error")
@@ -79,7 +86,9 @@ internal class BoardRun(val calls: List<TimedCall>, val end: String, val errorLi
             val all = log.drop(begin + 1).dropLast(1).map(::timed)
             val done = withoutStop(all, stops)
             val error = done.getOrNull(done.size - 2)?.call?.let { LINE.matchEntire(it) }
-            if (error == null || "display scroll ${done[done.size - 2].call.removePrefix("print ")}" != done.last().call) {
+            if (error == null ||
+                "display scroll ${done[done.size - 2].call.removePrefix("print ")}" != done.last().call
+            ) {
                 return BoardRun(done, end)
             }
             return BoardRun(withoutStop(done.dropLast(2), stops), "error", error.groupValues[1].toInt())
@@ -89,30 +98,39 @@ internal class BoardRun(val calls: List<TimedCall>, val end: String, val errorLi
 
         private fun withoutStop(calls: List<TimedCall>, stops: List<String>): List<TimedCall> {
             val quiet = if (calls.lastOrNull()?.call == "music stop") calls.dropLast(1) else calls
-            check(quiet.takeLast(stops.size).map { it.call } == stops) { "Not stopped at the end: ${calls.takeLast(5)}" }
+            check(
+                quiet.takeLast(stops.size).map {
+                    it.call
+                } == stops,
+            ) { "Not stopped at the end: ${calls.takeLast(5)}" }
             return quiet.dropLast(stops.size)
         }
     }
 }
 
-/** Runs [program] with the interpreter. */
-internal fun boardRunOf(program: RobolangMicrobitProgram): BoardRun {
+/**
+ * Runs [program] with the interpreter, at most so many [steps] a millisecond; if that is null, statements take no time, as
+ * in the fake modules.
+ */
+internal fun boardRunOf(program: RobolangMicrobitProgram, steps: Int?): BoardRun {
     val board = BoardRecorder(program.robot.model)
     val run = program.start(board)
-    while (board.milliseconds <= LIMIT) {
-        when (val status = run.resume(STEPS)) {
-            ProgramStatus.Running -> board.milliseconds++
+    var resumes = 0
+    while (board.milliseconds <= LIMIT && board.calls.size < MOST_CALLS && resumes++ < MOST_RESUMES) {
+        when (val status = run.resume(steps ?: MANY_STEPS)) {
+            ProgramStatus.Running -> if (steps != null) board.milliseconds++
             is ProgramStatus.Waiting -> board.milliseconds = maxOf(board.milliseconds, status.untilMilliseconds)
             ProgramStatus.Ended -> return BoardRun(board.calls, "end")
             is ProgramStatus.Failed -> return BoardRun(board.calls, "error", status.failure.sourceLine)
             is ProgramStatus.Paused, is ProgramStatus.ThreadFailed -> throw AssertionError("A pause or a thread.")
         }
     }
-    return BoardRun(board.calls, "time is up")
+    return BoardRun(board.calls, "time is up", until = board.milliseconds)
 }
 
-/** How many statements a millisecond has at most. */
-private const val STEPS = 1000
+private const val MOST_CALLS = 100_000
+private const val MOST_RESUMES = 200_000
+private const val MANY_STEPS = 10_000
 
 /** As in the fake modules. */
 private const val LIMIT = 20_000

@@ -25,9 +25,20 @@ class MicrobitRunTest {
         val translations = programs.mapValues { (_, program) -> translateToPython(program, program.robot, messages) }
         val (complete, refused) = translations.toList().partition { it.second.isComplete }
         val pins = fakePinsOf(cutebot.buggy)
-        val logs = MicroPython.run(complete.associate { (name, it) -> name to "$pins\n${it.python}" }, MicroPython.BOARD)
+        val logs = MicroPython.run(
+            complete.associate { (name, it) ->
+                name to "$pins\n${it.python}"
+            },
+            MicroPython.BOARD,
+        )
         val all = complete.map { (name, it) ->
             compareOnBoard(name, programs.getValue(name), it.python, logs.getValue(name))
+        }
+        (System.getenv("ROBOTRAN_PY") ?: "/tmp/hp/py").let { folder ->
+            for ((name, it) in complete) {
+                java.io.File(folder, name.replace('/', '_') + ".py").apply { parentFile.mkdirs() }
+                    .writeText("$pins\n${it.python}")
+            }
         }
         val wrong = all.filter { it.isWrong }
         val report = report(programs.size, all, refused.map { it.second })
@@ -73,6 +84,10 @@ class MicrobitRunTest {
         val sources = testPrograms + documentedPrograms + examplePrograms + lessonPrograms
 
         /** What differs and is meant to, or cannot be seen here. */
-        val KNOWN = mapOf<String, String>()
+        val KNOWN = mapOf(
+            "expressions/decimals-are-32-bit.robo" to "decimal numbers of 64 bits",
+            "wave.robo" to "decimal numbers of 64 bits: a turn by almost nothing goes the other way",
+            "recursion/as-deep-as-a-brick-can.robo" to "a board has less room for calls inside each other",
+        )
     }
 }
