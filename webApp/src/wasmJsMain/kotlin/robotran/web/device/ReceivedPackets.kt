@@ -1,16 +1,16 @@
-package robotran.web.hub
+package robotran.web.device
 
 import kotlinx.coroutines.flow.MutableStateFlow
 import kotlinx.coroutines.flow.first
 
-/** Packets that a hub has sent and nobody has taken yet. A page has one thread. */
+/** Packets that a device has sent and nobody has taken yet. A page has one thread. */
 internal class ReceivedPackets {
     private val packets = ArrayDeque<ByteArray>()
     private var isOver = false
     private val changes = MutableStateFlow(0)
 
     fun add(packet: ByteArray) {
-        // A hub that prints without end must not fill the memory while nobody reads.
+        // A device that sends without end must not fill the memory while nobody reads.
         if (packets.size == MOST) packets.removeFirst()
         packets += packet
         changes.value++
