@@ -32,6 +32,7 @@ import robotran.brick.sensors.SensorKind
  * @property java what runs programs in Java on it; null if nothing does.
  * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
  * @property programWay how programs get to a real one.
+ * @property takesAn whether English says "an" before its [label], as in "an RCX".
  */
 enum class BrickKind(
     val label: String,
@@ -55,6 +56,7 @@ enum class BrickKind(
     val java: JavaPlatform?,
     val hasLegoFirmware: Boolean,
     val programWay: ProgramWay,
+    private val takesAn: Boolean = false,
 ) {
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
@@ -79,6 +81,7 @@ enum class BrickKind(
         java = JavaPlatform.LEJOS,
         hasLegoFirmware = true,
         programWay = ProgramWay.TOWER,
+        takesAn = true,
     ),
 
     /** LEGO's brick of 2006, with leJOS NXJ. */
@@ -104,6 +107,7 @@ enum class BrickKind(
         java = JavaPlatform.NXJ,
         hasLegoFirmware = false,
         programWay = ProgramWay.NONE,
+        takesAn = true,
     ),
 
     /** The hub of SPIKE Prime and Robot Inventor, with Pybricks; so are those below. */
@@ -139,7 +143,7 @@ enum class BrickKind(
         motorPorts = MotorPort.entries.take(4),
         inputPorts = 4,
         hasLetteredInputs = false,
-        sensors = POWERED_UP_SENSORS + SensorKind.GYRO,
+        sensors = POWERED_UP_SENSORS,
         buttons = listOf(
             BrickButton.LEFT,
             BrickButton.ENTER,
@@ -149,6 +153,7 @@ enum class BrickKind(
             BrickButton.ESCAPE,
         ),
         displayRows = 8,
+        takesAn = true,
     ),
     NXT_PYBRICKS(
         label = "NXT with Pybricks",
@@ -158,6 +163,7 @@ enum class BrickKind(
         sensors = POWERED_UP_SENSORS + SensorKind.LIGHT + SensorKind.SOUND,
         buttons = listOf(BrickButton.LEFT, BrickButton.ENTER, BrickButton.RIGHT, BrickButton.ESCAPE),
         displayRows = 8,
+        takesAn = true,
     ),
     ;
 
@@ -170,6 +176,7 @@ enum class BrickKind(
         sensors: Set<SensorKind>,
         buttons: List<BrickButton>,
         displayRows: Int,
+        takesAn: Boolean = false,
     ) : this(
         label,
         motorPorts,
@@ -192,10 +199,14 @@ enum class BrickKind(
         java = null,
         hasLegoFirmware = false,
         ProgramWay.HUB,
+        takesAn,
     )
 
     /** What it is called on the command line. */
     val word: String get() = name.lowercase().replace('_', '-')
+
+    /** Its [label] in an English sentence: "an RCX", "a SPIKE Prime". */
+    val withArticle: String get() = (if (takesAn) "an " else "a ") + label
 
     /** What is printed beside the port for sensors with this [number], from 1. */
     fun inputLabel(number: Int): String = if (hasLetteredInputs) MotorPort.entries[number - 1].name else "$number"
