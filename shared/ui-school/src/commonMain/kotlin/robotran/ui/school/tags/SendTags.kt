@@ -14,6 +14,8 @@ object SendTags {
     const val SEND_DATALOG = "send-datalog"
     const val SEND_EMPTY_SLOTS = "send-empty-slots"
     const val SEND_FIRMWARE = "send-firmware"
+    const val SEND_LINE = "send-line"
+    const val SEND_LINE_SWITCH = "send-line-switch"
     const val SEND_MESSAGE = "send-message"
     const val SEND_OTHER_HUB = "send-other-hub"
     const val SEND_OTHER_TOWER = "send-other-tower"
