@@ -28,7 +28,7 @@ internal class RobotCommand(private val process: Console) : CoreCliktCommand("ro
 
     private fun check(file: String): ExitCode = when (val read = readDescribedRobot(file, console)) {
         is DescribedRobot.Success -> {
-            console.say(console.messages.robotIsFine(file, read.robot.title, read.robot.brick.label))
+            console.say(console.messages.robotIsFine(file, read.robot.title, read.robot.brick))
             ExitCode.DONE
         }
 

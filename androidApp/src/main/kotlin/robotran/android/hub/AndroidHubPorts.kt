@@ -2,6 +2,7 @@ package robotran.android.hub
 
 import android.content.Context
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.HubWay
@@ -19,9 +20,9 @@ internal class AndroidHubPorts(context: Context, permissions: BluetoothPermissio
     override suspend fun available(): List<HubDevice> = usb.available() + bluetooth.seen()
 
     /** Of several hubs near the device none is chosen: the user takes one from those that are available then. */
-    override suspend fun choose(way: HubWay): HubDevice? = when (way) {
+    override suspend fun choose(way: HubWay): ChosenHub = when (way) {
         HubWay.BLUETOOTH -> bluetooth.choose()
-        HubWay.USB_SERIAL, HubWay.USB_PACKETS -> usb.choose(way)
+        HubWay.USB_SERIAL, HubWay.USB_PACKETS -> ChosenHub.of(usb.choose(way))
     }
 
     override suspend fun open(device: HubDevice): OpenedHub = try {

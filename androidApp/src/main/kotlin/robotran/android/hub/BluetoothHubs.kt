@@ -15,6 +15,7 @@ import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.withTimeoutOrNull
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubUuids
 import robotran.hublink.connection.HubWay
@@ -42,16 +43,16 @@ internal class BluetoothHubs(private val context: Context, private val permissio
         return found
     }
 
-    /** Asks for the permissions if they are missing, and looks. The only hub that is near, otherwise null. */
-    suspend fun choose(): HubDevice? {
-        if (!permissions.ask()) return null
+    /** Asks for the permissions if they are missing, and looks. The only hub that is near, otherwise none. */
+    suspend fun choose(): ChosenHub {
+        if (!permissions.ask()) return ChosenHub.Refused(HubError.BluetoothNotAllowed)
         look(LONG_LOOK)
-        return found.singleOrNull()
+        return ChosenHub.of(found.singleOrNull())
     }
 
     suspend fun open(device: HubDevice): OpenedHub {
         val adapter = adapter
-        if (!permissions.areGiven) return OpenedHub.Failure(HubError.NotAllowed)
+        if (!permissions.areGiven) return OpenedHub.Failure(HubError.BluetoothNotAllowed)
         if (adapter?.isEnabled != true) return OpenedHub.Failure(HubError.OutOfReach)
         return GattConnection.open(context, adapter.getRemoteDevice(device.id), device.name)
     }

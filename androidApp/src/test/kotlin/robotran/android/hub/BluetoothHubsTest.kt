@@ -27,6 +27,7 @@ import org.robolectric.RobolectricTestRunner
 import org.robolectric.RuntimeEnvironment
 import org.robolectric.Shadows.shadowOf
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.CommandAnswer
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.connection.HubDevice
@@ -63,8 +64,8 @@ class BluetoothHubsTest {
     fun `without the permissions nothing is looked for and nothing opened`() = runBlocking {
         assertEquals(setOf(HubWay.BLUETOOTH), ports.ways)
         assertEquals(emptyList<HubDevice>(), ports.available())
-        assertNull(ports.choose(HubWay.BLUETOOTH))
-        assertEquals(OpenedHub.Failure(HubError.NotAllowed), ports.open(HUB))
+        assertEquals(ChosenHub.Refused(HubError.BluetoothNotAllowed), ports.choose(HubWay.BLUETOOTH))
+        assertEquals(OpenedHub.Failure(HubError.BluetoothNotAllowed), ports.open(HUB))
     }
 
     @Test
@@ -84,7 +85,7 @@ class BluetoothHubsTest {
     fun `with Bluetooth off a hub is out of reach`() = runBlocking {
         allow()
         shadowOf(adapter).setEnabled(false)
-        assertNull(ports.choose(HubWay.BLUETOOTH))
+        assertEquals(ChosenHub.None, ports.choose(HubWay.BLUETOOTH))
         assertEquals(OpenedHub.Failure(HubError.OutOfReach), ports.open(HUB))
     }
 
@@ -152,7 +153,7 @@ class BluetoothHubsTest {
         yield()
         happens()
         shadowOf(Looper.getMainLooper()).idle()
-        chosen.await()
+        (chosen.await() as? ChosenHub.Chosen)?.device
     }
 
     @Suppress("DEPRECATION")

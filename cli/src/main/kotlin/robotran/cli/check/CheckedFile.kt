@@ -156,7 +156,12 @@ private fun checkRobolang(
     isForBrick: Boolean,
 ): CheckedFile = when (val file = readRobolangFile(name, compiler.language, brick)) {
     is RobolangFile.Unreadable -> CheckedFile.Unreadable(file.reason)
-    is RobolangFile.Ready -> CheckedFile.Robolang(file, checkTranslation(file, compiler), isForBrick)
+
+    is RobolangFile.Ready -> {
+        val told = file.copy(warnings = file.warnings + missingOnRobot(file, compiler))
+        CheckedFile.Robolang(told, checkTranslation(file, compiler), isForBrick)
+    }
+
     is RobolangFile.HasErrors -> CheckedFile.Robolang(file)
 }
 
@@ -174,6 +179,14 @@ private fun checkTranslation(file: RobolangFile.Ready, compiler: ProgramCompiler
             null -> null
         }
     }.orEmpty()
+}
+
+/** What a robot with the brick of [file] does not have and its program needs, where that is told beside the mistakes. */
+private fun missingOnRobot(file: RobolangFile.Ready, compiler: ProgramCompiler): List<Diagnostic> {
+    if (file.program.kind.java != null) return emptyList()
+    val source = Program.of(file.program.name, file.source)
+    val result = runBlocking { compiler.forTarget(file.program.kind.penbotTarget).compileOrThrow(source) }
+    return (result as? ProgramResult.Success)?.warnings.orEmpty() - file.warnings.toSet()
 }
 
 /** This compiler for the penbot with [brick], or if null, with the one that [source] names, otherwise with the default one. */

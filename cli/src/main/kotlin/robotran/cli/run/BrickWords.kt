@@ -16,9 +16,9 @@ internal fun missingOnBrick(
     val button = presses.firstOrNull { it.button !in buttons }
     val group = outputs.romLogGroups?.firstOrNull { it !in groups }
     return when {
-        button != null -> messages.noButton(brick.label, buttonName(button.button), buttons.map(::buttonName))
-        group != null -> messages.noCallGroup(brick.label, groupName(group), groups.map(::groupName))
-        outputs.memory != null && !brick.hasRom -> messages.noMemory(brick.label)
+        button != null -> messages.noButton(brick, buttonName(button.button), buttons.map(::buttonName))
+        group != null -> messages.noCallGroup(brick, groupName(group), groups.map(::groupName))
+        outputs.memory != null && !brick.hasRom -> messages.noMemory(brick)
         else -> null
     }
 }

@@ -7,6 +7,7 @@ import robotran.cli.CommandLine
 import robotran.cli.CommandTest
 import robotran.cli.TestDesktop
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.HubWay
@@ -118,7 +119,7 @@ class SendToHubTest : CommandTest() {
 
         override suspend fun available() = if (opened == null) emptyList() else listOf(named("COM9"))
 
-        override suspend fun choose(way: HubWay) = available().firstOrNull()
+        override suspend fun choose(way: HubWay) = ChosenHub.of(available().firstOrNull())
 
         override suspend fun open(device: HubDevice) = opened ?: OpenedHub.Failure(HubError.OutOfReach)
 

@@ -80,6 +80,17 @@ class CheckCommandTest : CommandTest() {
     }
 
     @Test
+    fun `what the robot of a brick does not have is a remark at its line`() {
+        val coloured = program("if colour == red\n  forward 10\nend\n", "red.robo")
+        assertEquals(0, check(coloured, "--brick", "spike-prime"))
+        assertEquals(1, console.said.size, "${console.said}")
+        assertEquals(0, check(coloured, "--brick", "spike-essential"))
+        val told = console.said.single { "This robot has no colour sensor." in it }
+        assertTrue(told.startsWith("$coloured:1:4: "), told)
+        assertEquals(emptyList(), console.complaints)
+    }
+
+    @Test
     fun `no file is no check`() {
         assertEquals(2, check())
     }

@@ -14,6 +14,9 @@ sealed interface HubError {
     /** The system or the user does not let the app use the hub. */
     data object NotAllowed : HubError
 
+    /** The system or the user does not let the app use Bluetooth at all. */
+    data object BluetoothNotAllowed : HubError
+
     /** A hub answers, but not with Pybricks: LEGO's own firmware is on it. */
     data object LegoFirmware : HubError
 

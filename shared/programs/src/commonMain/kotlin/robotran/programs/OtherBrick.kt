@@ -11,7 +11,7 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
     /** The mistake in [source] if it cannot run on the robot; null if it can. */
     fun errorIn(source: ProgramSource): Diagnostic? {
         val program = brickOf(source)?.takeIf { it != robot } ?: return null
-        return diagnosticOf(source, messages.forOtherBrick(program.label, robot.label))
+        return diagnosticOf(source, messages.forOtherBrick(program, robot))
     }
 
     /** The mistake in [source] if it is not for an RCX with leJOS, which images are for. */
@@ -23,7 +23,7 @@ internal class OtherBrick(private val robot: BrickKind, private val messages: Pr
         ) {
             null
         } else {
-            diagnosticOf(source, messages.noImageFor(program.label))
+            diagnosticOf(source, messages.noImageFor(program))
         }
     }
 

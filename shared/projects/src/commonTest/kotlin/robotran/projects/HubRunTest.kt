@@ -12,10 +12,17 @@ import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
+import robotran.world.Facing
+import robotran.world.Lamp
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
+import robotran.world.SensorPart
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -23,12 +30,16 @@ import kotlin.test.assertTrue
 
 /** Robolang on robots with a hub, in the simulated world. */
 class HubRunTest {
-    private suspend fun run(robot: RobotDescription, text: String): Session {
+    private suspend fun run(robot: RobotDescription, text: String, lamp: Lamp? = null): Session {
         val messages = RobolangMessages.of(Language.ENGLISH)
         val result = compileRobolang("test", text, robot.target, messages)
         val program = assertIs<RobolangResult.Success>(result, "$result").program
         val plain = BuiltInWorlds.plainFor(robot.brick)
-        val world = plain.copy(realism = 0.0, robots = plain.robots.map { it.copy(description = robot) })
+        val world = plain.copy(
+            realism = 0.0,
+            robots = plain.robots.map { it.copy(description = robot) },
+            lamps = listOfNotNull(lamp),
+        )
         val session = Session(world, listOf(RobotProgramSet(listOf(program))), loadPhysicsEngine(), Language.ENGLISH)
         session.runUnattended(60_000)
         session.close()
@@ -37,6 +48,10 @@ class HubRunTest {
 
     private fun calls(session: Session): List<String> =
         session.callLog.entries.filter { it.sourceLine > 0 }.map { "${it.sourceLine} ${it.callText}" }
+
+    /** The number that a program has shown. */
+    private fun shown(session: Session): Int =
+        calls(session).last { "display number" in it }.substringAfterLast(' ').toInt()
 
     @Test
     fun `a SPIKE penbot draws a square with the calls of its Python`() = runTest {
@@ -95,5 +110,21 @@ class HubRunTest {
             "A number has become larger than 1,073,741,823, more than this hub can hold.",
             failed.failure.message,
         )
+    }
+
+    @Test
+    fun `a light sensor that looks ahead tells the light from there, as its Python does`() = runTest {
+        val header = { facing: String -> "robot\n  brick spike\n  light sensor on 4 facing $facing\nend\n" }
+        val robot = ReadyRobots.SPIKE_PENBOT
+        val ahead = robot.copy(
+            parts = robot.parts.map { if (it is SensorPart) it.copy(facing = Facing.Ahead(0.0)) else it },
+        )
+        val dark = shown(run(ahead, header("forward") + "show light\n"))
+        val start = BuiltInWorlds.plainFor(robot.brick).robots.first().start
+        val radians = start.heading * PI / 180
+        val lamp = Lamp(Point(start.x + 30 * cos(radians), start.y + 30 * sin(radians)))
+        assertTrue(shown(run(ahead, header("forward") + "show light\n", lamp)) > dark + 10)
+        // Downwards it tells how bright the paper is in its own light.
+        assertEquals(shown(run(robot, header("down") + "show light\n")), shown(run(robot, "show light\n")))
     }
 }

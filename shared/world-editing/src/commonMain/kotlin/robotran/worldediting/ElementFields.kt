@@ -18,9 +18,9 @@ import robotran.world.WorldLimits
 /**
  * All fields of one element in display order.
  *
- * @param pluggedWords says what is on a port of a robot.
+ * @param pluggedWords says what is on a port of a robot, by what the port is called on the brick.
  */
-fun WorldEditing.fieldsOf(ref: ElementRef, pluggedWords: (Int, SensorKind?) -> Words): List<Field<WorldEdit>> {
+fun WorldEditing.fieldsOf(ref: ElementRef, pluggedWords: (String, SensorKind?) -> Words): List<Field<WorldEdit>> {
     val element = world.piece(ref) ?: return emptyList()
     val own = ownFields(element, turnStep).making { WorldEdit.Change(ref, it) }
     return when (element) {

@@ -32,7 +32,7 @@ import robotran.world.withPlugged
 internal fun WorldEditing.robotFields(
     ref: ElementRef,
     element: Element.OfRobot,
-    pluggedWords: (Int, SensorKind?) -> Words,
+    pluggedWords: (String, SensorKind?) -> Words,
 ): List<Field<WorldEdit>> {
     val robot = element.robot
     val brick = robot.description.brick
@@ -41,7 +41,8 @@ internal fun WorldEditing.robotFields(
         shortForm(robot)
     } else {
         listOf(Field.Heading(WorldEditorTexts::ports)) + (1..brick.inputPorts).map { port ->
-            Field.Help(pluggedWords(port, robot.description.parts.firstOrNull { it.port == port }?.kind))
+            val plugged = robot.description.parts.firstOrNull { it.port == port }
+            Field.Help(pluggedWords(brick.inputLabel(port), plugged?.kind))
         }
     }
     return listOf(nameField(ref, element), colourField(robot).map(change)) + formFields(ref, element) +

@@ -5,6 +5,7 @@ package robotran.web.hub
 import kotlinx.coroutines.delay
 import robotran.hublink.HubError
 import robotran.hublink.HubKind
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.HubUuids
@@ -12,6 +13,7 @@ import robotran.hublink.connection.HubWay
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.connection.PacketHub
 import robotran.hublink.connection.SerialHub
+import robotran.web.device.Outcome
 import robotran.web.device.SeenDevices
 import robotran.web.device.SerialPort
 import robotran.web.device.UsbDevice
@@ -43,15 +45,25 @@ internal class WebHubPorts : HubPorts {
         usb?.getDevices()?.outcome()?.value?.toList()?.filter(::isHub)?.forEach { add(deviceOf(it)) }
     }
 
-    override suspend fun choose(way: HubWay): HubDevice? = when (way) {
-        HubWay.BLUETOOTH -> bluetooth?.requestDevice(HUBS)?.outcome()?.value?.let {
+    override suspend fun choose(way: HubWay): ChosenHub = when (way) {
+        HubWay.BLUETOOTH -> chosen(bluetooth?.requestDevice(HUBS)?.outcome(), HubError.BluetoothNotAllowed) {
             chosenByBluetooth = it
             deviceOf(it)
         }
 
-        HubWay.USB_SERIAL -> serial?.requestPort(serialHubs())?.outcome()?.value?.let(::deviceOf)
+        HubWay.USB_SERIAL -> chosen(serial?.requestPort(serialHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
 
-        HubWay.USB_PACKETS -> usb?.requestDevice(usbHubs())?.outcome()?.value?.let(::deviceOf)
+        HubWay.USB_PACKETS -> chosen(usb?.requestDevice(usbHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
+    }
+
+    /** A dialog that was cancelled, or found nothing, ends with a NotFoundError; a policy that forbids it otherwise. */
+    private fun <T : JsAny?> chosen(
+        asked: Outcome<T>?,
+        refusal: HubError,
+        deviceOf: (T & Any) -> HubDevice,
+    ): ChosenHub = when {
+        asked?.error in REFUSALS -> ChosenHub.Refused(refusal)
+        else -> ChosenHub.of(asked?.value?.let(deviceOf))
     }
 
     override suspend fun open(device: HubDevice): OpenedHub {
@@ -130,10 +142,13 @@ internal class WebHubPorts : HubPorts {
     }
 }
 
+/** What the browser says where a policy, or the user for good, forbids to use a device. */
+private val REFUSALS = setOf("SecurityError", "NotAllowedError")
+
 /** What a call of a serial port or a USB device was rejected with. */
 private fun errorOf(error: String): HubError = when (error) {
     "NotFoundError" -> HubError.OutOfReach
-    "SecurityError", "NotAllowedError" -> HubError.NotAllowed
+    in REFUSALS -> HubError.NotAllowed
 
     // NetworkError: the system refuses it. InvalidStateError: this page has it open.
     else -> HubError.Taken

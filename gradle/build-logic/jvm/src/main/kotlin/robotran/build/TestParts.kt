@@ -4,6 +4,7 @@ import org.gradle.api.Project
 import org.gradle.api.tasks.TaskProvider
 import org.gradle.api.tasks.testing.Test
 import org.gradle.language.base.plugins.LifecycleBasePlugin
+import java.util.concurrent.Callable
 
 /** Tasks that run a part of what another test task has on its class path. */
 object TestParts {
@@ -15,8 +16,9 @@ object TestParts {
         val whole = project.tasks.named(tests, Test::class.java)
         return project.tasks.register(name, Test::class.java) { task ->
             task.group = LifecycleBasePlugin.VERIFICATION_GROUP
-            task.testClassesDirs = project.files(whole.map { it.testClassesDirs })
-            task.classpath = project.files(whole.map { it.classpath })
+            // By a `Callable`, since a mapped provider would need that `tests` has run, and not only what it runs.
+            task.testClassesDirs = project.files(Callable { whole.get().testClassesDirs })
+            task.classpath = project.files(Callable { whole.get().classpath })
             classes.forEach(task.filter::includeTestsMatching)
         }
     }

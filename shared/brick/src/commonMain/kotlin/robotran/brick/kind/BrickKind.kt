@@ -34,6 +34,7 @@ import robotran.brick.sensors.SensorKind
  * @property java what runs programs in Java on it; null if nothing does.
  * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
  * @property programWay how programs get to a real one.
+ * @property takesAn whether English says "an" before its [label], as in "an RCX".
  */
 enum class BrickKind(
     val label: String,
@@ -59,6 +60,7 @@ enum class BrickKind(
     val java: JavaPlatform?,
     val hasLegoFirmware: Boolean,
     val programWay: ProgramWay,
+    private val takesAn: Boolean = false,
 ) {
     /** LEGO's brick of 1998, with leJOS. */
     RCX(
@@ -85,6 +87,7 @@ enum class BrickKind(
         java = JavaPlatform.LEJOS,
         hasLegoFirmware = true,
         programWay = ProgramWay.TOWER,
+        takesAn = true,
     ),
 
     /** LEGO's brick of 2006, with leJOS NXJ. */
@@ -112,6 +115,7 @@ enum class BrickKind(
         java = JavaPlatform.NXJ,
         hasLegoFirmware = false,
         programWay = ProgramWay.NONE,
+        takesAn = true,
     ),
 
     /** The hub of SPIKE Prime and Robot Inventor, with Pybricks; so are those below. */
@@ -147,7 +151,7 @@ enum class BrickKind(
         motorPorts = MotorPort.entries.take(4),
         inputPorts = 4,
         hasLetteredInputs = false,
-        sensors = POWERED_UP_SENSORS + SensorKind.GYRO,
+        sensors = POWERED_UP_SENSORS,
         buttons = listOf(
             BrickButton.LEFT,
             BrickButton.ENTER,
@@ -157,6 +161,7 @@ enum class BrickKind(
             BrickButton.ESCAPE,
         ),
         displayRows = 8,
+        takesAn = true,
     ),
     NXT_PYBRICKS(
         label = "NXT with Pybricks",
@@ -166,6 +171,7 @@ enum class BrickKind(
         sensors = POWERED_UP_SENSORS + SensorKind.LIGHT + SensorKind.SOUND,
         buttons = listOf(BrickButton.LEFT, BrickButton.ENTER, BrickButton.RIGHT, BrickButton.ESCAPE),
         displayRows = 8,
+        takesAn = true,
     ),
 
     /** A BBC micro:bit V2 with MicroPython, on a buggy; the one below is its forerunner without loudspeaker and microphone. */
@@ -190,6 +196,7 @@ enum class BrickKind(
         sensors: Set<SensorKind>,
         buttons: List<BrickButton>,
         displayRows: Int,
+        takesAn: Boolean = false,
     ) : this(
         label,
         motorPorts,
@@ -214,6 +221,7 @@ enum class BrickKind(
         java = null,
         hasLegoFirmware = false,
         ProgramWay.HUB,
+        takesAn,
     )
 
     /** A micro:bit on a buggy, whose motors are A left, C right and B for the pen. */
@@ -248,6 +256,9 @@ enum class BrickKind(
 
     /** What it is called on the command line. */
     val word: String get() = name.lowercase().replace('_', '-')
+
+    /** Its [label] in an English sentence: "an RCX", "a SPIKE Prime". */
+    val withArticle: String get() = (if (takesAn) "an " else "a ") + label
 
     /** What is printed beside the port for sensors with this [number], from 1. */
     fun inputLabel(number: Int): String = if (hasLetteredInputs) MotorPort.entries[number - 1].name else "$number"

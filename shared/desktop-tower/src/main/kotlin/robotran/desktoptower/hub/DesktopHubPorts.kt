@@ -7,6 +7,7 @@ import kotlinx.coroutines.delay
 import kotlinx.coroutines.withContext
 import robotran.hublink.HubError
 import robotran.hublink.HubKind
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.HubWay
@@ -33,7 +34,7 @@ class DesktopHubPorts : HubPorts {
             .map { HubDevice(idOf(it), nameOf(it), HubWay.USB_SERIAL) }
     }
 
-    override suspend fun choose(way: HubWay): HubDevice? = available().firstOrNull { it.way == way }
+    override suspend fun choose(way: HubWay): ChosenHub = ChosenHub.of(available().firstOrNull { it.way == way })
 
     /** Opens any serial port of the machine, also one that [available] does not list. */
     override suspend fun open(device: HubDevice): OpenedHub = withContext(Dispatchers.IO) {

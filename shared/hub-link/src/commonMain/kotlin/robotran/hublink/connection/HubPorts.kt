@@ -30,13 +30,29 @@ interface HubPorts {
     suspend fun available(): List<HubDevice>
 
     /**
-     * Asks the user for a hub by a dialog of the platform; null if the user cancels it. Browsers show the dialog only within
-     * a few seconds of a click. Platforms without such a dialog return the first available hub.
+     * Asks the user for a hub by a dialog of the platform. Browsers show the dialog only within a few seconds of a click.
+     * Platforms without such a dialog return the first available hub.
      */
-    suspend fun choose(way: HubWay): HubDevice?
+    suspend fun choose(way: HubWay): ChosenHub
 
     /** Connects [device]. */
     suspend fun open(device: HubDevice): OpenedHub
+}
+
+/** What came of asking for a hub. */
+sealed interface ChosenHub {
+    data class Chosen(val device: HubDevice) : ChosenHub
+
+    /** The user has cancelled, no hub is there, or it is not clear which one is meant. */
+    data object None : ChosenHub
+
+    /** The user or the system does not let the app look for hubs. */
+    data class Refused(val error: HubError) : ChosenHub
+
+    companion object {
+        /** [device], or [None] if it is null. */
+        fun of(device: HubDevice?): ChosenHub = device?.let(::Chosen) ?: None
+    }
 }
 
 /** A platform that reaches no hub. */
@@ -45,7 +61,7 @@ object NoHubPorts : HubPorts {
 
     override suspend fun available(): List<HubDevice> = emptyList()
 
-    override suspend fun choose(way: HubWay): HubDevice? = null
+    override suspend fun choose(way: HubWay): ChosenHub = ChosenHub.None
 
     override suspend fun open(device: HubDevice): OpenedHub = OpenedHub.Failure(HubError.NotAllowed)
 }

@@ -18,6 +18,7 @@ fun HubError.sentence(language: Language): String = when (this) {
     HubError.OutOfReach -> HubTexts.outOfReach(language)
     HubError.Taken -> HubTexts.taken(language)
     HubError.NotAllowed -> HubTexts.notAllowed(language)
+    HubError.BluetoothNotAllowed -> HubTexts.bluetoothNotAllowed(language)
     HubError.LegoFirmware -> HubTexts.legoFirmware(language)
     is HubError.TooOld -> HubTexts.tooOld(language, firmware?.toString())
     is HubError.TooLarge -> HubTexts.tooLarge(language, bytes, maxBytes)

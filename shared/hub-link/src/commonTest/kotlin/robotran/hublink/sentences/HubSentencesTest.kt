@@ -16,6 +16,7 @@ class HubSentencesTest {
         HubError.OutOfReach,
         HubError.Taken,
         HubError.NotAllowed,
+        HubError.BluetoothNotAllowed,
         HubError.LegoFirmware,
         HubError.TooOld(null),
         HubError.TooOld(HubVersion(3, 1)),

@@ -93,7 +93,6 @@ internal class HubInputs(private val model: HubModel) {
             HubDeviceKind.TOUCH_SENSOR to SensorKind.TOUCH,
             HubDeviceKind.LIGHT_SENSOR to SensorKind.LIGHT,
             HubDeviceKind.SOUND_SENSOR to SensorKind.SOUND,
-            HubDeviceKind.GYRO_SENSOR to SensorKind.GYRO,
         )
     }
 }

@@ -13,5 +13,4 @@ enum class HubDeviceKind(val className: String) {
     TOUCH_SENSOR("TouchSensor"),
     LIGHT_SENSOR("LightSensor"),
     SOUND_SENSOR("SoundSensor"),
-    GYRO_SENSOR("GyroSensor"),
 }

@@ -6,6 +6,7 @@ import robotran.hub.model.HubDeviceKind
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Facing
 import robotran.robolang.syntax.MotorCommand
 import robotran.robolang.syntax.PowerSide
 import robotran.robolang.syntax.Sense
@@ -49,6 +50,9 @@ internal class HubUses(tree: SyntaxTree, private val robot: RobotTarget.Hub) {
     /** The ports whose sensor the program asks for a colour. */
     val coloured: Set<Int> = senses.filter { it.sense == Sense.Colour || isColourAt(it.sense) }
         .mapNotNull { portOf(it.sense) }.toSet()
+
+    /** Whether the header says that the light sensor looks ahead: it then tells the light that comes from there. */
+    val looksAhead: Boolean = tree.robot?.lightSensor?.facing == Facing.FORWARD
 
     /** The line that asks for the button in the middle first; null if none does. */
     val middleButtonLine: Int? = senses.filter { buttonOf(it.sense) == HubButton.CENTER }.minOfOrNull { it.range.line }

@@ -22,11 +22,11 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
     /** [port] is that of the left bumper on other bricks, or of the right one. */
     override fun isPressed(port: Int): Boolean = isTouched(read(if (port == 1) Sense.LeftBumper else Sense.RightBumper))
 
-    override fun light(port: Int): Int = (read(Sense.Light) as? HubReading.Light)?.reflection ?: 0
+    override fun light(port: Int): Int = (read(Sense.Light) as? HubReading.Light)?.let(::brightness) ?: 0
 
     override fun value(port: Int): Int = when (val reading = reading(port)) {
         null -> 0
-        is HubReading.Light -> reading.reflection
+        is HubReading.Light -> brightness(reading)
         is HubReading.Distance -> centimetres(reading)
         is HubReading.Force -> if (isTouched(reading)) 1 else 0
         is HubReading.Sound -> reading.intensity
@@ -53,6 +53,9 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
     }
 
     override fun turned(motor: MotorPort): Int = hub.motor(HubPort.of(motor))?.angle ?: 0
+
+    private fun brightness(reading: HubReading.Light): Int =
+        if (uses.looksAhead) reading.ambient else reading.reflection
 
     private fun isTouched(reading: HubReading?) = (reading as? HubReading.Force)?.isTouched == true
 

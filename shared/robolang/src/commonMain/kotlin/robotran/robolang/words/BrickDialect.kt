@@ -1,6 +1,7 @@
 package robotran.robolang.words
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.ByBrick
 
 /**
  * What the language means on a kind of brick, apart from the words that need a [BrickFeature].
@@ -43,7 +44,7 @@ internal class BrickDialect private constructor(
     }
 
     companion object {
-        private val RCX = BrickDialect(
+        private fun rcx() = BrickDialect(
             keyword = Keyword.RCX,
             rightBumperPort = 3,
             lightPort = 2,
@@ -56,7 +57,8 @@ internal class BrickDialect private constructor(
             rollsOn = false,
             waitsForSensors = false,
         )
-        private val NXT = BrickDialect(
+
+        private fun nxt() = BrickDialect(
             keyword = Keyword.NXT,
             rightBumperPort = 2,
             lightPort = 3,
@@ -69,14 +71,6 @@ internal class BrickDialect private constructor(
             rollsOn = true,
             waitsForSensors = true,
         )
-
-        private val SPIKE_PRIME = hub(Keyword.SPIKE, lightPort = 4)
-        private val SPIKE_ESSENTIAL = hub(Keyword.ESSENTIAL, lightPort = 2)
-        private val TECHNIC_HUB = hub(Keyword.TECHNIC, lightPort = 4)
-        private val EV3 = hub(Keyword.EV3, lightPort = 3)
-
-        /** Its programs are those of an NXT. */
-        private val NXT_PYBRICKS = hub(Keyword.NXT, lightPort = 3)
 
         private fun hub(keyword: Keyword, lightPort: Int) = BrickDialect(
             keyword,
@@ -95,7 +89,7 @@ internal class BrickDialect private constructor(
             waitsForOutput = true,
         )
 
-        private val MICROBIT = BrickDialect(
+        private fun microbit() = BrickDialect(
             keyword = Keyword.MICROBIT,
             rightBumperPort = 2,
             lightPort = 1,
@@ -110,15 +104,21 @@ internal class BrickDialect private constructor(
             asksRobot = true,
         )
 
-        fun of(brick: BrickKind): BrickDialect = when (brick) {
-            BrickKind.RCX -> RCX
-            BrickKind.NXT -> NXT
-            BrickKind.SPIKE_PRIME -> SPIKE_PRIME
-            BrickKind.SPIKE_ESSENTIAL -> SPIKE_ESSENTIAL
-            BrickKind.TECHNIC_HUB -> TECHNIC_HUB
-            BrickKind.EV3 -> EV3
-            BrickKind.NXT_PYBRICKS -> NXT_PYBRICKS
-            BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT
+        private val DIALECTS = ByBrick { brick ->
+            when (brick) {
+                BrickKind.RCX -> rcx()
+                BrickKind.NXT -> nxt()
+                BrickKind.SPIKE_PRIME -> hub(Keyword.SPIKE, lightPort = 4)
+                BrickKind.SPIKE_ESSENTIAL -> hub(Keyword.ESSENTIAL, lightPort = 2)
+                BrickKind.TECHNIC_HUB -> hub(Keyword.TECHNIC, lightPort = 4)
+                BrickKind.EV3 -> hub(Keyword.EV3, lightPort = 3)
+
+                // Its programs are those of an NXT.
+                BrickKind.NXT_PYBRICKS -> hub(Keyword.NXT, lightPort = 3)
+                BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> microbit()
+            }
         }
+
+        fun of(brick: BrickKind): BrickDialect = DIALECTS[brick]
     }
 }

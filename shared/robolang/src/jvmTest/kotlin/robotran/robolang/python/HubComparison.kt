@@ -45,7 +45,7 @@ private fun difference(first: RecordedCalls, second: RecordedCalls, place: Int):
     "at call $place: ${first.lines.getOrNull(place)} (${first.end}), " +
         "not ${second.lines.getOrNull(place)} (${second.end})"
 
-private fun reasonNotToCompare(program: RobolangHubProgram): String? = "random numbers".takeIf {
+internal fun reasonNotToCompare(program: RobolangHubProgram): String? = "random numbers".takeIf {
     allExpressions(program.checked.tree).any { it is Expression.Call && it.name.key == BuiltIn.RANDOM.text }
 }
 

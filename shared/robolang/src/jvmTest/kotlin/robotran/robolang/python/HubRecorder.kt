@@ -21,6 +21,9 @@ import kotlin.math.abs
  */
 internal class HubRecorder(override val model: HubModel) : Hub {
     val calls = mutableListOf<String>()
+
+    /** The line of the program that made each of the [calls]. */
+    val sourceLines = mutableListOf<Int>()
     private val devices = mutableMapOf<HubPort, HubDeviceKind>()
     private val motors = mutableMapOf<HubPort, Motor>()
     private var base: Base? = null
@@ -34,6 +37,7 @@ internal class HubRecorder(override val model: HubModel) : Hub {
 
     override fun call(call: HubCall, sourceLine: Int, sourceFile: String?): HubError? {
         calls += "$call"
+        sourceLines += sourceLine
         val numbers = call.numbers
         when (call.native) {
             HubNative.DEVICE -> make(checkNotNull(call.port), HubDeviceKind.entries[numbers[1]])
@@ -64,7 +68,7 @@ internal class HubRecorder(override val model: HubModel) : Hub {
         HubDeviceKind.ULTRASONIC_SENSOR -> HubReading.Distance(if (milliseconds % 5000 >= 3000) 150 else 900)
         HubDeviceKind.FORCE_SENSOR, HubDeviceKind.TOUCH_SENSOR -> touch(port)
         HubDeviceKind.SOUND_SENSOR -> HubReading.Sound(if (milliseconds % 3000 >= 2000) 80 else 10)
-        HubDeviceKind.MOTOR, HubDeviceKind.GYRO_SENSOR, null -> null
+        HubDeviceKind.MOTOR, null -> null
     }
 
     private fun touch(port: HubPort): HubReading {

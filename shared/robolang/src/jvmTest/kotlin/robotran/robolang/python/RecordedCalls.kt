@@ -26,9 +26,8 @@ internal class RecordedCalls(all: List<String>, val end: String) {
     }
 }
 
-/** Runs [program] with the interpreter. */
-internal fun callsOf(program: RobolangHubProgram): RecordedCalls {
-    val hub = HubRecorder(program.robot.model)
+/** Runs [program] with the interpreter on [hub]. */
+internal fun callsOf(program: RobolangHubProgram, hub: HubRecorder = HubRecorder(program.robot.model)): RecordedCalls {
     val run = program.start(hub)
     var left = MAX_RESUMES
     while (true) {

@@ -119,13 +119,17 @@ internal class HubPorts(
         return when (part.sensor) {
             SensorKind.COLOUR -> {
                 seesColour = true
-                val eye = ColourSensorModel(scene, place, streams, nameOf(part, "colour sensor"), realism)
-                ({ eye.colour().let { HubReading.Light(bright(it.red), bright(it.green), bright(it.blue)) } })
+                val name = nameOf(part, "colour sensor")
+                val eye = ColourSensorModel(scene, place, streams, name, realism)
+                val around = ambient(place, name)
+                ({ eye.colour().let { HubReading.Light(bright(it.red), bright(it.green), bright(it.blue), around()) } })
             }
 
             SensorKind.LIGHT -> {
-                val eye = NxtLightSensorModel(scene, number, place, streams, nameOf(part, "light sensor"), realism)
-                ({ ((DARKEST - eye.raw(true)) * HubReading.BRIGHTEST / DARKEST).let { HubReading.Light(it, it, it) } })
+                val name = nameOf(part, "light sensor")
+                val eye = NxtLightSensorModel(scene, number, place, streams, name, realism)
+                val around = ambient(place, name)
+                ({ bright(DARKEST - eye.raw(true)).let { HubReading.Light(it, it, it, around()) } })
             }
 
             SensorKind.ULTRASONIC -> sonar(part, place)
@@ -137,6 +141,12 @@ internal class HubPorts(
 
             else -> null
         }
+    }
+
+    /** Measures the light that comes to the sensor at [place] without its own, in percent; [name] names its streams. */
+    private fun ambient(place: SensorPlace, name: String): () -> Int {
+        val eye = NxtLightSensorModel(scene, number, place, streams, "$name without lamp", realism)
+        return { (DARKEST - eye.raw(lit = false)) * PERCENT / DARKEST }
     }
 
     private fun sonar(part: SensorPart, place: SensorPlace): () -> HubReading {

@@ -26,7 +26,6 @@ internal fun RobotDescription.deviceOf(part: RobotPart): HubDeviceKind? = when (
         SensorKind.LIGHT -> HubDeviceKind.LIGHT_SENSOR
         SensorKind.ULTRASONIC -> HubDeviceKind.ULTRASONIC_SENSOR
         SensorKind.SOUND -> HubDeviceKind.SOUND_SENSOR
-        SensorKind.GYRO -> HubDeviceKind.GYRO_SENSOR
         else -> null
     }
 

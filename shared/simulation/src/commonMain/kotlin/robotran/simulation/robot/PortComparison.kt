@@ -21,16 +21,18 @@ internal class PortComparison(private val robot: RobotDescription, private val m
         return missing
     }
 
+    private fun labelOf(sensor: ExpectedSensor): String = robot.brick.inputLabel(sensor.port)
+
     private fun isPlugged(sensor: ExpectedSensor) = robot.parts.any { it.port == sensor.port && it.kind == sensor.kind }
 
     private fun missing(sensors: List<ExpectedSensor>) = MissingSensors(
-        sensors.map { MissingSensor(it.port, it.kind, warning(listOf(it))) }.sortedBy { it.port },
+        sensors.map { MissingSensor(it.port, labelOf(it), it.kind, warning(listOf(it))) }.sortedBy { it.port },
         warning(sensors),
     )
 
     /** A warning about [sensors], on the line of the first of them. */
     private fun warning(sensors: List<ExpectedSensor>): RuntimeWarning {
-        val ports = sensors.sortedBy { it.port }.groupBy({ it.kind }, { it.port })
+        val ports = sensors.sortedBy { it.port }.groupBy({ it.kind }, ::labelOf)
         return RuntimeWarning(
             messages.missingSensors(ports),
             sensors.first().sourceLine,

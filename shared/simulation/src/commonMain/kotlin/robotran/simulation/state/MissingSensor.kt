@@ -8,6 +8,7 @@ import robotran.brick.sensors.SensorKind
  * [robotran.world.robot.withSensor] plugs one in.
  *
  * @property port from 1.
+ * @property label what is printed beside that port.
  * @property warning says so of this sensor alone, with the line of the program.
  */
-data class MissingSensor(val port: Int, val kind: SensorKind, val warning: RuntimeWarning)
+data class MissingSensor(val port: Int, val label: String, val kind: SensorKind, val warning: RuntimeWarning)

@@ -10,9 +10,9 @@ import robotran.uikit.*
 /** Changes the world so that the robot has all of the [missing] sensors; for the warning about them. */
 @Composable
 fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
-    val ports = missing.sensors.map { it.port }
+    val ports = missing.sensors.map { it.label }
     val description = ports.singleOrNull()?.let { CommonTexts.plugInPort(spoken, it) }
-        ?: CommonTexts.plugInPorts(spoken, portNumbers(ports))
+        ?: CommonTexts.plugInPorts(spoken, portNames(ports))
     Button(
         if (ports.size == 1) CommonTexts.plugIn(spoken) else CommonTexts.plugInSeveral(spoken),
         CommonTags.PLUG_IN,

@@ -52,7 +52,7 @@ internal fun readings(world: World, state: SessionState): List<SensorReading> = 
             val isPressed = part is BumperPart && now.robot.isPressed(part, robot.bumpers.indexOf(part.on(null)))
             add(
                 SensorReading(
-                    "${input.port}: $value",
+                    "${robot.brick.inputLabel(input.port)}: $value",
                     placeOf(part, now.robot, box),
                     if (isPressed) SheetColours.TOUCH else SheetColours.SIGHT,
                 ),

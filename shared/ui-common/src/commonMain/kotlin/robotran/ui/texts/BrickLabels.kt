@@ -1,6 +1,7 @@
 package robotran.ui.texts
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.ByBrick
 import robotran.uikit.*
 
 /**
@@ -24,7 +25,7 @@ class BrickLabels private constructor(
     val forgivingJava: Label,
 ) {
     companion object {
-        private val RCX = BrickLabels(
+        private fun ofRcx() = BrickLabels(
             programIsFor = NxtTexts::programForRcx,
             use = NxtTexts::programUseRcx,
             send = CommonTexts::sendToRobot,
@@ -33,7 +34,8 @@ class BrickLabels private constructor(
             noCalls = CommonTexts::logEmpty,
             forgivingJava = CommonTexts::javaForgivingHelp,
         )
-        private val NXT = BrickLabels(
+
+        private fun ofNxt() = BrickLabels(
             programIsFor = NxtTexts::programForNxt,
             use = NxtTexts::programUseNxt,
             send = CommonTexts::sendingKit,
@@ -42,8 +44,6 @@ class BrickLabels private constructor(
             noCalls = NxtTexts::runLogEmptyCalls,
             forgivingJava = CommonTexts::javaForgivingHelpNxt,
         )
-
-        private val OTHERS = BrickKind.entries.associateWith(::ofOther)
 
         /** What is said about any hub with Pybricks, and about a micro:bit; [brick] has its name. */
         private fun ofOther(brick: BrickKind) = BrickLabels(
@@ -56,13 +56,17 @@ class BrickLabels private constructor(
             forgivingJava = CommonTexts::javaForgivingHelp,
         )
 
-        fun of(brick: BrickKind): BrickLabels = when (brick) {
-            BrickKind.RCX -> RCX
-            BrickKind.NXT -> NXT
+        private val LABELS = ByBrick { brick ->
+            when (brick) {
+                BrickKind.RCX -> ofRcx()
+                BrickKind.NXT -> ofNxt()
 
-            BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
-            BrickKind.NXT_PYBRICKS, BrickKind.MICROBIT, BrickKind.MICROBIT_V1,
-            -> OTHERS.getValue(brick)
+                BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
+                BrickKind.NXT_PYBRICKS, BrickKind.MICROBIT, BrickKind.MICROBIT_V1,
+                -> ofOther(brick)
+            }
         }
+
+        fun of(brick: BrickKind): BrickLabels = LABELS[brick]
     }
 }

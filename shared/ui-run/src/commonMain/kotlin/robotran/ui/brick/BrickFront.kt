@@ -22,6 +22,7 @@ import androidx.compose.ui.unit.Dp
 import androidx.compose.ui.unit.dp
 import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.ByBrick
 import robotran.brick.state.BrickState
 import robotran.hub.model.HubModel
 import robotran.microbit.model.MicrobitModel
@@ -44,19 +45,19 @@ import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 
 /** What is its own on the front of each kind of brick. */
-internal val BrickKind.face: BrickFace
-    get() = when (this) {
+internal val BrickKind.face: BrickFace get() = FACES[this]
+
+private val FACES = ByBrick { kind ->
+    when (kind) {
         BrickKind.RCX -> RcxFace
         BrickKind.NXT -> NxtFace
 
         BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
-        -> HUB_FACES.getValue(this)
+        -> HubFace(checkNotNull(HubModel.of(kind)))
 
-        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT_FACES.getValue(this)
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MicrobitFace(checkNotNull(MicrobitModel.of(kind)))
     }
-
-private val HUB_FACES = HubModel.entries.associate { it.kind to HubFace(it) }
-private val MICROBIT_FACES = MicrobitModel.entries.associate { it.kind to MicrobitFace(it) }
+}
 
 /**
  * The front of a brick, with buttons that support multi-touch.

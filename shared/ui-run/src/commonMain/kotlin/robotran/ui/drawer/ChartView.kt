@@ -47,7 +47,7 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         Row(verticalAlignment = Alignment.CenterVertically) {
             Row(Modifier.weight(1f).horizontalScroll(rememberScrollState()), Arrangement.spacedBy(8.dp)) {
                 for (line in chart.lines) {
-                    Chip(laneName(line.lane), line.lane !in chart.hidden, RunTags.lane(line.lane)) {
+                    Chip(laneName(line.lane, state.brick.kind), line.lane !in chart.hidden, RunTags.lane(line.lane)) {
                         onEvent(RunEvent.LaneSwitched(line.lane))
                     }
                 }
@@ -63,7 +63,14 @@ internal fun ChartView(state: RunPaneState, onEvent: (RunEvent) -> Unit, modifie
         }
         Column(Modifier.weight(1f).fillMaxWidth().verticalScroll(rememberScrollState())) {
             for (line in shown) {
-                Lane(laneName(line.lane), line, state.brick.kind, window, touched ?: state.time, state.time) {
+                Lane(
+                    laneName(line.lane, state.brick.kind),
+                    line,
+                    state.brick.kind,
+                    window,
+                    touched ?: state.time,
+                    state.time,
+                ) {
                     touched =
                         it
                 }
@@ -106,11 +113,11 @@ private fun Times(times: List<Long?>) = Row(Modifier.fillMaxWidth(), Arrangement
 }
 
 @Composable
-private fun laneName(lane: ChartLane): String = when {
+private fun laneName(lane: ChartLane, brick: BrickKind): String = when {
     lane.isMotor -> RunTexts.chartMotor(spoken, "${'A' + lane.port}")
     lane.isDegrees -> NxtTexts.runChartDegrees(spoken, "${'A' + lane.port}")
     lane == ChartLane.BATTERY -> NxtTexts.runChartBattery(spoken)
-    else -> RunTexts.chartSensor(spoken, lane.port + 1)
+    else -> RunTexts.chartSensor(spoken, brick.inputLabel(lane.port + 1))
 }
 
 /**

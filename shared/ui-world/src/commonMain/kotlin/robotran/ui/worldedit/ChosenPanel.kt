@@ -68,7 +68,7 @@ private fun BuildButton(editor: EditorScope, robot: Int) {
 }
 
 /** What is on a port, which a program has to name. */
-private fun pluggedWords(port: Int, sensor: SensorKind?): Label = { language ->
+private fun pluggedWords(port: String, sensor: SensorKind?): Label = { language ->
     CommonTexts.sensor(language, port, (sensor?.words ?: WorldEditorTexts::nothing)(language))
 }
 

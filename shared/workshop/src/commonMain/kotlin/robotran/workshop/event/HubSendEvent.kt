@@ -19,6 +19,9 @@ sealed interface HubSendEvent : SchoolEvent {
     /** Sends the program to the hub that was found. */
     data object Confirmed : HubSendEvent
 
+    /** Whether the program that is sent next tells which line runs. */
+    data class LineSwitched(val isOn: Boolean) : HubSendEvent
+
     /** Begins again with the same hub. */
     data object Retried : HubSendEvent
 

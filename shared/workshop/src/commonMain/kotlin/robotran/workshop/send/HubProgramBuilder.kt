@@ -1,6 +1,7 @@
 package robotran.workshop.send
 
 import kotlinx.coroutines.withContext
+import robotran.hublink.output.OutputReader
 import robotran.hublink.output.SourceMap
 import robotran.hublink.program.HubProgram
 import robotran.language.source.Diagnostic
@@ -11,12 +12,14 @@ import robotran.programs.ProgramCompiler
 import robotran.programs.ProgramResult
 import robotran.programs.support
 import robotran.projects.target
+import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.python.PythonTranslation
 import robotran.robolang.python.translateToPython
+import robotran.robolang.python.withRunningLines
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.support.RobolangSupport
 import robotran.workshop.service.Services
@@ -32,14 +35,15 @@ internal class HubProgramBuilder(private val services: Services) {
         return when (val read = compileRobolang(program.name, program.text, target, RobolangMessages.of(language))) {
             is RobolangResult.Failure -> HubTranslation.Failure(read.diagnostics)
             is RobolangResult.Success ->
-                checked(program.name, translateToPython(read.program, target, PythonTranslationMessages.of(language)))
+                checked(read.program, translateToPython(read.program, target, PythonTranslationMessages.of(language)))
         }
     }
 
-    private fun checked(name: String, python: PythonTranslation): HubTranslation {
+    private fun checked(program: RobolangProgram, python: PythonTranslation): HubTranslation {
+        val name = program.name
         val lost = python.notes.filter { it.isLost }
         return if (lost.isEmpty()) {
-            HubTranslation.Success(python)
+            HubTranslation.Success(python, withRunningLines(program, python, OutputReader.MARK))
         } else {
             HubTranslation.Failure(lost.map { Diagnostic(Severity.ERROR, name, it.range, it.message) })
         }
@@ -68,7 +72,11 @@ internal class HubProgramBuilder(private val services: Services) {
 
 /** The result of translating a program for a hub. */
 internal sealed interface HubTranslation {
-    class Success(val python: PythonTranslation) : HubTranslation
+    /**
+     * @property python as it is shown and saved.
+     * @property telling the same with what tells the app which line runs.
+     */
+    class Success(val python: PythonTranslation, val telling: PythonTranslation) : HubTranslation
 
     /** The program has mistakes, or is more than a hub can do. [diagnostics] are never empty. */
     class Failure(val diagnostics: List<Diagnostic>) : HubTranslation

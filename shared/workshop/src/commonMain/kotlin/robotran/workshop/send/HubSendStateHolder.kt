@@ -13,6 +13,7 @@ import robotran.hublink.DownloadResult
 import robotran.hublink.HubError
 import robotran.hublink.HubResult
 import robotran.hublink.Remains
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubWay
 import robotran.hublink.hub.HubLink
@@ -49,7 +50,12 @@ internal class HubSendStateHolder(
 
     private var work: Job? = null
     private var python: PythonTranslation? = null
+
+    /** [python] with what tells which line runs. */
+    private var telling: PythonTranslation? = null
+    private var tellsLine = true
     private var built: HubBuildResult.Success? = null
+    private val memory = HubMemory(platform.store)
     private val session by lazy(LazyThreadSafetyMode.NONE) { HubSession(platform.hubs, scope) }
 
     fun handle(event: HubSendEvent) {
@@ -60,6 +66,7 @@ internal class HubSendStateHolder(
             is HubSendEvent.HubChosen -> run { connect(event.device) }
             HubSendEvent.OtherHubRequested -> run { lookForHubs(findsAlone = false) }
             HubSendEvent.Confirmed -> run { send() }
+            is HubSendEvent.LineSwitched -> run { switchLine(event.isOn) }
             HubSendEvent.Retried -> run { retry() }
             HubSendEvent.Started -> run { start() }
             HubSendEvent.Stopped -> run { stop() }
@@ -84,7 +91,9 @@ internal class HubSendStateHolder(
     }
 
     private fun begin() {
-        state = HubSendState(current.shownProgram.name, HubSendStep.Building)
+        val program = current.shownProgram
+        val lines = program.text.lines()
+        state = HubSendState(program.name, HubSendStep.Building, tellsLine = tellsLine, lines = lines)
         run { build() }
     }
 
@@ -92,6 +101,7 @@ internal class HubSendStateHolder(
         show(HubSendStep.Building)
         // Until it is built, no try may send what was built before.
         python = null
+        telling = null
         built = null
         when (val translated = orNull { programs.translate(current.shownProgram) }) {
             is HubTranslation.Failure -> show(HubSendStep.HasErrors(translated.diagnostics.first()))
@@ -100,7 +110,12 @@ internal class HubSendStateHolder(
 
             is HubTranslation.Success -> {
                 python = translated.python
-                if (platform.hubs.ways.isEmpty()) show(HubSendStep.NoWay()) else compile(translated.python)
+                telling = translated.telling
+                if (platform.hubs.ways.isEmpty()) {
+                    show(HubSendStep.NoWay())
+                } else {
+                    compile { lookForHubs(findsAlone = true) }
+                }
             }
         }
     }
@@ -114,17 +129,31 @@ internal class HubSendStateHolder(
         null
     }
 
-    private suspend fun compile(python: PythonTranslation) = when (val result = orNull { programs.compile(python) }) {
-        HubBuildResult.NoCompiler -> show(HubSendStep.NoCompiler)
+    /** Compiles the translation and goes on with [next]. */
+    private suspend fun compile(next: suspend () -> Unit) {
+        val python = (if (tellsLine) telling else python) ?: return build()
+        when (val result = orNull { programs.compile(python) }) {
+            HubBuildResult.NoCompiler -> show(HubSendStep.NoCompiler)
 
-        HubBuildResult.CompilerFailed, null -> show(HubSendStep.CompilerFailed)
+            HubBuildResult.CompilerFailed, null -> show(HubSendStep.CompilerFailed)
 
-        is HubBuildResult.Success -> {
-            built = result
-            // No hub takes it, so nobody needs to look for one.
-            val mistake = result.program.mistake()
-            if (mistake == null) lookForHubs(findsAlone = true) else fail(mistake)
+            is HubBuildResult.Success -> {
+                built = result
+                // No hub takes it, so nobody needs to look for one.
+                val mistake = result.program.mistake()
+                if (mistake == null) next() else fail(mistake)
+            }
         }
+    }
+
+    /** Compiles the program so that it tells which line runs, or does not; then it can be sent. */
+    private suspend fun switchLine(isOn: Boolean) {
+        val step = state?.step
+        if (step !is HubSendStep.Found && step !is HubSendStep.Ready) return
+        tellsLine = isOn
+        state = state?.copy(tellsLine = isOn)
+        // What was sent before is another program.
+        compile { show(HubSendStep.Found) }
     }
 
     /** @param findsAlone whether the hub that was used last, or the only one at a cable, is taken without asking. */
@@ -137,15 +166,22 @@ internal class HubSendStateHolder(
         // Over Bluetooth, the only hub may be that of another pupil.
         val alone = devices.singleOrNull()?.takeIf { it.way != HubWay.BLUETOOTH }
         if (findsAlone && alone != null) return connect(alone)
-        show(HubSendStep.Choosing(devices, ways()))
+        choose(devices)
+    }
+
+    /** Shows [devices], the one that was used last first. */
+    private suspend fun choose(devices: List<HubDevice>, isMissing: Boolean = false) {
+        val last = memory.lastOf(devices)
+        show(HubSendStep.Choosing(listOfNotNull(last) + (devices - setOfNotNull(last)), ways(), isMissing, last))
     }
 
     private suspend fun ask(way: HubWay) {
         show(HubSendStep.Looking)
-        val chosen = platform.hubs.choose(way)
-        if (chosen != null) return connect(chosen)
-        val devices = platform.hubs.available()
-        show(HubSendStep.Choosing(devices, ways(), isMissing = devices.isEmpty()))
+        when (val chosen = platform.hubs.choose(way)) {
+            is ChosenHub.Chosen -> connect(chosen.device)
+            is ChosenHub.Refused -> fail(chosen.error)
+            ChosenHub.None -> platform.hubs.available().let { choose(it, isMissing = it.isEmpty()) }
+        }
     }
 
     /** Connects [device] unless it is connected, and sends the program if the pupil knows the hub. */
@@ -153,6 +189,7 @@ internal class HubSendStateHolder(
         show(HubSendStep.Connecting)
         val isKnown = device == session.lastUsed
         session.open(device)?.let { return fail(it) }
+        memory.remember(device)
         val hub = session.link?.let { foundHub(it.state.value, current.shownRobot.description.brick) }
         state = state?.copy(hub = hub)
         if (isKnown && hub?.expected == null) send() else show(HubSendStep.Found)
@@ -163,7 +200,14 @@ internal class HubSendStateHolder(
         val link = session.link ?: return retry()
         show(HubSendStep.Sending(null))
         when (val result = link.send(program.program) { show(HubSendStep.Sending(it)) }) {
-            is DownloadResult.Failure -> fail(result.error, result.remains)
+            is DownloadResult.Failure -> if (tellsLine && result.error is HubError.TooLarge) {
+                // Without what tells the lines it may have room.
+                tellsLine = false
+                state = state?.copy(tellsLine = false)
+                compile { send() }
+            } else {
+                fail(result.error, result.remains)
+            }
 
             is DownloadResult.Success -> {
                 link.expectProgram(program.map)

@@ -14,9 +14,20 @@ import robotran.language.source.Diagnostic
  *
  * @property program the name of the program that is sent.
  * @property hub the hub that is connected, or was last; null before the first.
+ * @property tellsLine whether the program in the hub tells which line runs.
+ * @property lines those of the program.
  */
 @Immutable
-data class HubSendState(val program: String, val step: HubSendStep, val hub: FoundHub? = null)
+data class HubSendState(
+    val program: String,
+    val step: HubSendStep,
+    val hub: FoundHub? = null,
+    val tellsLine: Boolean = true,
+    val lines: List<String> = emptyList(),
+) {
+    /** The line of the program that runs on the hub, from 1; null if none does, or it does not tell. */
+    val runningLine: Int? get() = (step as? HubSendStep.Running)?.console?.runningLine
+}
 
 /**
  * What a connected hub is.
@@ -79,9 +90,14 @@ sealed interface HubSendStep {
      * @property devices the hubs that can be connected at once.
      * @property ways the ways by which the platform can be asked for one.
      * @property isMissing whether the last question ended without a hub.
+     * @property last the one of the [devices] that was used last on this machine; null if it is not there.
      */
-    data class Choosing(val devices: List<HubDevice>, val ways: List<HubWay>, val isMissing: Boolean = false) :
-        HubSendStep
+    data class Choosing(
+        val devices: List<HubDevice>,
+        val ways: List<HubWay>,
+        val isMissing: Boolean = false,
+        val last: HubDevice? = null,
+    ) : HubSendStep
 
     data object Connecting : HubSendStep {
         override val isBusy get() = true

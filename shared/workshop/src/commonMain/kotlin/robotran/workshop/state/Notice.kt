@@ -144,8 +144,8 @@ sealed interface Notice {
     /** All goals of the world [title] are met. */
     data class WorldSolved(val title: String) : Notice
 
-    /** The sensors that a program lacked are plugged into these [ports] now, 1..3, in ascending order. */
-    data class SensorsPluggedIn(val ports: List<Int>) : Notice {
+    /** The sensors that a program lacked are plugged in now, into [ports], as they are called on the brick, in their order. */
+    data class SensorsPluggedIn(val ports: List<String>) : Notice {
         override val action: NoticeAction get() = NoticeAction.UnplugSensors
     }
 

@@ -107,7 +107,11 @@ interface WorkshopState {
     val hasTask: Boolean
         get() = (world.task.isNotBlank() || assignment != null) && learning.tutorial?.isLoaded != true
 
-    val shownProgramRun: ShownProgramRun get() = ShownProgramRun.of(programs, run)
+    /** What runs on a real hub is what is shown. */
+    val shownProgramRun: ShownProgramRun
+        get() = ShownProgramRun.of(programs, run).let { shown ->
+            hubSend?.runningLine?.let { shown.copy(runningLine = it) } ?: shown
+        }
 
     /** What the number edited in the blocks would do, from where its robot stands; null while a program runs. */
     val sheetPreview: SheetPreview?

@@ -85,7 +85,7 @@ class WorldEditStateHolder(
 
     private fun plugIn(robot: String, missing: MissingSensors) {
         plugged = change(robot) { PlugChange(it, missing.sensors) } ?: return
-        notices.show(Notice.SensorsPluggedIn(missing.sensors.map { it.port }))
+        notices.show(Notice.SensorsPluggedIn(missing.sensors.map { it.label }))
     }
 
     /** Makes the change of the robot with this name; null if it changes nothing. */

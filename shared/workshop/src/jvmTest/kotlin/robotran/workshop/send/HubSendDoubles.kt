@@ -2,6 +2,7 @@ package robotran.workshop.send
 
 import kotlinx.coroutines.runBlocking
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.HubWay
@@ -23,7 +24,7 @@ internal class NearHubs(
     override val ways: Set<HubWay> = setOf(HubWay.BLUETOOTH),
 ) : HubPorts {
     /** What the platform's dialog returns. */
-    var chosen: HubDevice? = MY_HUB
+    var chosen: ChosenHub = ChosenHub.Chosen(MY_HUB)
 
     /** Why hubs cannot be opened. */
     var failure: HubError? = null
@@ -36,7 +37,7 @@ internal class NearHubs(
 
     override suspend fun available(): List<HubDevice> = devices
 
-    override suspend fun choose(way: HubWay): HubDevice? = chosen
+    override suspend fun choose(way: HubWay): ChosenHub = chosen
 
     override suspend fun open(device: HubDevice): OpenedHub {
         opened += device

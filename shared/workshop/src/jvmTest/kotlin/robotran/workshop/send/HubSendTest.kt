@@ -9,7 +9,9 @@ import robotran.hublink.HubError
 import robotran.hublink.HubVersion
 import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubWay
+import robotran.hublink.output.OutputReader
 import robotran.hublink.output.ProgramErrorKind
 import robotran.hublink.simulated.SimulatedHub
 import robotran.hublink.simulated.SimulatedModel
@@ -30,6 +32,7 @@ import robotran.workshop.state.HubSendStep
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
+import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
@@ -179,7 +182,7 @@ class HubSendTest {
         ports.failure = notSeen
         connectFirst(workshop)
         assertEquals(HubSendStep.Failed(notSeen), workshop.state.hubSend?.step)
-        ports.chosen = null
+        ports.chosen = ChosenHub.None
         ports.devices = emptyList()
         workshop.handle(HubSendEvent.WayRequested(HubWay.BLUETOOTH))
         val choosing = HubSendStep.Choosing(emptyList(), listOf(HubWay.BLUETOOTH), isMissing = true)
@@ -252,6 +255,75 @@ class HubSendTest {
     }
 
     @Test
+    fun `the line that runs on the hub is lit in the program`() = onHub(
+        program = SimulatedProgram {
+            it.print("${OutputReader.MARK}${lineOfMark("pen_down()")}\r\n")
+            awaitCancellation()
+        },
+    ) { workshop ->
+        sendFirst(workshop)
+        workshop.handle(HubSendEvent.Started)
+        assertEquals(2, assertIs<HubSendStep.Running>(end(workshop)).console.runningLine)
+        assertEquals(2, workshop.state.shownProgramRun.runningLine)
+        workshop.handle(HubSendEvent.Stopped)
+        end(workshop)
+        assertEquals(0, workshop.state.shownProgramRun.runningLine)
+    }
+
+    @Test
+    fun `a program does not tell its lines if the pupil does not want it`() = onHub { workshop ->
+        sendFirst(workshop)
+        val telling = checkNotNull(hub.slot).size
+        workshop.handle(HubSendEvent.LineSwitched(isOn = false))
+        assertEquals(HubSendStep.Found, end(workshop))
+        assertEquals(false, workshop.state.hubSend?.tellsLine)
+        workshop.handle(HubSendEvent.Confirmed)
+        assertTrue(assertIs<HubSendStep.Ready>(end(workshop)).bytes < telling)
+        assertFalse("at_line(" in CompilerInTest.lastSource)
+    }
+
+    @Test
+    fun `a program that has no room if it tells its lines does not`() {
+        var room = 0
+        onHub { workshop ->
+            sendFirst(workshop)
+            room = checkNotNull(hub.slot).size - 1
+        }
+        onHub(SimulatedModel(programBytes = room.toLong())) { workshop ->
+            sendFirst(workshop)
+            assertEquals(false, workshop.state.hubSend?.tellsLine)
+            assertFalse("at_line(" in CompilerInTest.lastSource)
+        }
+    }
+
+    @Test
+    fun `the hub that was used last is the first one, also when the app is started again`() = onHub { workshop ->
+        sendFirst(workshop)
+        workshop.close()
+        end(workshop)
+        ports.devices = listOf(OTHER_HUB, MY_HUB)
+        val again = openWorkshop(platform = platform, scope = backgroundScope)
+        again.handle(DocumentEvent.NewWithBrick(BrickKind.SPIKE_PRIME))
+        end(again)
+        again.handle(SendEvent.Requested)
+        val shown = assertIs<HubSendStep.Choosing>(end(again))
+        assertEquals(listOf(MY_HUB, OTHER_HUB) to MY_HUB, shown.devices to shown.last)
+        again.close()
+        ports.devices = listOf(OTHER_HUB, MY_HUB.copy(id = "another"))
+        assertEquals("another", HubMemory(platform.store).lastOf(ports.devices)?.id)
+        assertNull(HubMemory(platform.store).lastOf(listOf(MY_HUB.copy(way = HubWay.USB_SERIAL), OTHER_HUB)))
+    }
+
+    @Test
+    fun `who does not let the app look for hubs is told what to do`() = onHub { workshop ->
+        ports.chosen = ChosenHub.Refused(HubError.BluetoothNotAllowed)
+        workshop.handle(SendEvent.Requested)
+        end(workshop)
+        workshop.handle(HubSendEvent.WayRequested(HubWay.BLUETOOTH))
+        assertEquals(HubSendStep.Failed(HubError.BluetoothNotAllowed), end(workshop))
+    }
+
+    @Test
     fun `a compiler that cannot be fetched is told, and fetched again`() {
         var isThere = false
         val compiler = object : MpyCompiler {
@@ -274,6 +346,13 @@ class HubSendTest {
             "OSError: [Errno 19] ENODEV: \r\n"
     }
 
+    /** The line of the Python that was sent which tells that [statement] runs, by what stands below it. */
+    private fun lineOfMark(statement: String): Int {
+        val lines = CompilerInTest.lastSource.lines()
+        return lines.indices.single { lines[it].startsWith("at_line(") && lines[it + 1] == statement } + 1
+    }
+
+    private lateinit var platform: MemoryPlatform
     private lateinit var hub: SimulatedHub
     private lateinit var ports: NearHubs
 
@@ -287,7 +366,7 @@ class HubSendTest {
     ) = runTest {
         hub = SimulatedHub(backgroundScope, model) { program }
         ports = NearHubs(hub, ways = ways)
-        val platform = MemoryPlatform(files = files, hubs = ports, mpyCompiler = compiler)
+        platform = MemoryPlatform(files = files, hubs = ports, mpyCompiler = compiler)
         val workshop = openWorkshop(platform = platform, scope = backgroundScope)
         workshop.handle(DocumentEvent.NewWithBrick(BrickKind.SPIKE_PRIME))
         end(workshop)

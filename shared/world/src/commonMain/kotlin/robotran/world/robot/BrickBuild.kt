@@ -1,6 +1,7 @@
 package robotran.world.robot
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.ByBrick
 import robotran.world.Drive
 import robotran.world.MicrobitMotorParameters
 import robotran.world.NxtMotorParameters
@@ -24,7 +25,7 @@ class BrickBuild internal constructor(
 ) {
     companion object {
         /** 6.4 by 11.2 cm, a little smaller in pictures. */
-        private val RCX = BrickBuild(
+        private fun ofRcx() = BrickBuild(
             seatWidth = 6.1,
             seatLength = 9.8,
             rightBumperPort = 3,
@@ -33,7 +34,7 @@ class BrickBuild internal constructor(
         )
 
         /** 7.2 by 11.2 cm, a little smaller in pictures. */
-        private val NXT = BrickBuild(
+        private fun ofNxt() = BrickBuild(
             seatWidth = 6.6,
             seatLength = 10.2,
             rightBumperPort = 2,
@@ -41,20 +42,8 @@ class BrickBuild internal constructor(
             NxtMotor,
         )
 
-        /** 5.6 by 8.8 cm, with the plugs at its sides. */
-        private val SPIKE = hub(seatWidth = 6.2, seatLength = 8.6)
-
-        /** 4 by 5.6 cm. */
-        private val ESSENTIAL = hub(seatWidth = 4.0, seatLength = 5.6)
-
-        /** 4.8 by 7.2 cm, with the plugs at its sides. */
-        private val TECHNIC = hub(seatWidth = 6.2, seatLength = 7.2)
-
-        /** 7.2 by 11.2 cm. */
-        private val EV3 = hub(seatWidth = 6.8, seatLength = 10.4)
-
         /** 5.2 by 4.3 cm, drawn as if it lay on the buggy. */
-        private val MICROBIT = BrickBuild(
+        private fun ofMicrobit() = BrickBuild(
             seatWidth = 5.0,
             seatLength = 4.2,
             rightBumperPort = 2,
@@ -65,15 +54,27 @@ class BrickBuild internal constructor(
         private fun hub(seatWidth: Double, seatLength: Double) =
             BrickBuild(seatWidth, seatLength, rightBumperPort = 2, hasShortForm = false, NxtMotor)
 
-        fun of(brick: BrickKind): BrickBuild = when (brick) {
-            BrickKind.RCX -> RCX
-            BrickKind.NXT, BrickKind.NXT_PYBRICKS -> NXT
-            BrickKind.SPIKE_PRIME -> SPIKE
-            BrickKind.SPIKE_ESSENTIAL -> ESSENTIAL
-            BrickKind.TECHNIC_HUB -> TECHNIC
-            BrickKind.EV3 -> EV3
-            BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT
+        private val BUILDS = ByBrick { brick ->
+            when (brick) {
+                BrickKind.RCX -> ofRcx()
+                BrickKind.NXT, BrickKind.NXT_PYBRICKS -> ofNxt()
+
+                // 5.6 by 8.8 cm, with the plugs at its sides.
+                BrickKind.SPIKE_PRIME -> hub(seatWidth = 6.2, seatLength = 8.6)
+
+                // 4 by 5.6 cm.
+                BrickKind.SPIKE_ESSENTIAL -> hub(seatWidth = 4.0, seatLength = 5.6)
+
+                // 4.8 by 7.2 cm, with the plugs at its sides.
+                BrickKind.TECHNIC_HUB -> hub(seatWidth = 6.2, seatLength = 7.2)
+
+                // 7.2 by 11.2 cm.
+                BrickKind.EV3 -> hub(seatWidth = 6.8, seatLength = 10.4)
+                BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> ofMicrobit()
+            }
         }
+
+        fun of(brick: BrickKind): BrickBuild = BUILDS[brick]
     }
 }
 

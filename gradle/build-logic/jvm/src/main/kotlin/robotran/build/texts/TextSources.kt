@@ -44,7 +44,8 @@ class TextSources(qualifiedName: String) {
         append(")\n")
         texts.forEachIndexed { index, (_, text) ->
             append("\nprivate fun ${function}Text$index() = listOf(\n")
-            text.chunked(CHARACTERS_IN_A_PIECE).forEach { append("    ${literal(it)},\n") }
+            // An empty text is one empty piece: Kotlin could not tell what a list of nothing holds.
+            text.chunked(CHARACTERS_IN_A_PIECE).ifEmpty { listOf("") }.forEach { append("    ${literal(it)},\n") }
             append(").joinToString(\"\")\n")
         }
     }

@@ -30,6 +30,11 @@ class TextSourcesTest {
     }
 
     @Test
+    fun `an empty text is a piece without a letter`() {
+        assertContains(sources.files(mapOf("empty" to "")).getValue("texts0.kt"), "listOf(\n    \"\",\n)")
+    }
+
+    @Test
     fun `many texts are spread over files`() {
         val files = sources.files((0 until 100).associate { "$it" to "" })
         assertEquals(setOf("texts0.kt", "texts1.kt", "texts2.kt", "texts.kt"), files.keys)

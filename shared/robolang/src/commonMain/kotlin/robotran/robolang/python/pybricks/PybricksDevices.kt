@@ -172,7 +172,6 @@ internal class PybricksDevices(
             HubDeviceKind.LIGHT_SENSOR -> "light_sensor"
             HubDeviceKind.ULTRASONIC_SENSOR -> "sonar"
             HubDeviceKind.SOUND_SENSOR -> "sound_sensor"
-            HubDeviceKind.GYRO_SENSOR -> "gyro_sensor"
             HubDeviceKind.MOTOR -> error("A motor is no sensor.")
         }
         return if (place > 0) "${wanted}_${place + 1}" else wanted

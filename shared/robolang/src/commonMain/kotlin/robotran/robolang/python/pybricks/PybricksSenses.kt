@@ -114,7 +114,7 @@ internal class PybricksSenses(
     private fun onPort(port: Int, expression: Expression): PythonText {
         val range = expression.range
         return when (robot.sensors[port]) {
-            null, HubDeviceKind.MOTOR, HubDeviceKind.GYRO_SENSOR -> {
+            null, HubDeviceKind.MOTOR -> {
                 nothing(range, messages.nothingOnPort("${hub.sensorPorts.getOrNull(port - 1) ?: port}"))
             }
 

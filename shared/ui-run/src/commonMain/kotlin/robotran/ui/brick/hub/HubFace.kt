@@ -96,7 +96,7 @@ internal class HubFace(private val model: HubModel) : BrickFace {
             plugged is FingerTouchPart -> RunTexts.sensorTouch(spoken)
             else -> plugged.kind.words(spoken)
         }
-        val sensor = CommonTexts.sensor(spoken, port.port, name)
+        val sensor = CommonTexts.sensor(spoken, model.kind.inputLabel(port.port), name)
         return if (value == null) sensor else RunTexts.sensorValue(spoken, sensor, value)
     }
 

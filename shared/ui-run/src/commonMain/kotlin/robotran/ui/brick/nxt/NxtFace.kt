@@ -72,7 +72,7 @@ internal object NxtFace : BrickFace {
             plugged is FingerTouchPart -> RunTexts.sensorTouch(spoken)
             else -> plugged.kind.words(spoken)
         }
-        val port = CommonTexts.sensor(spoken, state.port, name)
+        val port = CommonTexts.sensor(spoken, "${state.port}", name)
         return if (value == null) port else RunTexts.sensorValue(spoken, port, value)
     }
 

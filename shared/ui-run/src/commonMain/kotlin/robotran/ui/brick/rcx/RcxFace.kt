@@ -40,7 +40,7 @@ internal object RcxFace : BrickFace {
         val plugged = remember(robot) { PluggedSensor.of(robot.pluggedSensors.getOrElse(index) { emptyList() }) }
         val isPressed = plugged.isPressed(sensor)
         val value = if (state.poweredOn) "${sensor.value}" else ""
-        val port = CommonTexts.sensor(spoken, sensor.port, plugged.words(spoken))
+        val port = CommonTexts.sensor(spoken, "${sensor.port}", plugged.words(spoken))
         val icon = PortItem.Sign(ICON, ICON) { ink -> plugged.kind?.let { drawSensorIcon(it, isPressed, ink) } }
         return PortView(
             "${sensor.port}",

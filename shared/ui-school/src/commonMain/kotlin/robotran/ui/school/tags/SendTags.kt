@@ -18,6 +18,8 @@ object SendTags {
     const val SEND_DRIVE = "send-drive"
     const val SEND_EMPTY_SLOTS = "send-empty-slots"
     const val SEND_FIRMWARE = "send-firmware"
+    const val SEND_LINE = "send-line"
+    const val SEND_LINE_SWITCH = "send-line-switch"
     const val SEND_MEANING = "send-meaning"
     const val SEND_MESSAGE = "send-message"
     const val SEND_NUMBER = "send-number"

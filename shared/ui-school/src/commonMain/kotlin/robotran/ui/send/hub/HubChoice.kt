@@ -16,7 +16,7 @@ import robotran.workshop.state.HubSendStep
 internal fun HubChoice(step: HubSendStep.Choosing, onEvent: (HubSendEvent) -> Unit) {
     step.devices.forEachIndexed { index, device ->
         Button(
-            nameOf(device),
+            if (device == step.last) HubSendTexts.usedLast(spoken, nameOf(device)) else nameOf(device),
             SendTags.hub(index),
             ButtonKind.DIALOG_ANSWER,
             Modifier.fillMaxWidth(),

@@ -63,7 +63,7 @@ private fun pictureOf(error: HubError): HubPicture = when (error) {
     is HubError.NotSeen -> error.causes.firstOrNull()?.let { pictureOf(it) } ?: HubPicture.SWITCH_ON
     HubError.OutOfReach, HubError.BrokenOff, HubError.BadConnection -> HubPicture.TOO_FAR
     HubError.Taken -> HubPicture.TAKEN
-    HubError.NotAllowed -> HubPicture.LOCKED
+    HubError.NotAllowed, HubError.BluetoothNotAllowed -> HubPicture.LOCKED
     HubError.LegoFirmware, is HubError.TooOld -> HubPicture.WRONG_FIRMWARE
     is HubError.TooLarge -> HubPicture.NO_ROOM
     is HubError.NumberTooLarge, HubError.NotAProgram -> HubPicture.MISTAKE

@@ -80,6 +80,7 @@ class HubSendDialogTest {
             HubSendEvent.Stopped,
             HubSendEvent.PythonSaved,
             HubSendEvent.LineShown,
+            HubSendEvent.LineSwitched(isOn = false),
         )
         assertEquals(expected, events.toSet())
     }
@@ -215,6 +216,7 @@ class HubSendDialogTest {
             SendTags.SEND_SHOW_MISTAKE,
             SendTags.SEND_SHOW_LINE,
             SendTags.SEND_CONFIRM,
+            SendTags.SEND_LINE_SWITCH,
             SendTags.SEND_SAVE_PYTHON,
             SendTags.SEND_START,
             SendTags.SEND_STOP,

@@ -25,6 +25,7 @@ private val ERRORS = listOf(
     HubError.OutOfReach,
     HubError.Taken,
     HubError.NotAllowed,
+    HubError.BluetoothNotAllowed,
     HubError.LegoFirmware,
     HubError.TooOld(HubVersion(3, 1)),
     HubError.TooLarge(15_210, 13_788),
@@ -38,11 +39,14 @@ private val ERRORS = listOf(
     HubError.Refused(132),
 )
 
+private val LINES = listOf("pen down", "", "repeat 4 times", "  show distance", "end")
+
 internal val PRINTED = HubConsole(List(40) { "distance ${it * 7}" }, unfinished = "dist", runningLine = 4)
 
 /** One step of each kind, and each error, by a name for its picture. */
 internal val HUB_STEPS: Map<String, HubSendState> = buildMap {
-    fun put(name: String, step: HubSendStep, hub: FoundHub? = null) = put(name, HubSendState("square.robo", step, hub))
+    fun put(name: String, step: HubSendStep, hub: FoundHub? = null) =
+        put(name, HubSendState("square.robo", step, hub, lines = LINES))
     put("building", HubSendStep.Building)
     val mistake = Diagnostic(Severity.ERROR, "square.robo", SourceRange(12, 5, 9), "This hub has no sensor for sound.")
     put("mistake", HubSendStep.HasErrors(mistake))
@@ -54,6 +58,7 @@ internal val HUB_STEPS: Map<String, HubSendState> = buildMap {
     put("looking", HubSendStep.Looking)
     put("choose", HubSendStep.Choosing(emptyList(), HubWay.entries))
     put("choose-one", HubSendStep.Choosing(listOf(ADA, CABLE), listOf(HubWay.BLUETOOTH)))
+    put("choose-last", HubSendStep.Choosing(listOf(CABLE, ADA), listOf(HubWay.BLUETOOTH), last = CABLE))
     put("choose-missing", HubSendStep.Choosing(emptyList(), listOf(HubWay.BLUETOOTH), isMissing = true))
     put("connecting", HubSendStep.Connecting)
     put("found", HubSendStep.Found, HUB)
