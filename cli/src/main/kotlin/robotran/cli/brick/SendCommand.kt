@@ -90,8 +90,8 @@ internal class SendCommand(
     private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) =
-        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, " +
-            "to a hub with Pybricks, by USB, or onto the drive of a micro:bit."
+        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, to a hub with " +
+            "Pybricks, by USB, or onto the drive of a micro:bit."
 
     override fun run() {
         val board = boardOf(files, brick, buggy, spoken.language)
@@ -155,7 +155,11 @@ internal class SendCommand(
         }
         val mistake = (MicroPythonFile.read(bytes.decodeToString()) as? ImageResult.Failure)?.error
         // A program of another editor is none of our business.
-        if (mistake != null && mistake != ImageError.NoMicroPython) refuse("$name: ${mistake.sentence(spoken.language)}")
+        if (mistake != null &&
+            mistake != ImageError.NoMicroPython
+        ) {
+            refuse("$name: ${mistake.sentence(spoken.language)}")
+        }
         return bytes
     }
 

@@ -58,8 +58,9 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         "-o",
         "--output",
         metavar = "FILE",
-        help = "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy, for a micro:bit .hex); if not " +
-            "given, only its size is told",
+        help =
+            "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy, for a micro:bit .hex); if not " +
+                "given, only its size is told",
     )
     private val listing by option("--listing", help = "prints the image in words, for a hub or micro:bit the Python")
         .flag()

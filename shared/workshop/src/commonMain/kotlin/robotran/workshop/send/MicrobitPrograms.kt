@@ -17,12 +17,8 @@ internal sealed interface MicrobitTranslation {
      * @property maxBytes the room that such a board usually has for a program.
      * @property lineOf the pupil's line of a line of the Python, both from 1; null if it has none.
      */
-    class Success(
-        val python: String,
-        val board: MicrobitBoard,
-        val maxBytes: Int,
-        val lineOf: (Int) -> Int?,
-    ) : MicrobitTranslation {
+    class Success(val python: String, val board: MicrobitBoard, val maxBytes: Int, val lineOf: (Int) -> Int?) :
+        MicrobitTranslation {
         val bytes: ByteArray get() = python.encodeToByteArray()
     }
 

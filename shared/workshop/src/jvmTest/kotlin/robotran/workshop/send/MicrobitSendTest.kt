@@ -343,7 +343,10 @@ class MicrobitSendTest {
 
     private fun onDesk(
         main: String = MAIN,
-        translation: MicrobitTranslation = MicrobitTranslation.Success(main, MicrobitBoard.V2, maxBytes = 20_150) { it * 10 },
+        translation: MicrobitTranslation = MicrobitTranslation.Success(main, MicrobitBoard.V2, maxBytes = 20_150) {
+            it *
+                10
+        },
         board: () -> SimulatedBoard = { boardWith(MicrobitBoard.V2) },
         canReach: Boolean = true,
         drives: MicrobitDrives = NoMicrobitDrives,
