@@ -12,14 +12,20 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.simulation.state.RobotState
+import robotran.ui.parts.readyRobotName
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
+import robotran.ui.school.texts.ExportTexts
 import robotran.ui.sheet.CanvasTarget
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetTransform
@@ -28,39 +34,77 @@ import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.geometry.Pose
 
-/** "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. */
-@OptIn(ExperimentalLayoutApi::class)
+/**
+ * "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. A board has
+ * a second question: which buggy carries it.
+ */
 @Composable
 internal fun RobotChoiceDialog(onEvent: (DocumentEvent) -> Unit) {
+    var board by rememberSaveable { mutableStateOf<BrickKind?>(null) }
     val close = { onEvent(DocumentEvent.DialogClosed) }
+    val asked = board
     Dialog(
-        HubTexts.whichRobot(spoken),
+        if (asked == null) HubTexts.whichRobot(spoken) else HubTexts.whichBuggy(spoken),
         close,
         buttons = {
+            if (asked != null) {
+                Button(ExportTexts.back(spoken), DocumentTags.ROBOT_BACK, ButtonKind.DIALOG_OTHER) { board = null }
+            }
             Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
         },
     ) {
-        FlowRow(
-            Modifier.fillMaxWidth(),
-            Arrangement.spacedBy(Space.MEDIUM),
-            Arrangement.spacedBy(Space.MEDIUM),
-        ) {
-            for (brick in BrickKind.entries) RobotCard(brick) { onEvent(DocumentEvent.NewWithBrick(brick)) }
+        if (asked == null) Bricks(onEvent) { board = it } else Buggies(asked, onEvent)
+    }
+}
+
+/** @param onBoard is told of a board, which several buggies carry. */
+@Composable
+private fun Bricks(onEvent: (DocumentEvent) -> Unit, onBoard: (BrickKind) -> Unit) = Cards {
+    for (brick in BrickKind.entries) {
+        val robot = ReadyRobots.defaultOf(brick)
+        RobotCard(robot, HubTexts.robotWith(spoken, brick), DocumentTags.robot(brick)) {
+            if (robot.buggy == null) onEvent(DocumentEvent.NewWithBrick(brick)) else onBoard(brick)
         }
     }
 }
 
 @Composable
-private fun RobotCard(brick: BrickKind, onClick: () -> Unit) {
+private fun Buggies(board: BrickKind, onEvent: (DocumentEvent) -> Unit) = Cards {
+    for (robot in remember(board) { buggiesWith(board) }) {
+        val key = checkNotNull(robot.base)
+        RobotCard(robot, readyRobotName(key), DocumentTags.robot(key)) {
+            onEvent(DocumentEvent.NewWithRobot(robot))
+        }
+    }
+}
+
+/** The ready buggies with this [board] on them. Those that are ready for another one carry it as well. */
+internal fun buggiesWith(board: BrickKind): List<RobotDescription> {
+    val (own, others) = ReadyRobots.all.values.filter { it.buggy != null }.partition { it.brick == board }
+    val kinds = own.map { it.buggy?.kind }
+    return own + others.filter { it.buggy?.kind !in kinds }.map { it.copy(brick = board) }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Cards(content: @Composable () -> Unit) = FlowRow(
+    Modifier.fillMaxWidth(),
+    Arrangement.spacedBy(Space.MEDIUM),
+    Arrangement.spacedBy(Space.MEDIUM),
+) { content() }
+
+@Composable
+private fun RobotCard(robot: RobotDescription, name: String, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    CardButton(DocumentTags.robot(brick), onClick, Modifier.width(CARD_WIDTH)) {
+    CardButton(tag, onClick, Modifier.width(CARD_WIDTH)) {
         Column {
-            RobotFromAbove(brick, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
+            RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
-                HubTexts.robotWith(spoken, brick),
+                name,
                 Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
                 style = TextStyles.label,
             )
@@ -68,10 +112,9 @@ private fun RobotCard(brick: BrickKind, onClick: () -> Unit) {
     }
 }
 
-/** The ready robot with [brick], looking up. */
+/** The [robot], looking up. */
 @Composable
-private fun RobotFromAbove(brick: BrickKind, modifier: Modifier) {
-    val robot = remember(brick) { ReadyRobots.defaultOf(brick) }
+private fun RobotFromAbove(robot: RobotDescription, modifier: Modifier) {
     val plan = remember(robot) { RobotPlan(robot) }
     Canvas(modifier) {
         val scale = size.height / SHOWN_CENTIMETRES

@@ -28,6 +28,8 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkToAdd
+import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
@@ -75,9 +77,10 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> beginNew(BrickKind.default)
+            DocumentEvent.NewRequested -> beginNew(ReadyRobots.defaultOf(BrickKind.default))
             DocumentEvent.RobotChoiceRequested -> view.show(DocumentDialog.RobotChoice)
-            is DocumentEvent.NewWithBrick -> beginNew(event.brick)
+            is DocumentEvent.NewWithBrick -> beginNew(ReadyRobots.defaultOf(event.brick))
+            is DocumentEvent.NewWithRobot -> beginNew(event.robot)
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
@@ -245,7 +248,7 @@ class DocumentStateHolder(
         val taken = id?.let { projects.claim(it) }
         return switch(taken) { before ->
             if (taken == null) {
-                begin(brick)
+                begin(ReadyRobots.defaultOf(brick))
             } else {
                 guard.begin(taken.first.id)
                 editor.openProject(taken.first.project)
@@ -309,19 +312,19 @@ class DocumentStateHolder(
         launch { projects.handle(event) }
     }
 
-    private fun beginNew(brick: BrickKind) {
+    private fun beginNew(robot: RobotDescription) {
         launch {
             replacement.replace {
                 navigator.leavePages()
-                begin(brick)
+                begin(robot)
             }
         }
     }
 
     /** Pages stay: who leaves the tutorial may have opened one before this project is there. */
-    private suspend fun begin(brick: BrickKind) {
+    private suspend fun begin(robot: RobotDescription) {
         val name = autosaver.unusedName()
-        editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
+        editor.openProject(Project(BuiltInWorlds.plainWith(robot)))
         autosaver.startNew(name)
         // This project is for free experiments.
         navigator.hideTask()

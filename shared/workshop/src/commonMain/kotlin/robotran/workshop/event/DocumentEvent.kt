@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.programs.ProgramTranslation
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
+import robotran.world.RobotDescription
 
 /** A user action on the whole project. */
 sealed interface DocumentEvent : WorkshopEvent {
@@ -18,6 +19,9 @@ sealed interface DocumentEvent : WorkshopEvent {
 
     /** Opens a new project whose robot is the penbot with a [brick]. */
     data class NewWithBrick(val brick: BrickKind) : DocumentEvent
+
+    /** Opens a new project on the empty sheet with this [robot]. */
+    data class NewWithRobot(val robot: RobotDescription) : DocumentEvent
 
     /** Lets the user choose and open files. */
     data object OpenRequested : DocumentEvent

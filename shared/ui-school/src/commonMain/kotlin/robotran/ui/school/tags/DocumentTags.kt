@@ -41,6 +41,7 @@ object DocumentTags {
     const val RENAME_CANCEL = "rename-cancel"
     const val RENAME_DONE = "rename-done"
     const val REPLAY = "replay"
+    const val ROBOT_BACK = "robot-back"
     const val SAVE = "save"
     const val SAVE_AS = "save-as"
     const val SHARE_LINK = "share-link"
@@ -70,7 +71,10 @@ object DocumentTags {
 
     fun rename(id: String) = "rename-$id"
 
-    fun robot(brick: BrickKind) = "robot-${brick.name.lowercase().replace('_', '-')}"
+    fun robot(brick: BrickKind) = robot(brick.name.lowercase().replace('_', '-'))
+
+    /** @param key of a ready robot. */
+    fun robot(key: String) = "robot-$key"
 
     fun work(id: String) = "work-$id"
 }
