@@ -2,8 +2,11 @@ package robotran.robolang.robot
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.WheelTrim
 import robotran.hub.model.HubDeviceKind
 import robotran.hub.model.HubModel
+import robotran.microbit.buggy.Buggy
+import robotran.microbit.model.MicrobitModel
 import kotlin.math.PI
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
@@ -106,6 +109,36 @@ sealed interface RobotTarget {
             /** A second, for lengths in millimetres. */
             const val MILLISECONDS_PER_TURN_OF_CM = 10_000
             const val FULL_TURN_OF_CM = 3600
+        }
+    }
+
+    /**
+     * A robot with a micro:bit on a buggy, whose wheels turn for a time.
+     *
+     * @property millisecondsPerCentimetre how long both wheels turn per centimetre at power 3.
+     * @property millisecondsPerDegree how long they turn in opposite directions per degree at power 3.
+     * @property trim what the program slows down the faster wheel by.
+     * @property sensors what is on its ports, by their numbers from 1.
+     */
+    data class Microbit(
+        val model: MicrobitModel,
+        val buggy: Buggy,
+        override val millisecondsPerCentimetre: Double,
+        override val millisecondsPerDegree: Double,
+        override val left: MotorPort = MotorPort.A,
+        override val right: MotorPort = MotorPort.C,
+        override val pen: MotorPort? = MotorPort.B,
+        override val isReversed: Boolean = false,
+        val trim: WheelTrim = WheelTrim.NONE,
+        val sensors: Map<Int, MicrobitSensor> = sensorsOf(buggy),
+    ) : RobotTarget {
+        override val kind: BrickKind get() = model.kind
+
+        companion object {
+            /** All sensors of a buggy on their ports: those for lines from left to right, then the one for distances. */
+            fun sensorsOf(buggy: Buggy): Map<Int, MicrobitSensor> =
+                buggy.lines.indices.associate { it + 1 to MicrobitSensor.Line(it) as MicrobitSensor } +
+                    listOfNotNull(buggy.sonarPort).associateWith { MicrobitSensor.Sonar }
         }
     }
 }

@@ -95,6 +95,21 @@ internal class BrickDialect private constructor(
             waitsForOutput = true,
         )
 
+        private val MICROBIT = BrickDialect(
+            keyword = Keyword.MICROBIT,
+            rightBumperPort = 2,
+            lightPort = 1,
+            hasSeveralOfAKind = true,
+            takesButtonsOfOthers = true,
+            textLength = 100,
+            showsAscii = true,
+            freesLists = true,
+            dividesByShort = false,
+            rollsOn = false,
+            waitsForSensors = false,
+            asksRobot = true,
+        )
+
         fun of(brick: BrickKind): BrickDialect = when (brick) {
             BrickKind.RCX -> RCX
             BrickKind.NXT -> NXT
@@ -103,6 +118,7 @@ internal class BrickDialect private constructor(
             BrickKind.TECHNIC_HUB -> TECHNIC_HUB
             BrickKind.EV3 -> EV3
             BrickKind.NXT_PYBRICKS -> NXT_PYBRICKS
+            BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT
         }
     }
 }
