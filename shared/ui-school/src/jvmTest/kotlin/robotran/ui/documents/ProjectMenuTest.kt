@@ -16,6 +16,7 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.assertWidthIsAtLeast
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performScrollTo
@@ -23,6 +24,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.language.Language
 import robotran.ui.common.AutosaveBanner
 import robotran.ui.common.tags.CommonTags
@@ -42,6 +44,7 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
+import robotran.world.ReadyRobots
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -175,8 +178,35 @@ class ProjectMenuTest {
             choose(DocumentTags.NEW_ROBOT)
             onNodeWithTag(DocumentTags.robot(brick)).performScrollTo().assertWidthIsAtLeast(48.dp)
                 .assertHeightIsAtLeast(48.dp).assertTextContains(brick.label, substring = true).performClick()
+            val robot = ReadyRobots.defaultOf(brick)
+            if (robot.buggy != null) chooseBuggy(checkNotNull(robot.base))
             assertNull(workshop.state.document.dialog)
             assertEquals(brick, workshop.state.programs.brick)
+        }
+    }
+
+    private fun ComposeUiTest.chooseBuggy(key: String) {
+        onNodeWithTag(DocumentTags.robot(key)).performScrollTo().assertWidthIsAtLeast(48.dp)
+            .assertHeightIsAtLeast(48.dp).performClick()
+    }
+
+    @Test
+    fun `who has a board is asked for its buggy, and can go back`() = shown { workshop ->
+        for (board in listOf(BrickKind.MICROBIT, BrickKind.MICROBIT_V1)) {
+            val buggies = buggiesWith(board)
+            assertEquals(BuggyKind.entries.toSet(), buggies.map { it.buggy?.kind }.toSet())
+            for (buggy in buggies) {
+                choose(DocumentTags.NEW_ROBOT)
+                onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
+                onNodeWithText("Which buggy do you have?").assertIsDisplayed()
+                onNodeWithTag(DocumentTags.ROBOT_BACK).performClick()
+                onNodeWithText("Which robot do you have?").assertIsDisplayed()
+                onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
+                chooseBuggy(checkNotNull(buggy.base))
+                assertNull(workshop.state.document.dialog)
+                val robot = workshop.state.project.world.robots.first().description
+                assertEquals(buggy.buggy to board, robot.buggy to robot.brick)
+            }
         }
     }
 
