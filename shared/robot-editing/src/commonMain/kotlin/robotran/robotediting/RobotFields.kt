@@ -57,7 +57,8 @@ fun RobotDescription.wholeFields(): List<Field<RobotEdit>> = listOf(
         },
         brick,
     ) { kind ->
-        RobotEdit.Change(copy(brick = kind, base = ReadyRobots.defaultOf(kind).base)).takeIf { kind != brick }
+        val usual = ReadyRobots.defaultOf(kind)
+        RobotEdit.Change(copy(brick = kind, buggy = usual.buggy, base = usual.base)).takeIf { kind != brick }
     },
 )
 

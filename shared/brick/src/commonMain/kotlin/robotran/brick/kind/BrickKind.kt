@@ -243,6 +243,9 @@ enum class BrickKind(
         ProgramWay.MICROBIT,
     )
 
+    /** Whether it is a micro:bit, which drives as the buggy does that it is plugged into. */
+    val isOnBuggy: Boolean get() = programWay == ProgramWay.MICROBIT
+
     /** What it is called on the command line. */
     val word: String get() = name.lowercase().replace('_', '-')
 

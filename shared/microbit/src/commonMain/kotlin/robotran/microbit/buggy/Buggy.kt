@@ -25,6 +25,11 @@ data class Buggy(
     /** The port of the distance sensor, from 1; null without one. */
     val sonarPort: Int? get() = if (sonar == null) null else lines.size + 1
 
+    /** What is on its ports, by their numbers. */
+    val sensors: Map<Int, MicrobitSensor>
+        get() = lines.indices.associate { it + 1 to MicrobitSensor.Line(it) as MicrobitSensor } +
+            listOfNotNull(sonarPort).associateWith { MicrobitSensor.Sonar }
+
     /** What a program does before its first line: chip and servo made ready, wheels stopped. */
     fun startCalls(hasPen: Boolean): List<MicrobitCall> =
         wheels.start + (if (hasPen) pen?.start.orEmpty() else emptyList()) + stopCalls

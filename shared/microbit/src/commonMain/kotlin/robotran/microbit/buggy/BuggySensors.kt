@@ -35,6 +35,12 @@ sealed interface PenServo {
 
     /** Turns it to this angle, 0..180 degrees. */
     fun turnTo(degrees: Int): MicrobitCall
+
+    companion object {
+        /** Where the servo stands with the pen lifted, and where with its tip on the paper: ours, for a lever to the front. */
+        const val UP_DEGREES = 90
+        const val DOWN_DEGREES = 45
+    }
 }
 
 /** One that the chip of the buggy turns. */

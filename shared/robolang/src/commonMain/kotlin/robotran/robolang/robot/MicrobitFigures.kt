@@ -1,5 +1,6 @@
 package robotran.robolang.robot
 
+import robotran.microbit.buggy.PenServo
 import kotlin.math.floor
 
 /**
@@ -20,8 +21,8 @@ object MicrobitFigures {
     const val BUZZ_MILLISECONDS = 200
 
     /** The angles of the servo of the pen, degrees, and how long it takes from one to the other. */
-    const val PEN_UP_DEGREES = 90
-    const val PEN_DOWN_DEGREES = 45
+    const val PEN_UP_DEGREES = PenServo.UP_DEGREES
+    const val PEN_DOWN_DEGREES = PenServo.DOWN_DEGREES
     const val PEN_MILLISECONDS = 200
 
     /** Time between two measurements of a distance, so that old echoes do not count; in between the last one stands. */

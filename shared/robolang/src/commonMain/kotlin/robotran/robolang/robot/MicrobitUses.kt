@@ -1,5 +1,6 @@
 package robotran.robolang.robot
 
+import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.model.MicrobitButton
 import robotran.robolang.syntax.BrickButton
 import robotran.robolang.syntax.Facing

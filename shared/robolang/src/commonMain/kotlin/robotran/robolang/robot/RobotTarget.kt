@@ -6,6 +6,7 @@ import robotran.brick.kind.WheelTrim
 import robotran.hub.model.HubDeviceKind
 import robotran.hub.model.HubModel
 import robotran.microbit.buggy.Buggy
+import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.model.MicrobitModel
 import kotlin.math.PI
 
@@ -130,16 +131,9 @@ sealed interface RobotTarget {
         override val pen: MotorPort? = MotorPort.B,
         override val isReversed: Boolean = false,
         val trim: WheelTrim = WheelTrim.NONE,
-        val sensors: Map<Int, MicrobitSensor> = sensorsOf(buggy),
+        val sensors: Map<Int, MicrobitSensor> = buggy.sensors,
     ) : RobotTarget {
         override val kind: BrickKind get() = model.kind
-
-        companion object {
-            /** All sensors of a buggy on their ports: those for lines from left to right, then the one for distances. */
-            fun sensorsOf(buggy: Buggy): Map<Int, MicrobitSensor> =
-                buggy.lines.indices.associate { it + 1 to MicrobitSensor.Line(it) as MicrobitSensor } +
-                    listOfNotNull(buggy.sonarPort).associateWith { MicrobitSensor.Sonar }
-        }
     }
 }
 

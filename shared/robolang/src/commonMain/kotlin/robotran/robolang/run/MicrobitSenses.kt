@@ -1,10 +1,10 @@
 package robotran.robolang.run
 
 import robotran.brick.controls.MotorPort
+import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.model.MicrobitButton
 import robotran.microbit.program.Microbit
 import robotran.robolang.robot.MicrobitFigures
-import robotran.robolang.robot.MicrobitSensor
 import robotran.robolang.robot.MicrobitUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BrickButton

@@ -2,6 +2,7 @@ package robotran.world.robot
 
 import robotran.brick.kind.BrickKind
 import robotran.world.Drive
+import robotran.world.MicrobitMotorParameters
 import robotran.world.NxtMotorParameters
 import robotran.world.Penbot
 
@@ -52,6 +53,15 @@ class BrickBuild internal constructor(
         /** 7.2 by 11.2 cm. */
         private val EV3 = hub(seatWidth = 6.8, seatLength = 10.4)
 
+        /** 5.2 by 4.3 cm, drawn as if it lay on the buggy. */
+        private val MICROBIT = BrickBuild(
+            seatWidth = 5.0,
+            seatLength = 4.2,
+            rightBumperPort = 2,
+            hasShortForm = false,
+            MicrobitMotor,
+        )
+
         private fun hub(seatWidth: Double, seatLength: Double) =
             BrickBuild(seatWidth, seatLength, rightBumperPort = 2, hasShortForm = false, NxtMotor)
 
@@ -62,6 +72,7 @@ class BrickBuild internal constructor(
             BrickKind.SPIKE_ESSENTIAL -> ESSENTIAL
             BrickKind.TECHNIC_HUB -> TECHNIC
             BrickKind.EV3 -> EV3
+            BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT
         }
     }
 }
@@ -117,6 +128,24 @@ private object NxtMotor : DriveMotor {
 
     override fun rollingDeceleration(drive: Drive, circumference: Double) =
         NxtMotorParameters.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
+}
+
+/**
+ * A motor of a micro:bit buggy. Nobody has published measured speeds of one: these are start values, which pupils replace by
+ * their own, see [MicrobitMotorParameters].
+ */
+private object MicrobitMotor : DriveMotor {
+    override val lag = MicrobitMotorParameters.LAG
+
+    override fun topSpeed(drive: Drive, circumference: Double) = MicrobitMotorParameters.TOP_SPEED / drive.gear
+
+    override fun calibratedSpeed(drive: Drive, circumference: Double) =
+        MicrobitMotorParameters.CALIBRATED_SPEED / drive.gear
+
+    override fun stallForce(drive: Drive) =
+        MicrobitMotorParameters.STALL_TORQUE * drive.gear / (drive.wheelDiameter / 2) * NEWTON
+
+    override fun rollingDeceleration(drive: Drive, circumference: Double) = Penbot.ROLLING_DECELERATION
 }
 
 /** In kg cm/s2. */

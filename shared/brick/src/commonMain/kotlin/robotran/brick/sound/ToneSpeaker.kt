@@ -1,24 +1,30 @@
-package robotran.hub.hardware
+package robotran.brick.sound
 
-import robotran.brick.sound.SoundEvent
-import robotran.brick.sound.SoundTrack
-import robotran.brick.sound.ToneRequest
-import robotran.hub.display.HubScreen
+import robotran.brick.state.Screen
 
-/** The loudspeaker: one tone at a time, a new one takes the place of the one before. */
-internal class HubSpeaker(private val drawn: () -> HubScreen) {
+/**
+ * A loudspeaker that plays one tone at a time; a new one takes the place of the one before.
+ *
+ * @param drawn what the display shows.
+ */
+class ToneSpeaker(private val drawn: () -> Screen) {
     private var now = 0L
     private var endsAt = 0L
     private var waitsUntil = 0L
     private var isAudible = false
 
-    val track = SoundTrack()
+    /** What it has played. */
+    val track: SoundTrack = SoundTrack()
     val isSounding: Boolean get() = isAudible && now < endsAt
 
     /** Milliseconds that the program waits for the tone. */
     val millisecondsLeft: Int get() = maxOf(0L, waitsUntil - now).toInt()
 
-    /** @param milliseconds below 0: until told otherwise, and nobody waits. */
+    /**
+     * Begins a tone; none is heard at 0 hertz or below.
+     *
+     * @param milliseconds below 0: until told otherwise, and nobody waits. At most a minute.
+     */
     fun beep(hertz: Int, milliseconds: Int) {
         if (isSounding) track.add(SoundEvent.Cut(now))
         val length = if (milliseconds < 0) LONGEST else minOf(milliseconds, LONGEST)
@@ -31,12 +37,14 @@ internal class HubSpeaker(private val drawn: () -> HubScreen) {
         }
     }
 
+    /** Ends the tone. */
     fun stop() {
         if (isSounding) track.add(SoundEvent.Cut(now))
         isAudible = false
         waitsUntil = now
     }
 
+    /** Tells the time. */
     fun tick(milliseconds: Long) {
         now = milliseconds
     }

@@ -1,4 +1,4 @@
-package robotran.robolang.robot
+package robotran.microbit.buggy
 
 /** What a port of a buggy has. */
 sealed interface MicrobitSensor {
