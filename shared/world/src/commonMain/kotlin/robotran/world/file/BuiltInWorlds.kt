@@ -3,6 +3,7 @@ package robotran.world.file
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.World
 
 /** The built-in worlds: the files of the folder `worlds`. */
