@@ -34,10 +34,8 @@ object WorldGallery {
         BrickKind.entries.distinctBy(::wordOf).filter { it == BrickKind.default || wordOf(it) in words }
     }
 
-    private fun wordOf(brick: BrickKind): String? {
-        val robot = ReadyRobots.defaultOf(brick)
-        return if (robot.buggy == null) robot.base?.substringBefore('-') else BUGGY
-    }
+    private fun wordOf(brick: BrickKind) =
+        if (brick.isOnBuggy) BUGGY else ReadyRobots.defaultOf(brick).base?.substringBefore('-')
 
     private val withHarder: List<GalleryWorld> by lazy { worlds + worlds.flatMap { it.harder } }
 

@@ -15,8 +15,11 @@ object MicrobitMotorParameters {
     /** Percent of power below which a motor only hums. */
     const val LOWEST_PERCENT = 15
 
-    /** Time constant with which a motor starts and stops in an ideal world, in milliseconds: that of the penbot. */
-    const val LAG = Penbot.MOTOR_LAG
+    /**
+     * Time constant with which a motor starts and stops in an ideal world, in milliseconds. Builders see 50 to 150; a shorter
+     * one would make the tyres of so light a robot slip when a turn follows a drive.
+     */
+    const val LAG = 50.0
 
     /** The stall torque of a small gearmotor behind its gears, in N cm (estimate). */
     const val STALL_TORQUE = 5.0

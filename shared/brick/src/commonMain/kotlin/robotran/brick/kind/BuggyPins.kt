@@ -36,7 +36,13 @@ data class BuggyPins(
         const val MOST_LINES = 3
 
         /** Two continuous servos on the large pins, as Kitronik's :MOVE mini has them. */
-        val SERVOS = BuggyPins(PlainDrive.SERVOS, left = listOf(2), right = listOf(1))
+        val SERVOS: BuggyPins = BuggyPins(PlainDrive.SERVOS, left = listOf(2), right = listOf(1))
+
+        /** Two motors on the small pins, as 4tronix' MiniBit has them. */
+        val BRIDGE: BuggyPins = BuggyPins(PlainDrive.BRIDGE, left = listOf(12, 8), right = listOf(16, 14))
+
+        /** What a buggy with this drive has if nobody says otherwise. */
+        fun of(drive: PlainDrive): BuggyPins = if (drive == PlainDrive.SERVOS) SERVOS else BRIDGE
     }
 }
 

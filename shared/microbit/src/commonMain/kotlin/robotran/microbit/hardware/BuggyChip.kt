@@ -76,8 +76,9 @@ internal class BuggyChip(private val buggy: Buggy) {
     }
 
     /** Both pins high brake; nobody writes that. */
-    private fun percentOf(motor: BridgePins): Int =
-        (pinOf(motor.ahead) - pinOf(motor.back)) * ALL / BridgePins.FULL
+    private fun percentOf(motor: BridgePins): Int = share(pinOf(motor.ahead)) - share(pinOf(motor.back))
+
+    private fun share(value: Int) = (value * ALL + BridgePins.FULL / 2) / BridgePins.FULL
 
     private fun pinOf(pin: Int) = pins[pin] ?: 0
 

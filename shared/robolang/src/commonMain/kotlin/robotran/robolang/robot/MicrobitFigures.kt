@@ -1,7 +1,7 @@
 package robotran.robolang.robot
 
+import robotran.brick.kind.WheelTrim
 import robotran.microbit.buggy.PenServo
-import kotlin.math.floor
 
 /**
  * The figures of the robot statements on a micro:bit buggy, in the interpreter and in Python alike. The real speed is not
@@ -39,7 +39,5 @@ object MicrobitFigures {
     const val FULL_LEVEL = 255
 
     /** Percent for a wheel with this power, 0..7, and this [factor] of its trim; halves round up. */
-    fun percentOf(power: Int, factor: Double): Int = floor(PERCENT_OF_POWER[power] * factor + HALF).toInt()
-
-    private const val HALF = 0.5
+    fun percentOf(power: Int, factor: Double): Int = WheelTrim.percentOf(PERCENT_OF_POWER[power], factor)
 }

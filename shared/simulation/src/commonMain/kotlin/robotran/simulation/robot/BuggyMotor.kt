@@ -2,6 +2,7 @@ package robotran.simulation.robot
 
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
+import robotran.brick.kind.WheelTrim
 import robotran.simulation.config.SimulationLimits
 import robotran.simulation.noise.Realism
 import robotran.world.MicrobitMotorParameters
@@ -13,14 +14,20 @@ import kotlin.math.abs
  * speeds that [RobotParameters] has for 45 and for 100 percent; below a lowest power it only hums. It starts and stops
  * with the same lag, so that a time drives exactly its way; in a realistic world the lag is longer.
  *
- * @param drift how much faster the wheel is than it should be: 1 for a nominal one.
+ * @param trim what programs multiply the power of this wheel by. Since they do, the wheel is one that is faster: at the power
+ * at which a pupil measures by just as much as that slows it down.
  */
-internal class BuggyMotor(private val f: RobotParameters, realism: Double, private val drift: Double) : MotorModel() {
+internal class BuggyMotor(private val f: RobotParameters, realism: Double, trim: Double = 1.0) : MotorModel() {
     private val response = TICK_MILLISECONDS / (f.motorLag + realism * Realism.BUGGY_LAG + TICK_MILLISECONDS)
 
     /** The power at which the speed reaches half of the limit of the curve through the two known speeds. */
     private val halfPower = ALL * CALIBRATED * (f.topSpeed - f.calibratedSpeed) /
         (ALL * f.calibratedSpeed - CALIBRATED * f.topSpeed)
+
+    private val drift = f.calibratedSpeed / maxOf(
+        drivenSpeed(WheelTrim.percentOf(MicrobitMotorParameters.CALIBRATED_PERCENT, trim)),
+        SimulationLimits.STANDSTILL_SPEED,
+    )
 
     override fun tick(command: MotorState, supply: Double, load: Double) {
         val target = when (command.mode) {

@@ -143,7 +143,7 @@ internal class SimulatedRobot(
 
     /** A motor that does not count; [trim] of one of a buggy is what its programs slow down its wheel by. */
     private fun timedMotor(trim: Double?): MotorModel =
-        if (trim == null) RcxMotor(parameters) else BuggyMotor(parameters, realism, drift = 1 / trim)
+        if (trim == null) RcxMotor(parameters) else BuggyMotor(parameters, realism, trim)
 
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS
 

@@ -43,10 +43,10 @@ class BrickLabels private constructor(
             forgivingJava = CommonTexts::javaForgivingHelpNxt,
         )
 
-        private val HUBS = BrickKind.entries.associateWith(::ofHub)
+        private val OTHERS = BrickKind.entries.associateWith(::ofOther)
 
-        /** What is said about any hub with Pybricks; [brick] has its name. */
-        private fun ofHub(brick: BrickKind) = BrickLabels(
+        /** What is said about any hub with Pybricks, and about a micro:bit; [brick] has its name. */
+        private fun ofOther(brick: BrickKind) = BrickLabels(
             programIsFor = { HubTexts.programIsFor(it, brick.label) },
             use = { HubTexts.use(it, brick.label) },
             send = CommonTexts::sendToRobot,
@@ -61,8 +61,8 @@ class BrickLabels private constructor(
             BrickKind.NXT -> NXT
 
             BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
-            BrickKind.NXT_PYBRICKS,
-            -> HUBS.getValue(brick)
+            BrickKind.NXT_PYBRICKS, BrickKind.MICROBIT, BrickKind.MICROBIT_V1,
+            -> OTHERS.getValue(brick)
         }
     }
 }

@@ -24,6 +24,7 @@ import robotran.brick.controls.BrickButton
 import robotran.brick.kind.BrickKind
 import robotran.brick.state.BrickState
 import robotran.hub.model.HubModel
+import robotran.microbit.model.MicrobitModel
 import robotran.ui.brick.front.BrickFace
 import robotran.ui.brick.front.FrontButton
 import robotran.ui.brick.front.FrontPart
@@ -33,6 +34,7 @@ import robotran.ui.brick.front.Signal
 import robotran.ui.brick.front.drawFront
 import robotran.ui.brick.front.inUnits
 import robotran.ui.brick.hub.HubFace
+import robotran.ui.brick.microbit.MicrobitFace
 import robotran.ui.brick.nxt.NxtFace
 import robotran.ui.brick.rcx.RcxFace
 import robotran.ui.run.tags.RunTags
@@ -49,9 +51,12 @@ internal val BrickKind.face: BrickFace
 
         BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
         -> HUB_FACES.getValue(this)
+
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MICROBIT_FACES.getValue(this)
     }
 
 private val HUB_FACES = HubModel.entries.associate { it.kind to HubFace(it) }
+private val MICROBIT_FACES = MicrobitModel.entries.associate { it.kind to MicrobitFace(it) }
 
 /**
  * The front of a brick, with buttons that support multi-touch.

@@ -21,8 +21,9 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
+import robotran.editing.RobotTexts
 import robotran.simulation.state.RobotState
-import robotran.ui.parts.readyRobotName
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
 import robotran.ui.school.texts.ExportTexts
@@ -67,26 +68,19 @@ private fun Bricks(onEvent: (DocumentEvent) -> Unit, onBoard: (BrickKind) -> Uni
     for (brick in BrickKind.entries) {
         val robot = ReadyRobots.defaultOf(brick)
         RobotCard(robot, HubTexts.robotWith(spoken, brick), DocumentTags.robot(brick)) {
-            if (robot.buggy == null) onEvent(DocumentEvent.NewWithBrick(brick)) else onBoard(brick)
+            if (brick.isOnBuggy) onBoard(brick) else onEvent(DocumentEvent.NewWithBrick(brick))
         }
     }
 }
 
 @Composable
 private fun Buggies(board: BrickKind, onEvent: (DocumentEvent) -> Unit) = Cards {
-    for (robot in remember(board) { buggiesWith(board) }) {
-        val key = checkNotNull(robot.base)
-        RobotCard(robot, readyRobotName(key), DocumentTags.robot(key)) {
-            onEvent(DocumentEvent.NewWithRobot(robot))
+    for (buggy in BuggyKind.entries) {
+        val name = if (buggy == BuggyKind.PLAIN) RobotTexts.readyPlainBuggy(spoken) else buggy.label
+        RobotCard(ReadyRobots.on(buggy, board), name, DocumentTags.robot(buggy)) {
+            onEvent(DocumentEvent.NewWithBrick(board, buggy))
         }
     }
-}
-
-/** The ready buggies with this [board] on them. Those that are ready for another one carry it as well. */
-internal fun buggiesWith(board: BrickKind): List<RobotDescription> {
-    val (own, others) = ReadyRobots.all.values.filter { it.buggy != null }.partition { it.brick == board }
-    val kinds = own.map { it.buggy?.kind }
-    return own + others.filter { it.buggy?.kind !in kinds }.map { it.copy(brick = board) }
 }
 
 @OptIn(ExperimentalLayoutApi::class)

@@ -44,7 +44,6 @@ import robotran.workshop.event.SettingsEvent
 import robotran.workshop.platform.OpenRequest
 import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.Notice
-import robotran.world.ReadyRobots
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertIs
@@ -178,34 +177,31 @@ class ProjectMenuTest {
             choose(DocumentTags.NEW_ROBOT)
             onNodeWithTag(DocumentTags.robot(brick)).performScrollTo().assertWidthIsAtLeast(48.dp)
                 .assertHeightIsAtLeast(48.dp).assertTextContains(brick.label, substring = true).performClick()
-            val robot = ReadyRobots.defaultOf(brick)
-            if (robot.buggy != null) chooseBuggy(checkNotNull(robot.base))
+            if (brick.isOnBuggy) chooseBuggy(BuggyKind.CUTEBOT)
             assertNull(workshop.state.document.dialog)
             assertEquals(brick, workshop.state.programs.brick)
         }
     }
 
-    private fun ComposeUiTest.chooseBuggy(key: String) {
-        onNodeWithTag(DocumentTags.robot(key)).performScrollTo().assertWidthIsAtLeast(48.dp)
+    private fun ComposeUiTest.chooseBuggy(buggy: BuggyKind) {
+        onNodeWithTag(DocumentTags.robot(buggy)).assertTextContains(buggy.label, substring = true).performScrollTo().assertWidthIsAtLeast(48.dp)
             .assertHeightIsAtLeast(48.dp).performClick()
     }
 
     @Test
     fun `who has a board is asked for its buggy, and can go back`() = shown { workshop ->
         for (board in listOf(BrickKind.MICROBIT, BrickKind.MICROBIT_V1)) {
-            val buggies = buggiesWith(board)
-            assertEquals(BuggyKind.entries.toSet(), buggies.map { it.buggy?.kind }.toSet())
-            for (buggy in buggies) {
+            for (buggy in BuggyKind.entries) {
                 choose(DocumentTags.NEW_ROBOT)
                 onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
                 onNodeWithText("Which buggy do you have?").assertIsDisplayed()
                 onNodeWithTag(DocumentTags.ROBOT_BACK).performClick()
                 onNodeWithText("Which robot do you have?").assertIsDisplayed()
                 onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
-                chooseBuggy(checkNotNull(buggy.base))
+                chooseBuggy(buggy)
                 assertNull(workshop.state.document.dialog)
-                val robot = workshop.state.project.world.robots.first().description
-                assertEquals(buggy.buggy to board, robot.buggy to robot.brick)
+                val robot = workshop.state.world.robots.first().description
+                assertEquals(buggy to board, robot.buggy?.kind to robot.brick)
             }
         }
     }

@@ -1,10 +1,10 @@
 package robotran.workshop.event
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.programs.ProgramTranslation
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
-import robotran.world.RobotDescription
 
 /** A user action on the whole project. */
 sealed interface DocumentEvent : WorkshopEvent {
@@ -17,11 +17,8 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Asks which robot a new project shall have. */
     data object RobotChoiceRequested : DocumentEvent
 
-    /** Opens a new project whose robot is the penbot with a [brick]. */
-    data class NewWithBrick(val brick: BrickKind) : DocumentEvent
-
-    /** Opens a new project on the empty sheet with this [robot]. */
-    data class NewWithRobot(val robot: RobotDescription) : DocumentEvent
+    /** Opens a new project whose robot is the penbot with a [brick], or a [buggy] that carries it. */
+    data class NewWithBrick(val brick: BrickKind, val buggy: BuggyKind? = null) : DocumentEvent
 
     /** Lets the user choose and open files. */
     data object OpenRequested : DocumentEvent

@@ -45,7 +45,7 @@ class TutorialOfOneBrickTest {
             assertEquals(brick, workshop.brick)
             workshop.handle(LearningEvent.StepChosen(indexOf("by-time")))
             assertEquals(BrickKind.MICROBIT, workshop.brick)
-            assertEquals(ReadyRobots.CUTEBOT, workshop.state.project.world.robots.first().description)
+            assertEquals(ReadyRobots.CUTEBOT, workshop.state.world.robots.first().description)
             assertTrue(workshop.tutorial.isLoaded)
             assertEquals("by-time", workshop.tutorial.current.name)
             workshop.handle(LearningEvent.StepChosen(indexOf("first-drive")))

@@ -18,27 +18,20 @@ private val KINDS = BuggyKind.entries.associateBy { it.word }
 private val DRIVES = PlainDrive.entries.associateBy { wordFor(it) }
 private val PINS = BuggyPins.USABLE.first()..BuggyPins.USABLE.last()
 
-/** A buggy: its name, or an object with more than that. */
-internal fun readBuggy(cursor: JsonCursor): BuggyMount {
-    if (cursor.textOrNull() != null) return BuggyMount(cursor.choice(KINDS))
-    return BuggyMount(
-        kind = cursor.member("kind").choice(KINDS),
-        trim = cursor.optional("trim")?.let(::readTrim) ?: WheelTrim.NONE,
-        pins = cursor.optional("pins")?.let(::readPins),
-    )
-}
+/** A buggy; its kind is that of [like] if the file does not say it. */
+internal fun readBuggy(cursor: JsonCursor, like: BuggyMount?) = BuggyMount(
+    kind = cursor.optional("kind")?.choice(KINDS) ?: like?.kind ?: BuggyKind.CUTEBOT,
+    trim = cursor.optional("trim")?.let(::readTrim) ?: WheelTrim.NONE,
+    pins = cursor.optional("pins")?.let(::readPins),
+)
 
 /** See [readBuggy]. */
-internal fun elementOf(buggy: BuggyMount): JsonElement {
-    val pins = buggy.pins
-    if (buggy.trim == WheelTrim.NONE && pins == null) return JsonPrimitive(buggy.kind.word)
-    return jsonObject {
-        text("kind", buggy.kind.word)
-        if (buggy.trim != WheelTrim.NONE) {
-            put("trim", JsonArray(listOf(decimal(buggy.trim.left), decimal(buggy.trim.right))))
-        }
-        if (pins != null) put("pins", elementOf(pins))
+internal fun elementOf(buggy: BuggyMount): JsonElement = jsonObject {
+    text("kind", buggy.kind.word)
+    if (buggy.trim != WheelTrim.NONE) {
+        put("trim", JsonArray(listOf(decimal(buggy.trim.left), decimal(buggy.trim.right))))
     }
+    buggy.pins?.let { put("pins", elementOf(it)) }
 }
 
 private fun elementOf(pins: BuggyPins) = jsonObject {
@@ -60,12 +53,13 @@ private fun readTrim(cursor: JsonCursor): WheelTrim {
 }
 
 private fun readPins(cursor: JsonCursor): BuggyPins {
-    val drive = cursor.member("drive").choice(DRIVES)
+    val usual = BuggyPins.of(cursor.optional("drive")?.choice(DRIVES) ?: PlainDrive.SERVOS)
+    val drive = usual.drive
     val wheel = drive.pinsOfWheel..drive.pinsOfWheel
     val pins = BuggyPins(
         drive,
-        left = cursor.member("left").items(wheel).map(::readPin),
-        right = cursor.member("right").items(wheel).map(::readPin),
+        left = cursor.optional("left")?.items(wheel)?.map(::readPin) ?: usual.left,
+        right = cursor.optional("right")?.items(wheel)?.map(::readPin) ?: usual.right,
         lines = cursor.optional("lines")?.items(0..BuggyPins.MOST_LINES)?.map(::readPin).orEmpty(),
         isDarkOne = cursor.optional("darkIsOne")?.flag() ?: true,
         trigger = cursor.optional("trigger")?.let(::readPin),

@@ -1,6 +1,7 @@
 package robotran.ui.school.tags
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 
 /** The tags of projects and their dialogs, by which tests and the page find what is on the screen. */
 object DocumentTags {
@@ -71,10 +72,9 @@ object DocumentTags {
 
     fun rename(id: String) = "rename-$id"
 
-    fun robot(brick: BrickKind) = robot(brick.name.lowercase().replace('_', '-'))
+    fun robot(buggy: BuggyKind) = "buggy-${buggy.word}"
 
-    /** @param key of a ready robot. */
-    fun robot(key: String) = "robot-$key"
+    fun robot(brick: BrickKind) = "robot-${brick.name.lowercase().replace('_', '-')}"
 
     fun work(id: String) = "work-$id"
 }
