@@ -70,9 +70,9 @@ class BothModesTest {
     @Test
     fun `programs of lessons and worlds pass in both modes`() {
         val byBrick = (programsIn("learning/lessons") + programsIn("learning/worlds"))
-            .groupBy { file -> BRICKS.keys.find { file.name.startsWith(it) || file.parentFile.name.startsWith(it) } }
+            .groupBy { file -> BRICKS.keys.find { start -> namesOf(file).any { it.startsWith(start) } } }
             .mapValues { (_, files) -> files.mapIndexed { index, file -> renamed(index, file) } }
-        for ((brick, least) in mapOf("nxt-" to 20, "spike-" to 10, null to 150)) {
+        for ((brick, least) in mapOf("nxt-" to 20, "spike-" to 10, "buggy-" to 12, "board" to 6, null to 150)) {
             val files = byBrick.getValue(brick)
             assertTrue(files.size >= least, "${files.size} programs of $brick")
             assertPass(files, *brick?.let { arrayOf("--brick", BRICKS.getValue(it)) }.orEmpty())
@@ -86,9 +86,13 @@ class BothModesTest {
         assertPass(programs)
     }
 
+    /** The names of a program's file, its lesson or world, and its strand. */
+    private fun namesOf(file: File): List<String> =
+        listOf(file, file.parentFile, file.parentFile.parentFile).map { it.name }
+
     private companion object {
-        /** The bricks of lessons and worlds whose names begin so; those of others are for an RCX. */
-        val BRICKS = mapOf("nxt-" to "nxt", "spike-" to "spike-prime")
+        /** The bricks of programs, worlds and strands whose names begin so; those of others are for an RCX. */
+        val BRICKS = mapOf("nxt-" to "nxt", "spike-" to "spike-prime", "buggy-" to "microbit", "board" to "microbit")
         val BLOCK = Regex("```java\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
         val MAIN_CLASS = Regex("""^(?:public )?class (\w+)""", RegexOption.MULTILINE)
     }

@@ -21,21 +21,22 @@ import robotran.world.World
  * @property name the unique name under which progress is saved, such as `repeat`.
  * @property strand the name of its [Strand]; empty for the task of a [GalleryWorld].
  * @property otherSolutions the task done in other languages than that of [program], for a pupil who writes them.
- * @param onOtherBricks the same lesson with robots that have other bricks; empty for such a lesson itself, and for the
- * task of a [GalleryWorld].
+ * @param onOtherBricks the same lesson with robots that have other bricks; empty for such a lesson itself, for one that
+ * is about one brick, and for the task of a [GalleryWorld].
  * @param version reads programs and world when they are needed.
  */
 class Lesson internal constructor(
     val name: String,
     val strand: String,
     val otherSolutions: List<SourceFile> = emptyList(),
-    private val onOtherBricks: Map<BrickKind, Lazy<Lesson>> = emptyMap(),
+    onOtherBricks: () -> Map<BrickKind, Lazy<Lesson>> = { emptyMap() },
     version: () -> LessonVersion,
     read: (language: Language, inBlocks: Boolean) -> LessonText,
 ) {
     // Whoever only looks for a name reads no files.
     private val version by lazy(version)
     private val plainWorld: World get() = version.world
+    private val onOtherBricks by lazy(onOtherBricks)
 
     /** The program that the pupil tries and changes. */
     val program: SourceFile get() = version.program

@@ -28,17 +28,21 @@ internal class LessonVersion(
     val again: World? by lazy(again)
 }
 
-/** The lesson in [files] as it is written: for a robot with the [BrickKind.default]. */
+/** Whether the lesson as it is written, this version, is about one brick, so that there is none for others. */
+internal val LessonVersion.isForOneBrick: Boolean get() = brick != BrickKind.default
+
+/** The lesson in [files] as it is written: for the robot that its world names, otherwise with the [BrickKind.default]. */
 internal fun plainVersion(files: Map<String, String>): LessonVersion {
     val programs = files.filterKeys { file ->
         isProgram(file) && BrickKind.entries.none { file.startsWith(prefixFor(it)) }
     }
     val program = programs.entries.single { !it.key.startsWith(SOLUTION) }
+    val world = worldOf(files.getValue(WORLD))
     return LessonVersion(
-        BrickKind.default,
+        world.robots.first().description.brick,
         SourceFile(program.key, program.value),
         SourceFile(program.key, programs.entries.single { it.key.startsWith(SOLUTION) }.value),
-        worldOf(files.getValue(WORLD)),
+        world,
         drawingIn(files, DRAWING),
     ) { files[AGAIN]?.let(::worldOf) }
 }

@@ -12,7 +12,7 @@ import robotran.world.file.readWorld
  * The lessons. Each folder in `learning/lessons` is a strand, each folder in it a lesson, in the order of their names.
  * A lesson holds a text for each language, such as `text.en.md`, the world `world.world.json`, the program, and
  * `solution` with the program's extension. Its robot has the [BrickKind.default]. The same lesson with another brick has the penbot
- * of that; see [versionFor].
+ * of that; see [versionFor]. A lesson whose world names a robot with another brick is about that one, and there for it alone.
  */
 object Lessons {
     /** The strands, in the order in which a pupil takes them. */
@@ -39,12 +39,14 @@ object Lessons {
     /** The strand that [lesson] is in. */
     fun strandOf(lesson: Lesson): Strand = strands.first { it.name == lesson.strand }
 
-    /** Every lesson in Robolang with a robot that has a [brick], also those that it cannot do. */
+    /** Every lesson in Robolang that is not about one brick, with a robot that has a [brick], also those that it cannot do. */
     internal fun allOn(brick: BrickKind): List<Lesson> = folders()
         .filter { (_, files) ->
             files.keys.any { ProgramLanguage.ofFile(it)?.support?.bricks.orEmpty().contains(brick) }
         }
-        .map { (folder, files) -> lesson(folder, brick, files, { versionFor(brick, plainVersion(files), files) }) }
+        .map { (folder, files) -> Triple(folder, files, plainVersion(files)) }
+        .filterNot { (_, _, plain) -> plain.isForOneBrick }
+        .map { (folder, files, plain) -> lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
 
     /** The folders of the lessons, in their order, with their files. */
     private fun folders(): List<Pair<String, Map<String, String>>> =
@@ -55,9 +57,10 @@ object Lessons {
         val plain by lazy { plainVersion(files) }
         val name = nameOf(folder)
         val bricks = (BrickKind.entries - BrickKind.default).filter { name in (LESSONS_OF_HUBS[it] ?: listOf(name)) }
-        val others = bricks.associateWith { brick ->
+        val versions = bricks.associateWith { brick ->
             lazy { lesson(folder, brick, files, { versionFor(brick, plain, files) }) }
         }
+        val others = { if (plain.isForOneBrick) emptyMap() else versions }
         return lesson(folder, BrickKind.default, files, { plain }, others)
     }
 
@@ -66,7 +69,7 @@ object Lessons {
         brick: BrickKind,
         files: Map<String, String>,
         version: () -> LessonVersion,
-        others: Map<BrickKind, Lazy<Lesson>> = emptyMap(),
+        others: () -> Map<BrickKind, Lazy<Lesson>> = { emptyMap() },
     ): Lesson = Lesson(
         nameOf(folder),
         folder.substringBefore('/'),

@@ -27,14 +27,15 @@ object WorldGallery {
 
     /**
      * The bricks that their robots have. The name of a world for another brick than the default one begins like that of
-     * the brick's ready robot, such as `nxt-`, so no world is read for this.
+     * the brick's ready robot, such as `nxt-`, or with `buggy-`, so no world is read for this.
      */
     val bricks: List<BrickKind> by lazy {
         val words = worlds.mapTo(mutableSetOf()) { it.name.substringBefore('-') }
         BrickKind.entries.distinctBy(::wordOf).filter { it == BrickKind.default || wordOf(it) in words }
     }
 
-    private fun wordOf(brick: BrickKind) = ReadyRobots.defaultOf(brick).base?.substringBefore('-')
+    private fun wordOf(brick: BrickKind) =
+        if (brick.isOnBuggy) BUGGY else ReadyRobots.defaultOf(brick).base?.substringBefore('-')
 
     private val withHarder: List<GalleryWorld> by lazy { worlds + worlds.flatMap { it.harder } }
 
@@ -75,6 +76,9 @@ object WorldGallery {
     fun isGiven(name: String, text: String): Boolean = withHarder.any { it.gives(name, text) }
 
     internal const val WORLD_FILE = ".world.json"
+
+    /** What the name of a world for a board on a buggy begins with. */
+    private const val BUGGY = "buggy"
 }
 
 /** Whether [other] is the same apart from its title, its task, what its goals say, seed and realism. */

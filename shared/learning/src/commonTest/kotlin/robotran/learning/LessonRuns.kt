@@ -1,5 +1,6 @@
 package robotran.learning
 
+import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.languagesupport.SourceFile
 import robotran.learning.hint.Attempt
@@ -23,6 +24,9 @@ private val compiler = ProgramCompiler(PENBOT_TARGET, language = Language.ENGLIS
 internal val worldTasks: List<Lesson> by lazy {
     WorldGallery.worlds.flatMap { listOf(it) + it.harder }.mapNotNull { it.lesson }
 }
+
+/** The lessons that are not about one brick, as they are written. */
+internal val lessonsForAllBricks: List<Lesson> by lazy { Lessons.all.filter { it.brick == BrickKind.default } }
 
 /** Runs [program] in the world of [lesson] at [place] with [seed] until its goals are decided. */
 internal suspend fun runIn(

@@ -82,7 +82,7 @@ class EveryProgramLinksTest {
 
     private companion object {
         /** How the names of worlds begin whose robots have another brick than an RCX. */
-        val FOR_OTHERS = listOf("nxt-", "spike-")
+        val FOR_OTHERS = listOf("nxt-", "spike-", "buggy-")
 
         const val ROWS = 10
 

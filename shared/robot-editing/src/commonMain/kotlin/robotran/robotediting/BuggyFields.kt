@@ -35,7 +35,7 @@ internal fun RobotDescription.buggyFields(): List<Field<RobotEdit>> {
 }
 
 /** The ready robot with this buggy, with the brick of this one. */
-private fun RobotDescription.onBuggy(kind: BuggyKind): RobotDescription = ReadyRobots.on(kind).copy(brick = brick)
+private fun RobotDescription.onBuggy(kind: BuggyKind): RobotDescription = ReadyRobots.on(kind, brick)
 
 private fun RobotDescription.driveField(pins: BuggyPins): Field<RobotEdit> = chips(
     "robot-pins-drive",

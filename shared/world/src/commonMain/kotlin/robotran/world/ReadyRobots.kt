@@ -329,8 +329,11 @@ object ReadyRobots {
     /** What a description that names no base has where it says nothing. */
     fun defaultOf(brick: BrickKind): RobotDescription = all.values.first { it.brick == brick }
 
-    /** The robot with this buggy. */
-    fun on(buggy: BuggyKind): RobotDescription = all.values.first { it.buggy?.kind == buggy }
+    /** The robot with this buggy and this [board]. */
+    fun on(buggy: BuggyKind, board: BrickKind): RobotDescription {
+        val ready = all.values.filter { it.buggy?.kind == buggy }
+        return ready.firstOrNull { it.brick == board } ?: ready.first().copy(brick = board)
+    }
 
     /** The penbot with these sensors on its ports, see [RobotPlacement.ports]. */
     fun penbotWith(ports: List<List<PortSensor>>): RobotDescription = RCX_PENBOT.copy(parts = penbotParts(ports))

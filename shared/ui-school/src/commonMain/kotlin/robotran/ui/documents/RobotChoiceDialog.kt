@@ -12,7 +12,11 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
+import androidx.compose.runtime.saveable.rememberSaveable
+import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.dp
@@ -22,6 +26,7 @@ import robotran.editing.RobotTexts
 import robotran.simulation.state.RobotState
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
+import robotran.ui.school.texts.ExportTexts
 import robotran.ui.sheet.CanvasTarget
 import robotran.ui.sheet.RobotPlan
 import robotran.ui.sheet.SheetTransform
@@ -34,45 +39,66 @@ import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.geometry.Pose
 
-/** "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. */
-@OptIn(ExperimentalLayoutApi::class)
+/**
+ * "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. A board has
+ * a second question: which buggy carries it.
+ */
 @Composable
 internal fun RobotChoiceDialog(onEvent: (DocumentEvent) -> Unit) {
+    var board by rememberSaveable { mutableStateOf<BrickKind?>(null) }
     val close = { onEvent(DocumentEvent.DialogClosed) }
+    val asked = board
     Dialog(
-        HubTexts.whichRobot(spoken),
+        if (asked == null) HubTexts.whichRobot(spoken) else HubTexts.whichBuggy(spoken),
         close,
         buttons = {
+            if (asked != null) {
+                Button(ExportTexts.back(spoken), DocumentTags.ROBOT_BACK, ButtonKind.DIALOG_OTHER) { board = null }
+            }
             Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
         },
     ) {
-        FlowRow(
-            Modifier.fillMaxWidth(),
-            Arrangement.spacedBy(Space.MEDIUM),
-            Arrangement.spacedBy(Space.MEDIUM),
-        ) {
-            for (brick in BrickKind.entries) {
-                val robot = ReadyRobots.defaultOf(brick)
-                RobotCard(robot, DocumentTags.robot(brick)) { onEvent(DocumentEvent.NewWithBrick(brick)) }
-                if (brick != BrickKind.entries.first { it.isOnBuggy }) continue
-                for (buggy in BuggyKind.entries.filter { it != robot.buggy?.kind }) {
-                    RobotCard(ReadyRobots.on(buggy), DocumentTags.robot(buggy)) {
-                        onEvent(DocumentEvent.NewWithBrick(brick, buggy))
-                    }
-                }
-            }
+        if (asked == null) Bricks(onEvent) { board = it } else Buggies(asked, onEvent)
+    }
+}
+
+/** @param onBoard is told of a board, which several buggies carry. */
+@Composable
+private fun Bricks(onEvent: (DocumentEvent) -> Unit, onBoard: (BrickKind) -> Unit) = Cards {
+    for (brick in BrickKind.entries) {
+        val robot = ReadyRobots.defaultOf(brick)
+        RobotCard(robot, HubTexts.robotWith(spoken, brick), DocumentTags.robot(brick)) {
+            if (brick.isOnBuggy) onBoard(brick) else onEvent(DocumentEvent.NewWithBrick(brick))
         }
     }
 }
 
 @Composable
-private fun RobotCard(robot: RobotDescription, tag: String, onClick: () -> Unit) {
+private fun Buggies(board: BrickKind, onEvent: (DocumentEvent) -> Unit) = Cards {
+    for (buggy in BuggyKind.entries) {
+        val name = if (buggy == BuggyKind.PLAIN) RobotTexts.readyPlainBuggy(spoken) else buggy.label
+        RobotCard(ReadyRobots.on(buggy, board), name, DocumentTags.robot(buggy)) {
+            onEvent(DocumentEvent.NewWithBrick(board, buggy))
+        }
+    }
+}
+
+@OptIn(ExperimentalLayoutApi::class)
+@Composable
+private fun Cards(content: @Composable () -> Unit) = FlowRow(
+    Modifier.fillMaxWidth(),
+    Arrangement.spacedBy(Space.MEDIUM),
+    Arrangement.spacedBy(Space.MEDIUM),
+) { content() }
+
+@Composable
+private fun RobotCard(robot: RobotDescription, name: String, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
     CardButton(tag, onClick, Modifier.width(CARD_WIDTH)) {
         Column {
             RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
-                nameOf(robot),
+                name,
                 Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
                 style = TextStyles.label,
             )
@@ -80,19 +106,7 @@ private fun RobotCard(robot: RobotDescription, tag: String, onClick: () -> Unit)
     }
 }
 
-/** Its brick and, on a micro:bit, its buggy. */
-@Composable
-private fun nameOf(robot: RobotDescription): String {
-    val buggy = robot.buggy?.kind
-    val brick = HubTexts.robotWith(spoken, robot.brick)
-    return when (buggy) {
-        null -> brick
-        BuggyKind.PLAIN -> RobotTexts.readyPlainBuggy(spoken)
-        else -> "$brick, ${buggy.label}"
-    }
-}
-
-/** The ready robot, looking up. */
+/** The [robot], looking up. */
 @Composable
 private fun RobotFromAbove(robot: RobotDescription, modifier: Modifier) {
     val plan = remember(robot) { RobotPlan(robot) }

@@ -26,6 +26,17 @@ private val STRAND_ICONS = mapOf(
     "compute" to Icon.strokes("M4 4H20V20H4L4 4", "M8 8H8.5", "M15.5 8H16", "M12 12H12.5", "M8 16H8.5", "M15.5 16H16"),
     // Two robots, one before the other.
     "several" to Icon.strokes("M3 8H11V16H3L3 8", "M13 8H21V16H13L13 8", "M5 19H9", "M15 19H19", "M5 5H9", "M15 5H19"),
+    // A board with lights and the contacts at its edge.
+    "board" to Icon.strokes(
+        "M4 5H20V17H4L4 5",
+        "M8 17V20",
+        "M12 17V20",
+        "M16 17V20",
+        "M9 9H9.5",
+        "M14.5 9H15",
+        "M9 13H9.5",
+        "M14.5 13H15",
+    ),
     // Braces.
     "java" to Icon.strokes("M9 4H6V10L4 12L6 14V20H9", "M15 4H18V10L20 12L18 14V20H15"),
 )

@@ -16,6 +16,7 @@ import androidx.compose.ui.test.assertTextContains
 import androidx.compose.ui.test.assertTextEquals
 import androidx.compose.ui.test.assertWidthIsAtLeast
 import androidx.compose.ui.test.onNodeWithTag
+import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import androidx.compose.ui.test.performKeyInput
 import androidx.compose.ui.test.performScrollTo
@@ -176,19 +177,32 @@ class ProjectMenuTest {
             choose(DocumentTags.NEW_ROBOT)
             onNodeWithTag(DocumentTags.robot(brick)).performScrollTo().assertWidthIsAtLeast(48.dp)
                 .assertHeightIsAtLeast(48.dp).assertTextContains(brick.label, substring = true).performClick()
+            if (brick.isOnBuggy) chooseBuggy(BuggyKind.CUTEBOT)
             assertNull(workshop.state.document.dialog)
             assertEquals(brick, workshop.state.programs.brick)
         }
     }
 
+    private fun ComposeUiTest.chooseBuggy(buggy: BuggyKind) {
+        onNodeWithTag(DocumentTags.robot(buggy)).assertTextContains(buggy.label, substring = true).performScrollTo().assertWidthIsAtLeast(48.dp)
+            .assertHeightIsAtLeast(48.dp).performClick()
+    }
+
     @Test
-    fun `each buggy of a micro-bit is asked for by its name`() = shown { workshop ->
-        for (buggy in BuggyKind.entries - BuggyKind.CUTEBOT) {
-            choose(DocumentTags.NEW_ROBOT)
-            onNodeWithTag(DocumentTags.robot(buggy)).performScrollTo()
-                .assertTextContains(buggy.label, substring = true).performClick()
-            assertEquals(buggy, workshop.state.world.robots.first().description.buggy?.kind)
-            assertEquals(BrickKind.MICROBIT, workshop.state.programs.brick)
+    fun `who has a board is asked for its buggy, and can go back`() = shown { workshop ->
+        for (board in listOf(BrickKind.MICROBIT, BrickKind.MICROBIT_V1)) {
+            for (buggy in BuggyKind.entries) {
+                choose(DocumentTags.NEW_ROBOT)
+                onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
+                onNodeWithText("Which buggy do you have?").assertIsDisplayed()
+                onNodeWithTag(DocumentTags.ROBOT_BACK).performClick()
+                onNodeWithText("Which robot do you have?").assertIsDisplayed()
+                onNodeWithTag(DocumentTags.robot(board)).performScrollTo().performClick()
+                chooseBuggy(buggy)
+                assertNull(workshop.state.document.dialog)
+                val robot = workshop.state.world.robots.first().description
+                assertEquals(buggy to board, robot.buggy?.kind to robot.brick)
+            }
         }
     }
 

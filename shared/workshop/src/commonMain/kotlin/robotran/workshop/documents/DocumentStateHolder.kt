@@ -312,11 +312,8 @@ class DocumentStateHolder(
     }
 
     /** The empty sheet with a robot that has this brick, and this buggy, if any. */
-    private fun plainWith(brick: BrickKind, buggy: BuggyKind?): World {
-        val plain = BuiltInWorlds.plainFor(brick)
-        val robot = buggy?.let { ReadyRobots.on(it) } ?: return plain
-        return plain.copy(robots = plain.robots.map { it.copy(description = robot) })
-    }
+    private fun plainWith(brick: BrickKind, buggy: BuggyKind?): World =
+        if (buggy == null) BuiltInWorlds.plainFor(brick) else BuiltInWorlds.plainWith(ReadyRobots.on(buggy, brick))
 
     private fun beginNew(world: World) {
         launch {

@@ -17,7 +17,7 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Asks which robot a new project shall have. */
     data object RobotChoiceRequested : DocumentEvent
 
-    /** Opens a new project whose robot is the penbot with a [brick], or the ready robot with a [buggy]. */
+    /** Opens a new project whose robot is the penbot with a [brick], or a [buggy] that carries it. */
     data class NewWithBrick(val brick: BrickKind, val buggy: BuggyKind? = null) : DocumentEvent
 
     /** Lets the user choose and open files. */

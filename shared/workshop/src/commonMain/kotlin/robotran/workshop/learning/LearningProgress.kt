@@ -15,6 +15,7 @@ import robotran.workshop.platform.KeyValueStore
  * @property step the name of the last step shown.
  * @property programs the pupil's versions of the steps' programs, by step name; after `nxt/`, those for an NXT.
  * @property records the pupil's own best results, by the names of steps and, after `world/`, of worlds.
+ * @property brick the name of the brick of the pupil's own robot when a step was loaded last: not each step has that one.
  * @property previousProject the ID of the stored project that was open before the tutorial; null if it was unchanged.
  * @property tutorialProject the ID of the stored project of the tutorial.
  */
@@ -28,6 +29,7 @@ internal data class LearningProgress(
     val worldsDone: Set<String> = emptySet(),
     val programs: Map<String, String> = emptyMap(),
     val records: Map<String, TaskRecord> = emptyMap(),
+    val brick: String? = null,
     @SerialName("ownWork")
     val previousProject: String? = null,
     @SerialName("tutorialWork")

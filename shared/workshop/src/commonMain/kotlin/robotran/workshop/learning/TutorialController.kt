@@ -42,8 +42,16 @@ internal class TutorialController(
     /** The initial state of the tutorial, at the last step shown. */
     fun first() = TutorialState(Lessons.all.indexOfFirst { it.name == progress.step }.coerceAtLeast(0), brick = brick)
 
-    /** The brick that the pupil works with: that of the loaded step, otherwise that of the open project. */
-    val brick: BrickKind get() = loadedStep()?.brick ?: current.shownRobot.description.brick
+    /**
+     * The brick that the pupil works with: that of the open project. While a step is loaded, it is that of the step, unless
+     * the pupil has got this step for a robot with another brick, on which it is not there.
+     */
+    val brick: BrickKind
+        get() {
+            val step = loadedStep() ?: return current.shownRobot.description.brick
+            val before = BrickKind.entries.firstOrNull { it.name == progress.brick }
+            return before?.takeIf { Lessons.all[Lessons.indexOf(step)].on(it) === step } ?: step.brick
+        }
 
     /** The step whose world is loaded, for the brick of its robot; null for any other world. */
     fun loadedStep(): Lesson? = Lessons.lessonIn(current.project.world)
@@ -65,7 +73,7 @@ internal class TutorialController(
         return TutorialState(
             Lessons.indexOf(step),
             help = TaskHelp(solutionShown = isSolutionLoaded),
-            brick = step.brick,
+            brick = brick,
         )
     }
 
@@ -75,6 +83,7 @@ internal class TutorialController(
         val chosen = TutorialState(index, isFolded = tutorial.isFolded, brick = brick)
         if (loadedStep() != null) {
             saveProgram()
+            keepBrick()
             open(chosen.current, pupilProgram(chosen.current))
         }
         store.update { it.copy(step = chosen.current.name) }
@@ -116,6 +125,7 @@ internal class TutorialController(
 
     /** Loads [file] and the world of [step]; first stores the pupil's project. */
     private fun switchTo(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {
+        keepBrick()
         if (loadedStep() != null) return open(step, file, place)
         scope.launch {
             val project = projectOf(step, file)
@@ -129,6 +139,12 @@ internal class TutorialController(
                 store.update { it.copy(previousProject = result.previousId, tutorialProject = result.currentId) }
             }
         }
+    }
+
+    /** Keeps the pupil's [brick] for the time in which a step may have another one. */
+    private fun keepBrick() {
+        val now = brick.name
+        if (progress.brick != now) store.update { it.copy(brick = now) }
     }
 
     private fun open(step: Lesson, file: SourceFile, place: LessonPlace = LessonPlace.FIRST) {

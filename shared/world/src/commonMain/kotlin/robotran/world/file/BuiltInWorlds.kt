@@ -3,6 +3,7 @@ package robotran.world.file
 import robotran.brick.kind.BrickKind
 import robotran.language.Language
 import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.World
 
 /** The built-in worlds: the files of the folder `worlds`. */
@@ -19,11 +20,13 @@ object BuiltInWorlds {
     }
 
     private val plainByBrick: Map<BrickKind, World> by lazy(LazyThreadSafetyMode.PUBLICATION) {
-        BrickKind.entries.associateWith { brick ->
-            plain.copy(robots = plain.robots.map { it.copy(description = ReadyRobots.defaultOf(brick)) })
-        }
+        BrickKind.entries.associateWith { plainWith(ReadyRobots.defaultOf(it)) }
     }
 
     /** The default world for programs for a brick of this kind: the empty sheet with the penbot that has one. */
     fun plainFor(brick: BrickKind): World = if (brick == BrickKind.default) plain else plainByBrick.getValue(brick)
+
+    /** The empty sheet with this [robot] in the place of the penbot. */
+    fun plainWith(robot: RobotDescription): World =
+        plain.copy(robots = plain.robots.map { it.copy(description = robot) })
 }

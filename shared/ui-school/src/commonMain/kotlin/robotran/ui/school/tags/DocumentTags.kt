@@ -42,6 +42,7 @@ object DocumentTags {
     const val RENAME_CANCEL = "rename-cancel"
     const val RENAME_DONE = "rename-done"
     const val REPLAY = "replay"
+    const val ROBOT_BACK = "robot-back"
     const val SAVE = "save"
     const val SAVE_AS = "save-as"
     const val SHARE_LINK = "share-link"
