@@ -9,6 +9,7 @@ kotlin {
             implementation(project(":shared:projects"))
             implementation(project(":shared:documents"))
             implementation(project(":shared:hub-link"))
+            implementation(project(":shared:microbit-link"))
             implementation(project(":shared:mpy-compiler"))
             implementation(libs.coroutines.core)
             implementation(compose.components.resources)

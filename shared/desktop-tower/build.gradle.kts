@@ -5,6 +5,7 @@ plugins {
 dependencies {
     api(project(":shared:tower"))
     api(project(":shared:hub-link"))
+    api(project(":shared:microbit-link"))
     implementation(libs.coroutines.core)
     implementation(libs.jserialcomm)
     testImplementation(libs.jna)

@@ -40,6 +40,7 @@ kotlin {
             api(project(":shared:rcx-rom"))
             api(project(":shared:nxt"))
             api(project(":shared:hub"))
+            api(project(":shared:microbit"))
         }
         commonTest {
             kotlin.srcDir("../nxt/src/fakeNxtTest/kotlin")

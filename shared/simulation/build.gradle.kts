@@ -25,6 +25,7 @@ kotlin {
         commonMain.dependencies {
             api(project(":shared:nxt"))
             api(project(":shared:hub"))
+            api(project(":shared:microbit"))
             api(project(":shared:rcx-rom"))
             api(project(":shared:world"))
         }

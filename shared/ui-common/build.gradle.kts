@@ -9,6 +9,7 @@ kotlin {
             api(project(":shared:workshop"))
             implementation(project(":shared:nxt"))
             implementation(project(":shared:hub"))
+            implementation(project(":shared:microbit"))
             implementation(project(":shared:scene3d"))
             implementation(libs.compose.resources)
             implementation(libs.coroutines.core)

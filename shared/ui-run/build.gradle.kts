@@ -8,6 +8,7 @@ kotlin {
             api(project(":shared:ui-common"))
             implementation(project(":shared:nxt"))
             implementation(project(":shared:hub"))
+            implementation(project(":shared:microbit"))
             implementation(libs.coroutines.core)
             // Material, inside the kit, requires 0.6.0, whose wasm library is missing on some registries.
             implementation(libs.datetime)

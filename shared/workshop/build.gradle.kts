@@ -36,6 +36,7 @@ kotlin {
             api(project(":shared:animated-picture"))
             api(project(":shared:tower"))
             api(project(":shared:hub-link"))
+            api(project(":shared:microbit-link"))
             api(project(":shared:mpy-compiler"))
             api(libs.compose.runtime)
             implementation(project(":shared:nqc"))
@@ -51,6 +52,8 @@ kotlin {
             kotlin.srcDir("../tower/src/simulatedBrick/kotlin")
             kotlin.srcDir("../tower/src/sharedTest/kotlin")
             kotlin.srcDir("../hub-link/src/simulatedHub/kotlin")
+            kotlin.srcDir("../microbit-link/src/simulatedBoard/kotlin")
+            resources.srcDir("../microbit-link/src/commonTest/resources")
         }
     }
 }

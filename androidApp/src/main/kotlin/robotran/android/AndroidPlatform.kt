@@ -7,6 +7,7 @@ import kotlinx.coroutines.Dispatchers
 import robotran.android.R
 import robotran.android.hub.AndroidHubPorts
 import robotran.android.hub.BluetoothPermissions
+import robotran.android.microbit.AndroidMicrobitPorts
 import robotran.android.platform.AndroidFilePicker
 import robotran.android.platform.AndroidMotion
 import robotran.android.platform.AndroidPhotoReader
@@ -18,6 +19,7 @@ import robotran.android.platform.pixelsIn
 import robotran.android.sound.audioTrackSpeaker
 import robotran.android.tower.AndroidTowers
 import robotran.hublink.connection.HubPorts
+import robotran.microbitlink.dap.MicrobitPorts
 import robotran.mpycompiler.JvmMpyCompiler
 import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.WorldPictures
@@ -57,6 +59,7 @@ class AndroidPlatform(private val context: Context) : Platform {
     override val towers: TowerPorts = AndroidTowers(context)
     val bluetooth = BluetoothPermissions(context)
     override val hubs: HubPorts = AndroidHubPorts(context, bluetooth)
+    override val microbits: MicrobitPorts = AndroidMicrobitPorts(context)
     override val mpyCompiler: MpyCompiler = JvmMpyCompiler()
     override val pageAddress: String = context.getString(R.string.page_address)
 

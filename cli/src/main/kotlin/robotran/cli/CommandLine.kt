@@ -17,6 +17,8 @@ import robotran.cli.translate.TranslateCommand
 import robotran.console.Console
 import robotran.console.carryOut
 import robotran.console.visible
+import robotran.desktoptower.microbit.DesktopMicrobitDrives
+import robotran.microbitlink.drive.MicrobitDrives
 import robotran.siteserver.WebCommand
 
 /**
@@ -26,6 +28,7 @@ import robotran.siteserver.WebCommand
  * @param desktop opens windows and renders pictures; null if the desktop app is not included.
  * @param towers where the infrared tower is; made by the first command that needs it.
  * @param hubs where hubs with Pybricks are, likewise.
+ * @param drives where the drives of micro:bits are, likewise.
  * @param variable the value of a variable of the environment; null if it is not set.
  */
 class CommandLine(
@@ -33,6 +36,7 @@ class CommandLine(
     private val desktop: DesktopApp?,
     private val towers: () -> Towers = Towers::ofThisMachine,
     private val hubs: () -> Hubs = Hubs::ofThisMachine,
+    private val drives: () -> MicrobitDrives = { DesktopMicrobitDrives() },
     private val variable: (String) -> String? = System::getenv,
 ) {
     private val console = console.visible()
@@ -49,7 +53,7 @@ class CommandLine(
             FormatCommand(console),
             RobotCommand(console),
             LinkCommand(console),
-            SendCommand(console, towers, hubs),
+            SendCommand(console, towers, hubs, drives),
             FirmwareCommand(console, towers),
             BrickCommand(console, towers),
             WebCommand(console),

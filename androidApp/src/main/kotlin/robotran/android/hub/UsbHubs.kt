@@ -5,10 +5,12 @@ import android.content.pm.PackageManager
 import android.hardware.usb.UsbConstants
 import android.hardware.usb.UsbDevice
 import android.hardware.usb.UsbDeviceConnection
-import android.hardware.usb.UsbEndpoint
 import android.hardware.usb.UsbInterface
 import android.hardware.usb.UsbManager
 import robotran.android.tower.askForPermission
+import robotran.android.usb.UsbStream
+import robotran.android.usb.endpoint
+import robotran.android.usb.interfaces
 import robotran.hublink.HubError
 import robotran.hublink.HubKind
 import robotran.hublink.connection.HubConnection
@@ -114,8 +116,3 @@ internal class UsbHubs(private val context: Context) {
         fun isSerial(line: UsbInterface) = line.interfaceClass == UsbConstants.USB_CLASS_CDC_DATA
     }
 }
-
-private fun UsbDevice.interfaces(): List<UsbInterface> = (0..<interfaceCount).map(::getInterface)
-
-private fun UsbInterface.endpoint(direction: Int): UsbEndpoint? =
-    (0..<endpointCount).map(::getEndpoint).firstOrNull { it.direction == direction }

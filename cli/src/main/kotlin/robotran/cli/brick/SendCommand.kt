@@ -12,6 +12,7 @@ import com.github.ajalt.clikt.parameters.types.int
 import com.github.ajalt.clikt.parameters.types.restrictTo
 import robotran.brick.kind.BrickKind
 import robotran.cli.console.brickOption
+import robotran.cli.console.buggyOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.messages
 import robotran.cli.console.oldNqcOption
@@ -19,22 +20,33 @@ import robotran.cli.console.targetOption
 import robotran.cli.files.FileContent
 import robotran.cli.files.NamedProgram
 import robotran.cli.files.ProgramFiles
+import robotran.cli.files.isNamed
 import robotran.cli.files.readFile
 import robotran.cli.files.readProgramFiles
 import robotran.cli.hub.HubProgramOfFile
 import robotran.cli.hub.hubOf
 import robotran.cli.hub.hubProgramOf
+import robotran.cli.hub.pythonOf
 import robotran.cli.hub.requireImages
 import robotran.cli.image.ImageOfFiles
 import robotran.cli.image.buildImageOf
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
+import robotran.cli.microbit.HexOfFile
+import robotran.cli.microbit.boardOf
+import robotran.cli.microbit.hexOf
+import robotran.cli.microbit.microPythonOption
 import robotran.console.Console
 import robotran.console.ExitCode
 import robotran.console.LanguageOption
 import robotran.console.speaking
 import robotran.hublink.program.HubProgram
 import robotran.legofirmware.image.RcxImage
+import robotran.microbitlink.ImageError
+import robotran.microbitlink.ImageResult
+import robotran.microbitlink.drive.MicrobitDrives
+import robotran.microbitlink.image.MicroPythonFile
+import robotran.microbitlink.sentences.sentence
 import robotran.programs.FirmwareSettings
 import robotran.tinyvm.config.BrickRoom
 import robotran.tinyvm.config.LejosVersion
@@ -47,12 +59,14 @@ internal class SendCommand(
     private val process: Console,
     private val towers: () -> Towers,
     private val hubs: () -> Hubs,
+    private val drives: () -> MicrobitDrives,
 ) : CoreCliktCommand("send") {
     private val files by argument(
         "FILE",
         help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
             "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: " +
-            "one .mpy, or one .robo that names it or with --brick",
+            "one .mpy, or one .robo that names it or with --brick; or for a micro:bit: one .hex, or one .robo that names " +
+            "it or with --brick",
     ).multiple(required = true)
     private val port by portOption()
     private val slot by option(
@@ -65,14 +79,23 @@ internal class SendCommand(
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
     private val brick by brickOption()
+    private val buggy by buggyOption()
+    private val microPython by microPythonOption()
+    private val drive by option(
+        "--drive",
+        metavar = "FOLDER",
+        help = "where the drive MICROBIT of the board is; if not given, it is looked for",
+    )
     private val spoken by LanguageOption()
     private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) =
         "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, " +
-            "or to a hub with Pybricks, by USB."
+            "to a hub with Pybricks, by USB, or onto the drive of a micro:bit."
 
     override fun run() {
+        val board = boardOf(files, brick, buggy, spoken.language)
+        if (board != null || files.any { isNamed(it, HEX) }) throw ProgramResult(sendToMicrobit(board).status)
         val hub = hubOf(files, brick, spoken.language)
         if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub(hub).status)
         brick?.let(::requireImages)
@@ -108,6 +131,32 @@ internal class SendCommand(
             is FileContent.Failure -> refuse(read.reason)
         }
         return HubProgram.read(bytes) ?: refuse(console.messages.noHubProgram(name))
+    }
+
+    private fun sendToMicrobit(board: BrickKind?): ExitCode {
+        val name = files.singleOrNull() ?: refuse(console.messages.oneProgramForMicrobit())
+        val hex = board?.takeUnless { isNamed(name, HEX) }?.let { built(name, it) } ?: builtBefore(name)
+        return MicrobitDriveSession(console, drives()).copy(hex, drive)
+    }
+
+    private fun built(name: String, board: BrickKind): ByteArray {
+        val python = pythonOf(name, board, spoken.language, buggy)
+        return when (val built = hexOf(python, board, microPython, spoken.language)) {
+            is HexOfFile.Success -> built.text.encodeToByteArray().also { built.warnings.forEach(console::complain) }
+            is HexOfFile.Failure -> refuse(built.lines, built.code)
+        }
+    }
+
+    /** A file that was built before, or any other for a micro:bit. */
+    private fun builtBefore(name: String): ByteArray {
+        val bytes = when (val read = readFile(Path.of(name), spoken.language)) {
+            is FileContent.Success -> read.bytes
+            is FileContent.Failure -> refuse(read.reason)
+        }
+        val mistake = (MicroPythonFile.read(bytes.decodeToString()) as? ImageResult.Failure)?.error
+        // A program of another editor is none of our business.
+        if (mistake != null && mistake != ImageError.NoMicroPython) refuse("$name: ${mistake.sentence(spoken.language)}")
+        return bytes
     }
 
     private fun sendToLejos(programs: List<NamedProgram>): ExitCode {
@@ -159,5 +208,8 @@ internal class SendCommand(
     private companion object {
         /** The ending of a compiled program for a hub. */
         const val HUB_PROGRAM = ".mpy"
+
+        /** The ending of a file for a micro:bit. */
+        const val HEX = ".hex"
     }
 }

@@ -10,6 +10,7 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import robotran.brick.kind.BrickKind
 import robotran.cli.console.brickOption
+import robotran.cli.console.buggyOption
 import robotran.cli.console.lejosOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
@@ -22,10 +23,15 @@ import robotran.cli.files.writeFile
 import robotran.cli.hub.HubProgramOfFile
 import robotran.cli.hub.hubOf
 import robotran.cli.hub.hubProgramOf
+import robotran.cli.hub.pythonOf
 import robotran.cli.hub.requireImages
 import robotran.cli.legofirmware.FirmwareImageOfFile
 import robotran.cli.legofirmware.firmwareImageOf
 import robotran.cli.messages.CommandMessages
+import robotran.cli.microbit.HexOfFile
+import robotran.cli.microbit.boardOf
+import robotran.cli.microbit.hexOf
+import robotran.cli.microbit.microPythonOption
 import robotran.console.Console
 import robotran.console.ExitCode
 import robotran.console.LanguageOption
@@ -52,24 +58,29 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
         "-o",
         "--output",
         metavar = "FILE",
-        help = "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy); if not given, only its " +
-            "size is told",
+        help = "where the image goes (.bin, for LEGO's own firmware .rcx, for a hub .mpy, for a micro:bit .hex); if not " +
+            "given, only its size is told",
     )
-    private val listing by option("--listing", help = "prints the image in words, for a hub the Python").flag()
+    private val listing by option("--listing", help = "prints the image in words, for a hub or micro:bit the Python")
+        .flag()
     private val lejos by lejosOption("the version of leJOS on the brick, ${LejosVersion.DEFAULT.label} if not given")
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
     private val brick by brickOption()
+    private val buggy by buggyOption()
+    private val microPython by microPythonOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) =
-        "Builds programs for a real brick with the firmware of leJOS or LEGO, or one for a hub with Pybricks."
+        "Builds programs for a real brick with the firmware of leJOS or LEGO, or one for a hub with Pybricks or " +
+            "for a micro:bit."
 
     override fun run() {
         if (!mayWrite(files, listOf(output), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
+        boardOf(files, brick, buggy, spoken.language)?.let { throw ProgramResult(buildHex(it).status) }
         hubOf(files, brick, spoken.language)?.let { throw ProgramResult(build(it).status) }
         brick?.let(::requireImages)
         throw ProgramResult((files.distinct().singleOrNull()?.takeIf(::isForFirmware)?.let(::build) ?: build()).status)
@@ -123,6 +134,30 @@ internal class BuildCommand(private val console: Console) : CoreCliktCommand("bu
                 built.code
             }
         }
+    }
+
+    /** For a micro:bit. */
+    private fun buildHex(board: BrickKind): ExitCode {
+        val name = files.distinct().singleOrNull() ?: return refuse(sentences.oneProgramForMicrobit())
+        val python = pythonOf(name, board, spoken.language, buggy)
+        return when (val built = hexOf(python, board, microPython, spoken.language)) {
+            is HexOfFile.Success -> {
+                built.warnings.forEach(console::say)
+                write(built)
+            }
+
+            is HexOfFile.Failure -> {
+                built.lines.forEach(console::complain)
+                built.code
+            }
+        }
+    }
+
+    private fun write(built: HexOfFile.Success): ExitCode {
+        output?.let { name -> writeFile(name, built.text.encodeToByteArray(), sentences)?.let { return refuse(it) } }
+        if (listing) console.say(built.python.trimEnd('\n'))
+        console.say(sentences.hexBuilt(output, built.bytes, built.maxBytes))
+        return ExitCode.DONE
     }
 
     private fun write(built: HubProgramOfFile.Success): ExitCode {

@@ -3,7 +3,9 @@ package robotran.desktop.platform
 import kotlinx.coroutines.Dispatchers
 import robotran.desktoptower.DesktopTowerPorts
 import robotran.desktoptower.hub.DesktopHubPorts
+import robotran.desktoptower.microbit.DesktopMicrobitDrives
 import robotran.hublink.connection.HubPorts
+import robotran.microbitlink.drive.MicrobitDrives
 import robotran.mpycompiler.JvmMpyCompiler
 import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.WorldPictures
@@ -45,6 +47,7 @@ internal class DesktopPlatform(
     override val clock: WallClock = JavaClock
     override val towers: TowerPorts = DesktopTowerPorts()
     override val hubs: HubPorts = DesktopHubPorts()
+    override val microbitDrives: MicrobitDrives = DesktopMicrobitDrives()
     override val mpyCompiler: MpyCompiler = JvmMpyCompiler()
     override val gradingWorkers: GradingWorkers = GradingThreads()
     override val qrScanner: QrScanner = PictureQrScanner(files, Dispatchers.IO, pixelsIn = ::pixelsIn)

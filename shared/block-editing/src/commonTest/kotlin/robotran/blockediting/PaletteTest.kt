@@ -10,8 +10,11 @@ import robotran.blockediting.palette.searchPalette
 import robotran.blockediting.palette.textAt
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.brick.sensors.SensorKind
 import robotran.hub.model.HubModel
+import robotran.microbit.buggy.Buggy
+import robotran.microbit.model.MicrobitModel
 import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
@@ -44,9 +47,13 @@ class PaletteTest {
 
     @Test
     fun `every block is a valid program of the blocks that it names`() = BrickKind.entries.forEach { brick ->
-        val robot = when (val hub = HubModel.of(brick)) {
-            null -> if (brick == BrickKind.RCX) RobotTarget.Rcx(50.0, 5.0) else RobotTarget.Nxt(5.6, 11.4)
-            else -> RobotTarget.Hub(hub, 56.0, 112.0, MotorPort.A, MotorPort.B, pen = null)
+        val hub = HubModel.of(brick)
+        val board = MicrobitModel.of(brick)
+        val robot = when {
+            hub != null -> RobotTarget.Hub(hub, 56.0, 112.0, MotorPort.A, MotorPort.B, pen = null)
+            board != null -> RobotTarget.Microbit(board, Buggy.of(BuggyKind.CUTEBOT), 50.0, 5.0)
+            brick == BrickKind.RCX -> RobotTarget.Rcx(50.0, 5.0)
+            else -> RobotTarget.Nxt(5.6, 11.4)
         }
         for (block in Palette.blocksFor(brick)) {
             if (block.isValue) {

@@ -74,8 +74,11 @@ enum class FileKind(val extension: String, val mimeType: String) {
     NQC_HEADER(".nqh", "text/plain"),
     LASM(".lasm", "text/plain"),
 
-    /** What a program becomes for a hub with Pybricks. */
+    /** What a program becomes for a hub with Pybricks or for a micro:bit. */
     PYTHON(".py", "text/plain"),
+
+    /** What goes onto a micro:bit. */
+    HEX(".hex", "application/octet-stream"),
 
     /** A compiled program for LEGO's own firmware. */
     RCX_IMAGE(".rcx", "application/octet-stream"),

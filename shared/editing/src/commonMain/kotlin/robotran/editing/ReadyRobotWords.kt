@@ -13,4 +13,12 @@ val READY_ROBOT_WORDS: Map<String, Words> = mapOf(
     "technic-penbot" to RobotTexts::readyTechnicPenbot,
     "ev3-penbot" to RobotTexts::readyEv3Penbot,
     "nxt-pybricks-penbot" to RobotTexts::readyNxtPybricksPenbot,
+    "cutebot" to RobotTexts::readyCutebot,
+    "cutebot-pro" to RobotTexts::readyCutebotPro,
+    "maqueen" to RobotTexts::readyMaqueen,
+    "maqueen-plus" to RobotTexts::readyMaqueenPlus,
+    "tiny-bit" to RobotTexts::readyTinyBit,
+    "kitronik-penbot" to RobotTexts::readyKitronikPenbot,
+    "plain-buggy" to RobotTexts::readyPlainBuggy,
+    "cutebot-v1" to RobotTexts::readyCutebotV1,
 )

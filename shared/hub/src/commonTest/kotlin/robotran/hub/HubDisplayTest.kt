@@ -6,6 +6,7 @@ import robotran.hub.display.MatrixFont
 import robotran.hub.model.HubModel
 import robotran.hub.program.HubError
 import robotran.hub.program.HubNative
+import robotran.brick.lights.LightFont
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
@@ -31,7 +32,7 @@ class HubDisplayTest {
 
     @Test
     fun `each character from the blank to the tilde looks different`() {
-        val looks = MatrixFont.PRINTABLE.map { MatrixFont.lightsOf(it.toChar()) }
+        val looks = LightFont.PRINTABLE.map { MatrixFont.lightsOf(it.toChar()) }
         assertEquals(95, looks.distinct().size)
         assertTrue(looks.all { it.size == 25 })
     }

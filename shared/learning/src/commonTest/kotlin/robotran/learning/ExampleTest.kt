@@ -102,12 +102,13 @@ class ExampleTest {
         val nxtReader = ProgramCompiler(RobotTarget.Nxt(wheelDiameter = 5.6, track = 11.4), language = Language.ENGLISH)
         const val LONG_ENOUGH = 30_000
 
-        /** The hubs, by what a header says. */
+        /** The hubs and the micro:bit, by what a header says. */
         val HUBS = mapOf(
             "brick spike" to BrickKind.SPIKE_PRIME,
             "brick essential" to BrickKind.SPIKE_ESSENTIAL,
             "brick technic" to BrickKind.TECHNIC_HUB,
             "brick ev3" to BrickKind.EV3,
+            "brick microbit" to BrickKind.MICROBIT,
         )
     }
 }

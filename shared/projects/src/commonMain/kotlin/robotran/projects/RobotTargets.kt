@@ -1,9 +1,13 @@
 package robotran.projects
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.WheelTrim
 import robotran.hub.model.HubModel
+import robotran.microbit.model.MicrobitModel
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.hub.hubSensors
+import robotran.simulation.microbit.buggyWiring
+import robotran.simulation.microbit.microbitSensors
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.robot.RobotParameters
@@ -42,6 +46,21 @@ val RobotDescription.target: RobotTarget
             drive.reversed,
             hubSensors,
         )
+
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> RobotParameters.of(this).let {
+            RobotTarget.Microbit(
+                checkNotNull(MicrobitModel.of(brick)),
+                checkNotNull(buggyWiring),
+                it.millisecondsPerCentimetre,
+                it.millisecondsPerDegree,
+                drive.left,
+                drive.right,
+                pen?.motor,
+                drive.reversed,
+                buggy?.trim ?: WheelTrim.NONE,
+                microbitSensors,
+            )
+        }
     }
 
 private const val MILLIMETRES = 10

@@ -2,6 +2,7 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.ProgramWay
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.robolang.RobolangResult
@@ -75,7 +76,7 @@ class HubRunTest {
 
     @Test
     fun `every hub drives as far and turns as much as its program says`() = runTest {
-        for (kind in BrickKind.entries - BrickKind.RCX - BrickKind.NXT) {
+        for (kind in BrickKind.entries.filter { it.programWay == ProgramWay.HUB }) {
             val robot = ReadyRobots.defaultOf(kind)
             val session = run(robot, "forward 20\nturn right 90\nstart forward\nwait 0.5 seconds\nstop\n")
             val start = session.world.robots.first().start

@@ -5,6 +5,8 @@ import robotran.brick.program.BrickProgram
 import robotran.brick.program.DebuggableRun
 import robotran.hub.program.Hub
 import robotran.hub.program.HubProgram
+import robotran.microbit.program.Microbit
+import robotran.microbit.program.MicrobitProgram
 import robotran.nxt.program.Nxt
 import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
@@ -13,8 +15,10 @@ import robotran.robolang.check.CheckedProgram
 import robotran.robolang.messages.RobolangRunMessages
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.HubUses
+import robotran.robolang.robot.MicrobitUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.run.HubDevice
+import robotran.robolang.run.MicrobitDevice
 import robotran.robolang.run.NxtDevice
 import robotran.robolang.run.RcxDevice
 import robotran.robolang.run.RobolangRun
@@ -60,6 +64,7 @@ sealed class RobolangProgram(
             is RobotTarget.Rcx -> RobolangRcxProgram(name, checked, robot, messages)
             is RobotTarget.Nxt -> RobolangNxtProgram(name, checked, robot, messages)
             is RobotTarget.Hub -> RobolangHubProgram(name, checked, robot, messages)
+            is RobotTarget.Microbit -> RobolangMicrobitProgram(name, checked, robot, messages)
         }
     }
 }
@@ -105,4 +110,20 @@ class RobolangHubProgram internal constructor(
 
     override fun start(hub: Hub): DebuggableRun =
         run(HubDevice(hub, robot, HubUses(checked.tree, robot), messages), Durations(robot))
+}
+
+/** A Robolang program for a robot with a micro:bit. */
+class RobolangMicrobitProgram internal constructor(
+    name: String,
+    checked: CheckedProgram,
+    public override val robot: RobotTarget.Microbit,
+    messages: RobolangRunMessages,
+) : RobolangProgram(name, checked, messages),
+    MicrobitProgram {
+    override val kind: BrickKind get() = robot.kind
+
+    override fun start(board: Microbit): DebuggableRun {
+        val durations = Durations(robot)
+        return run(MicrobitDevice(board, robot, MicrobitUses(checked.tree, robot), durations, messages), durations)
+    }
 }

@@ -1,5 +1,7 @@
 package robotran.robotediting
 
+import robotran.brick.kind.WheelTrim
+import robotran.world.BuggyMount
 import robotran.world.BumperPart
 import robotran.world.Drive
 import robotran.world.Facing
@@ -31,7 +33,15 @@ internal fun RobotDescription.inRange(before: RobotDescription): RobotDescriptio
     drive = drive.inRange(before.drive),
     casters = if (casters == before.casters) casters else casters.map { it.inRange() },
     brickAt = if (brickAt == before.brickAt) brickAt else brickAt.copy(at = brickAt.at.inRange()),
+    buggy = if (buggy == before.buggy) buggy else buggy?.inRange(),
     parts = if (parts == before.parts) parts else parts.map { if (it in before.parts) it else it.inRange() },
+)
+
+private fun BuggyMount.inRange() = copy(
+    trim = WheelTrim(
+        roundToThousandths(trim.left.coerceIn(BuggyMount.TRIMS)),
+        roundToThousandths(trim.right.coerceIn(BuggyMount.TRIMS)),
+    ),
 )
 
 private fun Drive.inRange(before: Drive) = copy(

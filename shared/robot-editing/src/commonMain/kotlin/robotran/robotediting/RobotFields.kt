@@ -34,7 +34,7 @@ private fun RobotDescription.fieldsOf(element: RobotElement): List<Field<RobotEd
         motor("robot-pen-motor", RobotTexts::motor, pen?.motor) { copy(pen = PenMount(it)) },
     )
 
-    RobotElement.Brick -> placeFields(element) +
+    RobotElement.Brick -> buggyFields() + placeFields(element) +
         Field.Flag("robot-brick-turned", RobotTexts::brickTurned, brickAt.turned) {
             RobotEdit.Change(copy(brickAt = brickAt.copy(turned = it)))
         }
@@ -57,9 +57,10 @@ fun RobotDescription.wholeFields(): List<Field<RobotEdit>> = listOf(
         },
         brick,
     ) { kind ->
-        RobotEdit.Change(copy(brick = kind, base = ReadyRobots.defaultOf(kind).base)).takeIf { kind != brick }
+        val usual = ReadyRobots.defaultOf(kind)
+        RobotEdit.Change(copy(brick = kind, buggy = usual.buggy, base = usual.base)).takeIf { kind != brick }
     },
-)
+) + buggyFields().take(1)
 
 /** How far ahead of the pen an element is, and how far to its left. */
 internal fun RobotDescription.placeFields(element: RobotElement): List<Field<RobotEdit>> {

@@ -1,6 +1,11 @@
 package robotran.robotediting
 
+import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
+import robotran.brick.kind.PlainDrive
+import robotran.brick.kind.WheelTrim
 import robotran.editing.Field
+import robotran.language.Language
 import robotran.world.ReadyRobots
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -59,6 +64,52 @@ class RobotFieldsTest {
     }
 
     @Test
+    fun `three test drives of a buggy put speed, track and trim right, in whatever order they are typed`() {
+        val begun = RobotEditing.of(ReadyRobots.CUTEBOT)
+        val typed = listOf(WAY to 60.0, TURN to 320.0, SIDE to 4.0)
+        val orders = typed.flatMap { first -> (typed - first).flatMap { second -> listOf(listOf(first, second) + (typed - first - second)) } }
+        assertEquals(6, orders.size)
+        val gear = 50.0 / 60.0
+        val track = begun.robot.drive.track * 360.0 / (320.0 * gear)
+        for (order in orders) {
+            val measured = order.fold(begun) { editing, (tag, value) -> editing.typed(tag, value) }
+            assertEquals(gear, measured.robot.drive.gear, TOLERANCE)
+            assertEquals(track, measured.robot.drive.track, TOLERANCE)
+            assertEquals(WheelTrim(1.0, 1 - 2 * 4.0 * track / (60.0 * 60.0)).right, measured.trim.right, TRIM_TOLERANCE)
+            assertEquals(1.0, measured.trim.left)
+            for ((tag, value) in typed) assertEquals(value, measured.number(tag).value, 0.5, "$tag in $order")
+        }
+    }
+
+    @Test
+    fun `a second trim is added to the first, and only one wheel is slowed down`() {
+        val begun = RobotEditing.of(ReadyRobots.CUTEBOT.let { it.copy(buggy = it.buggy?.copy(trim = WheelTrim(1.0, 0.97))) })
+        val right = begun.typed(SIDE, -3.0)
+        val factor = 1 - 2 * 3.0 * 7.6 / 2500
+        assertEquals(0.97 / factor, right.trim.right / right.trim.left, TRIM_TOLERANCE)
+        assertEquals(1.0, maxOf(right.trim.left, right.trim.right))
+        assertEquals(WheelTrim(1.0, 0.97), begun.typed(SIDE, 3.0).typed(SIDE, 0.0).trim)
+    }
+
+    @Test
+    fun `another buggy is that ready robot, and a plain one has its pins and the sensors on them`() {
+        val begun = RobotEditing.of(ReadyRobots.CUTEBOT_V1)
+        val maqueen = begun.chosen("robot-buggy", BuggyKind.MAQUEEN)
+        assertEquals(ReadyRobots.MAQUEEN.copy(brick = BrickKind.MICROBIT_V1), maqueen.robot)
+        val plain = maqueen.chosen("robot-buggy", BuggyKind.PLAIN)
+        val sensing = plain.chosen("robot-pin-line-1", 13).chosen("robot-pin-line-2", 14).chosen("robot-pin-trigger", 8)
+        assertEquals(listOf(1, 2, 3), sensing.robot.parts.map { it.port })
+        assertEquals(listOf(13, 14), sensing.robot.buggy?.pins?.lines)
+        val motors = sensing.chosen("robot-pins-drive", PlainDrive.BRIDGE)
+        assertEquals(motors.robot.buggy?.pins?.all?.distinct(), motors.robot.buggy?.pins?.all)
+        assertEquals(emptyList(), motors.errors)
+        val offered = motors.choice("robot-pin-pen").options.map { it.value }
+        assertTrue(13 !in offered && 0 in offered && null in offered, "$offered")
+        val blind = motors.chosen("robot-pin-trigger", null)
+        assertEquals(listOf(1, 2), blind.robot.parts.map { it.port })
+    }
+
+    @Test
     fun `motors that run for a time are not measured`() {
         assertTrue(RobotEditing.of(ReadyRobots.RCX_PENBOT).fieldsOf(RobotElement.Wheels).none { it.tag == WAY })
     }
@@ -66,11 +117,22 @@ class RobotFieldsTest {
     private fun RobotEditing.number(tag: String) =
         fieldsOf(RobotElement.Wheels).filterIsInstance<Field.Number<RobotEdit>>().single { it.tag == tag }
 
+    private val RobotEditing.trim get() = checkNotNull(robot.buggy).trim
+
+    @Suppress("UNCHECKED_CAST")
+    private fun RobotEditing.choice(tag: String) =
+        fieldsOf(RobotElement.Brick).single { it.tag == tag } as Field.Choice<Any?, RobotEdit>
+
+    private fun RobotEditing.chosen(tag: String, value: Any?): RobotEditing =
+        after(checkNotNull(choice(tag).with(value, Language.ENGLISH)))
+
     private fun RobotEditing.typed(tag: String, value: Double) = after(checkNotNull(number(tag).with(value)))
 
     private companion object {
         const val WAY = "robot-measured-way"
         const val TURN = "robot-measured-turn"
+        const val SIDE = "robot-measured-side"
+        const val TRIM_TOLERANCE = 0.0015
         const val STEP = 0.5
         const val TOLERANCE = 0.02
     }

@@ -5,6 +5,9 @@ import robotran.hub.HubBrick
 import robotran.hub.messages.HubMessages
 import robotran.hub.model.HubModel
 import robotran.language.Language
+import robotran.microbit.MicrobitBrick
+import robotran.microbit.messages.MicrobitMessages
+import robotran.microbit.model.MicrobitModel
 import robotran.nxt.NxtBrick
 import robotran.nxt.bluetooth.BluetoothNetwork
 import robotran.nxt.messages.NxtMessages
@@ -13,6 +16,8 @@ import robotran.rcxrom.infrared.InfraredAir
 import robotran.rcxrom.messages.BrickMessages
 import robotran.rcxrom.program.RcxProgram
 import robotran.simulation.hub.HubPorts
+import robotran.simulation.microbit.MicrobitPorts
+import robotran.simulation.microbit.buggyWiring
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.nxt.NxtPorts
 import robotran.simulation.robot.BrickPorts
@@ -72,6 +77,22 @@ internal class BrickInstallation(
             simulation.scene,
             number,
             facing,
+            streams,
+            world.realism,
+        )
+
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MicrobitPorts(
+            robot,
+            MicrobitBrick(
+                checkNotNull(MicrobitModel.of(robot.brick)),
+                checkNotNull(robot.buggyWiring),
+                robot.pen != null,
+                load.programs,
+                MicrobitMessages.of(language),
+                load.firstSlot,
+            ),
+            simulation.scene,
+            number,
             streams,
             world.realism,
         )

@@ -16,6 +16,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.hub.model.HubModel
+import robotran.microbit.model.MicrobitModel
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
 import robotran.robolang.RobolangResult
@@ -23,6 +24,8 @@ import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.robot.RobotTarget
 import robotran.simulation.hub.hubSensors
+import robotran.simulation.microbit.buggyWiring
+import robotran.simulation.microbit.microbitSensors
 import robotran.simulation.nxt.ScriptedNxt
 import robotran.simulation.physics.PhysicsEngine
 import robotran.simulation.physics.loadPhysicsEngine
@@ -184,6 +187,21 @@ private fun targetOf(robot: RobotDescription): RobotTarget = with(robot.drive) {
         }
 
         BrickKind.NXT -> RobotTarget.Nxt(wheelDiameter / gear, track, left, right, robot.pen?.motor, reversed)
+
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> RobotParameters.of(robot).let {
+            RobotTarget.Microbit(
+                checkNotNull(MicrobitModel.of(robot.brick)),
+                checkNotNull(robot.buggyWiring),
+                it.millisecondsPerCentimetre,
+                it.millisecondsPerDegree,
+                left,
+                right,
+                robot.pen?.motor,
+                reversed,
+                checkNotNull(robot.buggy).trim,
+                robot.microbitSensors,
+            )
+        }
 
         else -> RobotTarget.Hub(
             checkNotNull(HubModel.of(robot.brick)),

@@ -32,6 +32,7 @@ internal class RoomStates(private val rooms: Rooms, override val hasPage: Boolea
     override val siteRequested get() = rooms.settings.siteRequested
     override val send get() = school.send.state
     override val hubSend get() = school.hubSend.state
+    override val microbitSend get() = school.microbitSend
     override val show get() = school.export.state
     override val handIns get() = school.handIns.state
     override val assignment get() = school.assignment.state

@@ -13,6 +13,7 @@ import robotran.world.geometry.Point
  * @property casters where casters or skids support it; the one on the side of the mass bears the rest of the load.
  * @property pen null if it has none; the tip is at the origin.
  * @property parts its bumpers and sensors. Entries that differ only in their ports are one thing with several cables.
+ * @property buggy what its micro:bit is plugged into; null for other bricks.
  * @property base the name of the ready robot that its file is like, see [ReadyRobots]; null for the penbot of its brick.
  * @property unknown unknown fields of the file.
  */
@@ -25,6 +26,7 @@ data class RobotDescription(
     val pen: PenMount?,
     val brickAt: BrickMount,
     val parts: List<RobotPart>,
+    val buggy: BuggyMount? = null,
     val base: String? = null,
     val unknown: UnknownFields = UnknownFields.NONE,
 )

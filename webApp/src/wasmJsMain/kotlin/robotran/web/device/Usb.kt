@@ -4,7 +4,7 @@ package robotran.web.device
 
 import kotlin.js.Promise
 
-/** The parts of the WebUSB API that towers and hubs need. */
+/** The parts of the WebUSB API that towers, hubs and micro:bits need. */
 internal external interface Usb : JsAny {
     fun getDevices(): Promise<JsArray<UsbDevice>>
 
@@ -27,6 +27,8 @@ internal external interface UsbDevice : JsAny {
     fun claimInterface(number: Int): Promise<JsAny?>
 
     fun controlTransferIn(setup: JsAny, length: Int): Promise<UsbInResult>
+
+    fun controlTransferOut(setup: JsAny, bytes: JsBytes): Promise<UsbOutResult>
 
     fun transferIn(endpoint: Int, length: Int): Promise<UsbInResult>
 

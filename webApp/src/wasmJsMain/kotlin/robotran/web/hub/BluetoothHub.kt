@@ -10,6 +10,7 @@ import robotran.hublink.connection.HubUuids
 import robotran.hublink.connection.HubValue
 import robotran.hublink.connection.OpenedHub
 import robotran.web.device.Outcome
+import robotran.web.device.ReceivedPackets
 import robotran.web.device.outcome
 import robotran.web.device.toByteArray
 import robotran.web.device.toJs

@@ -7,6 +7,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.launch
 import robotran.hublink.HubKind
 import robotran.hublink.connection.PacketPort
+import robotran.web.device.ReceivedPackets
 import robotran.web.device.UsbDevice
 import robotran.web.device.UsbInResult
 import robotran.web.device.bytesOf

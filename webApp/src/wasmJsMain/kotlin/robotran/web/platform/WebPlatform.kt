@@ -9,6 +9,8 @@ import kotlinx.coroutines.await
 import robotran.documents.FileKind
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.NoHubPorts
+import robotran.microbitlink.dap.MicrobitPorts
+import robotran.microbitlink.dap.NoMicrobitPorts
 import robotran.mpycompiler.MpyCompiler
 import robotran.projects.isLink
 import robotran.simulation.picture.WorldPictures
@@ -19,6 +21,7 @@ import robotran.ui.pictures.pictureFonts
 import robotran.web.grading.WebGradingWorkers
 import robotran.web.hub.WebHubPorts
 import robotran.web.hub.WebMpyCompiler
+import robotran.web.microbit.WebMicrobitPorts
 import robotran.web.tower.WebTowers
 import robotran.web.window.PageFonts
 import robotran.workshop.platform.FilePicker
@@ -76,6 +79,9 @@ internal class WebPlatform(
     // An embedded page sends nothing.
     override val towers: TowerPorts = if (embedded) NoTowerPorts else WebTowers()
     override val hubs: HubPorts by lazy(LazyThreadSafetyMode.NONE) { if (embedded) NoHubPorts else WebHubPorts() }
+    override val microbits: MicrobitPorts by lazy(LazyThreadSafetyMode.NONE) {
+        if (embedded) NoMicrobitPorts else WebMicrobitPorts()
+    }
     override val mpyCompiler: MpyCompiler get() = WebMpyCompiler
 
     init {

@@ -11,12 +11,14 @@ enum class BrickButton(val label: String) {
     PRGM("Prgm"),
     RUN("Run"),
 
-    /** The orange button of an NXT, and the one in the middle of a hub. */
+    /** The orange button of an NXT, the one in the middle of a hub, and A of a micro:bit. */
     ENTER("Enter"),
     LEFT("Left"),
+
+    /** Also B of a micro:bit. */
     RIGHT("Right"),
 
-    /** The dark grey button of an NXT, and the one of an EV3 that goes back. */
+    /** The dark grey button of an NXT, the one of an EV3 that goes back, and the logo of a micro:bit. */
     ESCAPE("Escape"),
     BLUETOOTH("Bluetooth"),
     UP("Up"),

@@ -16,6 +16,7 @@ import robotran.brick.sensors.SensorKind
  * @property inputPorts number of ports for sensors, numbered from 1.
  * @property hasLetteredInputs whether those have letters on the brick, A for 1, and take motors as well.
  * @property sensors those that it can read.
+ * @property ownSensors those that are built into it, on no port.
  * @property sensorsOnPort how many of them fit on one port, one on the other.
  * @property sensorCase what its simple sensors are built into.
  * @property readsInUnits whether it tells what a sensor measures in the unit of that sensor, whatever the program chose.
@@ -23,6 +24,7 @@ import robotran.brick.sensors.SensorKind
  * @property startButton starts the selected program.
  * @property powerUnit what the power of a motor is counted in.
  * @property hasMotorCounters whether it counts the degrees that its motors turn.
+ * @property measuresBattery whether programs can ask for its voltage.
  * @property chartsBattery whether charts show the voltage that it measures.
  * @property displayRows the number of rows of text on its display.
  * @property hasInfrared whether it sends and receives messages by infrared light without a sensor for them.
@@ -40,6 +42,7 @@ enum class BrickKind(
     val inputPorts: Int,
     val hasLetteredInputs: Boolean,
     val sensors: Set<SensorKind>,
+    val ownSensors: Set<SensorKind>,
     val sensorsOnPort: Int,
     val sensorCase: SensorCase,
     val readsInUnits: Boolean,
@@ -47,6 +50,7 @@ enum class BrickKind(
     val startButton: BrickButton,
     val powerUnit: PowerUnit,
     val hasMotorCounters: Boolean,
+    val measuresBattery: Boolean,
     val chartsBattery: Boolean,
     val displayRows: Int,
     val hasInfrared: Boolean,
@@ -65,6 +69,7 @@ enum class BrickKind(
         inputPorts = 3,
         hasLetteredInputs = false,
         sensors = setOf(SensorKind.TOUCH, SensorKind.LIGHT, SensorKind.TEMPERATURE, SensorKind.ROTATION),
+        ownSensors = emptySet(),
         sensorsOnPort = 2,
         sensorCase = SensorCase.STUDDED,
         readsInUnits = false,
@@ -72,6 +77,7 @@ enum class BrickKind(
         startButton = BrickButton.RUN,
         powerUnit = PowerUnit.STEPS,
         hasMotorCounters = false,
+        measuresBattery = true,
         chartsBattery = false,
         displayRows = 1,
         hasInfrared = true,
@@ -91,6 +97,7 @@ enum class BrickKind(
         inputPorts = 4,
         hasLetteredInputs = false,
         sensors = SensorKind.entries.toSet(),
+        ownSensors = emptySet(),
         sensorsOnPort = 1,
         sensorCase = SensorCase.ROUNDED,
         readsInUnits = true,
@@ -98,6 +105,7 @@ enum class BrickKind(
         startButton = BrickButton.ENTER,
         powerUnit = PowerUnit.PERCENT,
         hasMotorCounters = true,
+        measuresBattery = true,
         chartsBattery = true,
         displayRows = 8,
         hasInfrared = false,
@@ -165,6 +173,18 @@ enum class BrickKind(
         displayRows = 8,
         takesAn = true,
     ),
+
+    /** A BBC micro:bit V2 with MicroPython, on a buggy; the one below is its forerunner without loudspeaker and microphone. */
+    MICROBIT(
+        label = "micro:bit",
+        buttons = listOf(BrickButton.ENTER, BrickButton.RIGHT, BrickButton.ESCAPE),
+        ownSensors = setOf(SensorKind.SOUND),
+    ),
+    MICROBIT_V1(
+        label = "micro:bit V1",
+        buttons = listOf(BrickButton.ENTER, BrickButton.RIGHT),
+        ownSensors = emptySet(),
+    ),
     ;
 
     /** A hub with Pybricks. */
@@ -183,6 +203,7 @@ enum class BrickKind(
         inputPorts,
         hasLetteredInputs,
         sensors,
+        ownSensors = emptySet(),
         sensorsOnPort = 1,
         SensorCase.ROUNDED,
         readsInUnits = true,
@@ -190,6 +211,7 @@ enum class BrickKind(
         startButton = BrickButton.ENTER,
         PowerUnit.PERCENT,
         hasMotorCounters = true,
+        measuresBattery = true,
         chartsBattery = true,
         displayRows,
         hasInfrared = false,
@@ -201,6 +223,36 @@ enum class BrickKind(
         ProgramWay.HUB,
         takesAn,
     )
+
+    /** A micro:bit on a buggy, whose motors are A left, C right and B for the pen. */
+    constructor(label: String, buttons: List<BrickButton>, ownSensors: Set<SensorKind>) : this(
+        label,
+        motorPorts = listOf(MotorPort.A, MotorPort.B, MotorPort.C),
+        inputPorts = 4,
+        hasLetteredInputs = false,
+        sensors = setOf(SensorKind.LIGHT, SensorKind.ULTRASONIC),
+        ownSensors,
+        sensorsOnPort = 1,
+        SensorCase.ROUNDED,
+        readsInUnits = true,
+        buttons,
+        startButton = BrickButton.ENTER,
+        PowerUnit.PERCENT,
+        hasMotorCounters = false,
+        measuresBattery = false,
+        chartsBattery = false,
+        displayRows = 1,
+        hasInfrared = false,
+        hasSoftSound = false,
+        hasRom = false,
+        callGroups = CallGroup.COMMON + CallGroup.SYSTEM,
+        java = null,
+        hasLegoFirmware = false,
+        ProgramWay.MICROBIT,
+    )
+
+    /** Whether it is a micro:bit, which drives as the buggy does that it is plugged into. */
+    val isOnBuggy: Boolean get() = programWay == ProgramWay.MICROBIT
 
     /** What it is called on the command line. */
     val word: String get() = name.lowercase().replace('_', '-')

@@ -8,6 +8,9 @@ enum class ProgramWay {
     /** Over Bluetooth or USB, to a hub with Pybricks. */
     HUB,
 
+    /** As a `.hex` or over USB, to a micro:bit with MicroPython. */
+    MICROBIT,
+
     /** Not from this app: it makes a kit of files that other tools send. */
     NONE,
 }

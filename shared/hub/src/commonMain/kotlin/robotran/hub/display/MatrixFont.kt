@@ -1,12 +1,10 @@
 package robotran.hub.display
 
+import robotran.brick.lights.LightFont
+
 /** Numbers and characters as lights of a matrix. */
 internal object MatrixFont {
-    /** The characters that can be shown. */
-    val PRINTABLE = 32..126
-
-    private const val SIDE = 5
-    private const val LIGHT = '#'
+    private const val SIDE = LightFont.SIDE
     private const val FULL = 100
     private const val HALF = 50
     private const val HIGHEST = 99
@@ -14,16 +12,15 @@ internal object MatrixFont {
     private const val SECOND_DIGIT = 3
     private const val MIDDLE = 2
 
-    private val digits = glyphs(MatrixArt.DIGITS, width = 2)
-    private val characters = glyphs(MatrixArt.CHARACTERS, SIDE)
+    private val digits = LightFont.glyphs(MatrixArt.DIGITS, width = 2).map(::brightnesses)
 
     /** A matrix without lights. */
     val DARK: List<Int> = List(SIDE * SIDE) { 0 }
 
-    fun has(character: Char): Boolean = character.code in PRINTABLE
+    fun has(character: Char): Boolean = LightFont.has(character)
 
     /** The brightnesses, 0..100, of a character that the font [has], row by row. */
-    fun lightsOf(character: Char): List<Int> = characters[character.code - PRINTABLE.first]
+    fun lightsOf(character: Char): List<Int> = brightnesses(LightFont.lightsOf(character))
 
     /** The brightnesses for a number: two digits, a dot for a minus, and an arrow beyond 99. */
     fun lightsOf(number: Int): List<Int> {
@@ -41,13 +38,5 @@ internal object MatrixFont {
         return lights
     }
 
-    private fun glyphs(art: String, width: Int): List<List<Int>> =
-        art.lines().filter { it.isNotEmpty() }.chunked(SIDE).flatMap { band ->
-            List((band[0].length + 1) / (width + 1)) { glyph ->
-                List(SIDE * width) { place ->
-                    val x = glyph * (width + 1) + place % width
-                    if (band[place / width][x] == LIGHT) FULL else 0
-                }
-            }
-        }
+    private fun brightnesses(lights: List<Boolean>) = lights.map { if (it) FULL else 0 }
 }

@@ -3,6 +3,7 @@ package robotran.hub.hardware
 import robotran.brick.controls.MotorMode
 import robotran.brick.controls.MotorState
 import robotran.brick.log.CallLog
+import robotran.brick.sound.ToneSpeaker
 import robotran.hub.control.ControlConstants
 import robotran.hub.control.DriveBase
 import robotran.hub.control.HubMotor
@@ -28,7 +29,7 @@ internal class HubHardware(val model: HubModel, private val messages: HubMessage
     val inputs = HubInputs(model)
     val buttons = HubButtons(model)
     val display = HubDisplay(model)
-    val speaker = HubSpeaker { display.screen }
+    val speaker = ToneSpeaker { display.screen }
     val log = CallLog()
     var driveBase: DriveBase? = null
     var light = HubColor.NONE

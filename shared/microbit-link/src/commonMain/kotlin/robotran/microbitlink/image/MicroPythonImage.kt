@@ -67,8 +67,7 @@ class MicroPythonImage internal constructor(val memory: HexMemory, private val l
 
     companion object {
         /** The MicroPython of [memory]; null if it has none that we know. */
-        internal fun of(memory: HexMemory): MicroPythonImage? =
-            FlashLayout.find(memory)?.let { MicroPythonImage(memory, it) }
+        fun of(memory: HexMemory): MicroPythonImage? = FlashLayout.find(memory)?.let { MicroPythonImage(memory, it) }
 
         /** The bytes of a line in the files of the foundation. */
         const val USUAL_WIDTH = 16

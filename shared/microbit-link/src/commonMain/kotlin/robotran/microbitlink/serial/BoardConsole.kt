@@ -6,11 +6,13 @@ package robotran.microbitlink.serial
  * @property lines without the one that it has not ended yet; the oldest go after [MAX_LINES].
  * @property unfinished the beginning of a line.
  * @property error the last error that it has ended with.
+ * @property hasEnded whether Python's prompt has come behind what it printed: it does not run any more.
  */
 data class BoardConsole(
     val lines: List<String> = emptyList(),
     val unfinished: String = "",
     val error: PythonError? = null,
+    val hasEnded: Boolean = false,
 ) {
     companion object {
         /** How many lines are kept. */

@@ -23,12 +23,20 @@ internal class OutputReader {
             start = if (isEnd) place + 1 else place
         }
         unfinished = all.copyOfRange(start, all.size)
-        console = console.copy(unfinished = unfinished.decodeToString().trimEnd('\r', BROKEN_LETTER))
+        val text = unfinished.decodeToString()
+        console = if (text == PROMPT) {
+            console.copy(unfinished = "", hasEnded = true)
+        } else {
+            console.copy(unfinished = text.removePrefix(PROMPT).trimEnd('\r', BROKEN_LETTER))
+        }
     }
 
-    private fun addLine(text: String) {
+    private fun addLine(whole: String) {
+        val text = whole.removePrefix(PROMPT)
+        // What Python says of itself when a program has ended.
+        if (BANNER.matches(text)) return
         val lines = console.lines.takeLast(BoardConsole.MAX_LINES - 1) + text
-        console = console.copy(lines = lines, error = errorWith(text) ?: console.error)
+        console = console.copy(lines = lines, error = errorWith(text) ?: console.error, hasEnded = false)
     }
 
     /** The error, if [text] is the last line of a traceback. */
@@ -60,6 +68,8 @@ internal class OutputReader {
 
         /** What the beginning of a letter becomes, until the rest has come. */
         const val BROKEN_LETTER = '\uFFFD'
+        const val PROMPT = ">>> "
+        val BANNER = Regex("""MicroPython v.* with nRF.*|Type "help\(\)" for more information\.""")
         const val BEGINNING = "Traceback (most recent call last):"
         val PLACE = Regex("""^ +File "([^"]*)", line (\d+)""")
 

@@ -29,8 +29,9 @@ internal class RawRepl(private val serial: SerialLine) {
         return if (isWhole) ReplAnswer(parts[0], parts[1]) else null
     }
 
-    /** Leaves the prompt and starts the program of the board. */
-    suspend fun restart(): Boolean = serial.write(byteArrayOf(FRIENDLY)) && serial.write(byteArrayOf(END))
+    /** Leaves the prompt and starts the program of the board. What Python says about that is no output of the program. */
+    suspend fun restart(): Boolean = serial.write(byteArrayOf(FRIENDLY)) && serial.write(byteArrayOf(END)) &&
+        serial.readUntil(REBOOT, ANSWER) != null
 
     private suspend fun interrupt(): Boolean {
         if (!serial.write(byteArrayOf(FRIENDLY))) return false

@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.hub.model.HubModel
 import robotran.language.source.SourceFix
 import robotran.language.source.SourceRange
+import robotran.microbit.model.MicrobitModel
 import robotran.robolang.diagnostic.DiagnosticCode
 import robotran.robolang.robot.SensorPorts
 import robotran.robolang.syntax.BrickButton
@@ -65,7 +66,8 @@ internal class BrickChecker(private val context: CheckContext, private val robot
             is Sense.Turned -> need(BrickFeature.MOTOR_COUNTERS, expression.range)
             is Sense.Sensor -> port(sense.port, expression.range)
             is Sense.Button -> button(sense.button, expression.range)
-            Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer, Sense.Battery -> Unit
+            Sense.Battery -> need(BrickFeature.BATTERY, expression.range)
+            Sense.LeftBumper, Sense.RightBumper, Sense.Light, Sense.Timer -> Unit
         }
     }
 
@@ -77,10 +79,15 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     }
 
     private val isHub: Boolean get() = HubModel.of(brick) != null
+    private val isBoard: Boolean get() = MicrobitModel.of(brick) != null
 
     private fun noButton(): String {
-        if (!isHub) return messages.noNxtButton()
-        return messages.noSuchButton(BrickButton.of(brick).map { "\"button ${it.keyword.text}\"" })
+        val buttons = BrickButton.of(brick).map { "\"button ${it.keyword.text}\"" }
+        return when {
+            isHub -> messages.noSuchButton(buttons)
+            isBoard -> messages.noSuchButtonOnBoard(buttons)
+            else -> messages.noNxtButton()
+        }
     }
 
     private fun port(port: Int, range: SourceRange) {
@@ -94,13 +101,20 @@ internal class BrickChecker(private val context: CheckContext, private val robot
     private fun need(feature: BrickFeature, range: SourceRange) {
         if (feature.isOn(brick)) return
         val message = when (feature) {
-            BrickFeature.MOTOR_COUNTERS -> messages.noMotorDegrees()
+            BrickFeature.MOTOR_COUNTERS -> if (isBoard) messages.noWheelDegrees() else messages.noMotorDegrees()
             BrickFeature.SONAR -> messages.noSonar()
-            BrickFeature.COLOUR_SENSOR -> messages.noColourSensor()
-            BrickFeature.SOUND_SENSOR -> if (isHub) messages.noSoundSensorOnHub() else messages.noSoundSensor()
+            BrickFeature.COLOUR_SENSOR -> if (isBoard) messages.noColourOnBuggy() else messages.noColourSensor()
+            BrickFeature.SOUND_SENSOR -> noSound()
+            BrickFeature.BATTERY -> messages.noBatteryOnBoard()
             BrickFeature.ENTER_BUTTON, BrickFeature.ESCAPE_BUTTON -> noButton()
         }
         context.report(DiagnosticCode.BRICK_LACKS, range, message)
+    }
+
+    private fun noSound(): String = when {
+        isHub -> messages.noSoundSensorOnHub()
+        isBoard -> messages.noMicrophone()
+        else -> messages.noSoundSensor()
     }
 
     /** Two sensors cannot be on one port. */

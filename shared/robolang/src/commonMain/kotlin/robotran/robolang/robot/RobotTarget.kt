@@ -2,8 +2,12 @@ package robotran.robolang.robot
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.WheelTrim
 import robotran.hub.model.HubDeviceKind
 import robotran.hub.model.HubModel
+import robotran.microbit.buggy.Buggy
+import robotran.microbit.buggy.MicrobitSensor
+import robotran.microbit.model.MicrobitModel
 import kotlin.math.PI
 
 /** The robot that a program is compiled for. Its figures belong to the robot, not to the language. */
@@ -107,6 +111,29 @@ sealed interface RobotTarget {
             const val MILLISECONDS_PER_TURN_OF_CM = 10_000
             const val FULL_TURN_OF_CM = 3600
         }
+    }
+
+    /**
+     * A robot with a micro:bit on a buggy, whose wheels turn for a time.
+     *
+     * @property millisecondsPerCentimetre how long both wheels turn per centimetre at power 3.
+     * @property millisecondsPerDegree how long they turn in opposite directions per degree at power 3.
+     * @property trim what the program slows down the faster wheel by.
+     * @property sensors what is on its ports, by their numbers from 1.
+     */
+    data class Microbit(
+        val model: MicrobitModel,
+        val buggy: Buggy,
+        override val millisecondsPerCentimetre: Double,
+        override val millisecondsPerDegree: Double,
+        override val left: MotorPort = MotorPort.A,
+        override val right: MotorPort = MotorPort.C,
+        override val pen: MotorPort? = MotorPort.B,
+        override val isReversed: Boolean = false,
+        val trim: WheelTrim = WheelTrim.NONE,
+        val sensors: Map<Int, MicrobitSensor> = buggy.sensors,
+    ) : RobotTarget {
+        override val kind: BrickKind get() = model.kind
     }
 }
 

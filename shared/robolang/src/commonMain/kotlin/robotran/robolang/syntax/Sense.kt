@@ -60,7 +60,11 @@ internal enum class BrickButton(val keyword: Keyword, private val real: RealButt
 
     /** The one of [buttons] for the same purpose; null if none is. */
     fun among(buttons: Collection<BrickButton>): BrickButton? =
-        listOfNotNull(this, COUNTERPARTS[this]).firstOrNull { it in buttons }
+        listOfNotNull(this, COUNTERPARTS[this]).firstOrNull { it in buttons } ?: leftOf(buttons)
+
+    /** Of a right button without a left one, the other one of the pair is that to enter, as on a micro:bit. */
+    private fun leftOf(buttons: Collection<BrickButton>): BrickButton? =
+        ENTER.takeIf { (this == LEFT || this == PRGM) && RIGHT in buttons && ENTER in buttons }
 
     companion object {
         private val PAIRS = listOf(RUN to ENTER, VIEW to RIGHT, PRGM to LEFT)

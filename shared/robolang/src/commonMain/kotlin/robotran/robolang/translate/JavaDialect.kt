@@ -42,7 +42,7 @@ internal interface JavaDialect {
         fun of(robot: RobotTarget): JavaDialect = when (robot) {
             is RobotTarget.Rcx -> LejosDialect(robot)
             is RobotTarget.Nxt -> NxjDialect(robot)
-            is RobotTarget.Hub -> error("There is no Java on a ${robot.kind.label}.")
+            is RobotTarget.Hub, is RobotTarget.Microbit -> error("There is no Java on a ${robot.kind.label}.")
         }
     }
 }

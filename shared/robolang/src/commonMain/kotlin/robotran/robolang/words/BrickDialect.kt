@@ -89,6 +89,21 @@ internal class BrickDialect private constructor(
             waitsForOutput = true,
         )
 
+        private fun microbit() = BrickDialect(
+            keyword = Keyword.MICROBIT,
+            rightBumperPort = 2,
+            lightPort = 1,
+            hasSeveralOfAKind = true,
+            takesButtonsOfOthers = true,
+            textLength = 100,
+            showsAscii = true,
+            freesLists = true,
+            dividesByShort = false,
+            rollsOn = false,
+            waitsForSensors = false,
+            asksRobot = true,
+        )
+
         private val DIALECTS = ByBrick { brick ->
             when (brick) {
                 BrickKind.RCX -> rcx()
@@ -100,6 +115,8 @@ internal class BrickDialect private constructor(
 
                 // Its programs are those of an NXT.
                 BrickKind.NXT_PYBRICKS -> hub(Keyword.NXT, lightPort = 3)
+
+                BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> microbit()
             }
         }
 

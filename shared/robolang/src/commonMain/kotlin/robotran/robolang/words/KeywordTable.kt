@@ -87,6 +87,7 @@ spike                     | spike                              | spike          
 essential                 | essential                          | essential                     | essential                   | essential
 technic                   | technic                            | technic                       | technic                     | technic
 ev3                       | ev3                                | ev3                           | ev3                         | ev3
+microbit                  | microbit                           | microbit                      | microbit                    | microbit
 sonar                     | sonar                              | sonar                         | sonar                       | sonar
 sound                     | sonido                             | geräusch                      | son                         | som
 distance                  | distancia                          | abstand                       | distance                    | distância

@@ -18,6 +18,8 @@ internal fun brickBody(
     BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3 -> {
         hubBody(kind, build, palette, round, halfWidth, halfLength)
     }
+
+    BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> microbitBody(build, palette, round, halfWidth, halfLength)
 }
 
 /** An RCX with its display and buttons, without the details of the penbot's. */
@@ -129,6 +131,55 @@ private const val HUB_LIGHTS = 5
 
 /** Half of how much of its place a light fills. */
 private const val HUB_LIGHT_SHARE = 0.3
+
+/** A micro:bit around the origin: a dark board in a frame of the robot's colour, with its lights, buttons and pins. */
+private fun microbitBody(
+    build: RobotPlacement,
+    palette: RobotPalette,
+    round: Round,
+    halfWidth: Double,
+    halfLength: Double,
+): Body {
+    val top = RobotPlan3D.BRICK_TOP
+    val outline = round.cutRectangle(-halfWidth, -halfLength, halfWidth, halfLength, RobotPlan3D.BRICK_CORNER)
+    val board = Round.plate(
+        BOARD_FRAME - halfWidth,
+        BOARD_FRAME - halfLength,
+        halfWidth - BOARD_FRAME,
+        halfLength - BOARD_FRAME,
+        top,
+        palette.chassis,
+    )
+    val lights = List(LIGHTS * LIGHTS) { place ->
+        val x = (place % LIGHTS - LIGHTS / 2) * LIGHT_STEP
+        val y = (place / LIGHTS - LIGHTS / 2) * LIGHT_STEP + LIGHTS_UP
+        Round.plate(x - LIGHT, y - LIGHT, x + LIGHT, y + LIGHT, top, palette.sensorLamp)
+    }
+    val buttons = listOf(-1, 1).map {
+        round.disc(it * halfWidth * BOARD_SIDE, LIGHTS_UP, top, BOARD_BUTTON, palette.bumper)
+    }
+    val pins = List(LIGHTS) {
+        round.disc((it - LIGHTS / 2) * PIN_STEP, PINS_DOWN - halfLength, top, BOARD_PIN, palette.orange)
+    }
+    return prism(
+        outline,
+        RobotPlan3D.CHASSIS_TOP,
+        top,
+        palette.brick(build.colour),
+        topDecals = listOf(board) + lights + buttons + pins,
+    )
+}
+
+private const val BOARD_FRAME = 0.15
+private const val BOARD_SIDE = 0.72
+private const val BOARD_BUTTON = 0.32
+private const val BOARD_PIN = 0.22
+private const val LIGHTS = 5
+private const val LIGHT = 0.09
+private const val LIGHT_STEP = 0.38
+private const val LIGHTS_UP = 0.2
+private const val PIN_STEP = 0.9
+private const val PINS_DOWN = 0.45
 private const val HUB_FRAME = 0.35
 private const val HUB_SHARE = 0.6
 private const val HUB_RISE = 0.2

@@ -19,6 +19,9 @@ internal object Realism {
     /** Period in which fluctuation and slip change, in milliseconds. */
     const val CHANGE_MILLISECONDS = 100
 
+    /** What the lag of a buggy's motor is longer by, in milliseconds: they start within 50 to 150 and roll on 0.5 to 2 cm. */
+    const val BUGGY_LAG = 30.0
+
     /** Max voltage loss of the batteries at the start of a session, in volts. */
     const val USED_BATTERY = 0.6
 

@@ -18,6 +18,7 @@ import kotlin.math.abs
  * builders report.
  *
  * @param name names its streams, such as `sonar`.
+ * @param beam half the angle of its beam, degrees.
  */
 internal class SonarBeam(
     private val scene: NxtScene,
@@ -26,6 +27,7 @@ internal class SonarBeam(
     name: String,
     private val realism: Double,
     clock: Clock,
+    beam: Double = Sonar.BEAM,
 ) : Echoes {
     private val noise = streams.named("$name: noise")
     private val lost = streams.named("$name: stray")
@@ -33,7 +35,8 @@ internal class SonarBeam(
     private val far = streams.named("$name: far")
     private val disturbed = streams.named("$name: crosstalk")
     private val range = if (realism == 0.0) Sonar.FARTHEST + 1 else Sonar.REAL_FARTHEST
-    private val hits = arrayOfNulls<RayHit>(RAYS.size)
+    private val rays = raysOf(beam)
+    private val hits = arrayOfNulls<RayHit>(rays.size)
 
     /** The constant error of this sensor, in centimetres. */
     val bias = realism * NxtRealism.SONAR_BIAS * streams.named("$name: bias").normal()
@@ -51,8 +54,8 @@ internal class SonarBeam(
     /** The distances of what answers, nearest first, each thing once. */
     private fun answers(): List<Double> {
         val from = place.point
-        for (number in RAYS.indices) {
-            val ray = RAYS[number]
+        for (number in rays.indices) {
+            val ray = rays[number]
             val x = place.cosine * ray.cosine - place.sine * ray.sine
             val y = place.sine * ray.cosine + place.cosine * ray.sine
             hits[number] = scene.physics.ray(place.body, from, Point(from.x + range * x, from.y + range * y))
@@ -66,7 +69,7 @@ internal class SonarBeam(
         if (hit.body in scene.softBodies && hit.distance > Sonar.SOFT_FARTHEST) return false
         val looksBack = -(hit.normalX * place.cosine + hit.normalY * place.sine)
         if (looksBack >= MIRROR_COSINE) return true
-        return abs(number - RAYS.size / 2) * Sonar.RAY_STEP <= Sonar.EDGE_BEAM && (hit.isRound || isEdge(number))
+        return abs(number - rays.size / 2) * Sonar.RAY_STEP <= Sonar.EDGE_BEAM && (hit.isRound || isEdge(number))
     }
 
     /** Whether a ray beside it meets something else, or another side of the same thing. */
@@ -129,9 +132,10 @@ internal class SonarBeam(
         const val SAME_THING = 2.0
 
         /** From the right to the left of the middle, which is one of them. */
-        val RAYS = (-Sonar.BEAM / Sonar.RAY_STEP).toInt().let { first ->
+        fun raysOf(beam: Double) = (-beam / Sonar.RAY_STEP).toInt().let { first ->
             (first..-first).map { Direction(it * Sonar.RAY_STEP) }
         }
+
         val SAME_SIDE_COSINE = Direction(20.0).cosine
         val MIRROR_COSINE = Direction(Sonar.MIRROR).cosine
         val CROSSTALK_COSINE = Direction(Sonar.CROSSTALK_BEAM).cosine

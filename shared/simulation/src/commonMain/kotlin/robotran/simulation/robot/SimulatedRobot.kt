@@ -29,7 +29,7 @@ internal class SimulatedRobot(
     plannedStart: Pose,
     private val robot: RobotDescription,
     streams: NoiseStreams,
-    realism: Double,
+    private val realism: Double,
 ) {
     /** Its real start pose. */
     val start = realStart(plannedStart, streams, realism)
@@ -40,8 +40,9 @@ internal class SimulatedRobot(
 
     /** null for a brick whose motors do not count. */
     private val nxt = if (robot.brick.hasMotorCounters) NxtMotors(robot, parameters, streams, realism) else null
-    val leftWheel = Wheel(leftNoise, nxt?.left ?: RcxMotor(parameters), parameters, nxt?.play("left wheel"))
-    val rightWheel = Wheel(rightNoise, nxt?.right ?: RcxMotor(parameters), parameters, nxt?.play("right wheel"))
+    private val trim = robot.buggy?.trim
+    val leftWheel = Wheel(leftNoise, nxt?.left ?: timedMotor(trim?.left), parameters, nxt?.play("left wheel"))
+    val rightWheel = Wheel(rightNoise, nxt?.right ?: timedMotor(trim?.right), parameters, nxt?.play("right wheel"))
     val battery = if (nxt == null) {
         BatteryNoise(streams, realism)
     } else {
@@ -140,12 +141,16 @@ internal class SimulatedRobot(
         )
     }
 
+    /** A motor that does not count; [trim] of one of a buggy is what its programs slow down its wheel by. */
+    private fun timedMotor(trim: Double?): MotorModel =
+        if (trim == null) RcxMotor(parameters) else BuggyMotor(parameters, realism, trim)
+
     private fun force(impulse: Double) = impulse / SimulationLimits.PHYSICS_STEP_SECONDS
 
     private fun driven(command: MotorState): Double = if (command.mode == MotorMode.FORWARD ||
         command.mode == MotorMode.BACKWARD
     ) {
-        (command.power + 1) / SLOTS
+        if (robot.buggy == null) (command.power + 1) / SLOTS else command.power / PERCENT
     } else {
         0.0
     }
@@ -187,6 +192,7 @@ internal class SimulatedRobot(
 
     private companion object {
         const val SLOTS = 8.0
+        const val PERCENT = 100.0
     }
 }
 

@@ -30,6 +30,7 @@ interface BrickLook {
             BrickKind.SPIKE_ESSENTIAL -> EssentialLook
             BrickKind.TECHNIC_HUB -> TechnicLook
             BrickKind.EV3 -> Ev3Look
+            BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MicrobitLook
         }
     }
 }

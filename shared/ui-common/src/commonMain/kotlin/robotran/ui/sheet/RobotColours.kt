@@ -24,6 +24,9 @@ object RobotColours {
     val NXT_GREY = Color(0xFFC9CED2)
     val ORANGE = Color(0xFFF07C1A)
 
+    /** The pins of a micro:bit. */
+    val GOLD = Color(0xFFD9B04A)
+
     /** View, On-Off, Prgm, Run. */
     val BUTTONS = listOf(CHASSIS, RobotranColours.ON_OFF_RED, CLIP, RobotranColours.RUN_GREEN)
     val LIGHT_SENSOR = Color(0xFF1E4FB5)

@@ -45,8 +45,8 @@ class BrickLabels private constructor(
             forgivingJava = CommonTexts::javaForgivingHelpNxt,
         )
 
-        /** What is said about any hub with Pybricks; [brick] has its name. */
-        private fun ofHub(brick: BrickKind) = BrickLabels(
+        /** What is said about any hub with Pybricks, and about a micro:bit; [brick] has its name. */
+        private fun ofOther(brick: BrickKind) = BrickLabels(
             programIsFor = { HubTexts.programIsFor(it, brick.label) },
             use = { HubTexts.use(it, brick.label) },
             send = CommonTexts::sendToRobot,
@@ -62,8 +62,8 @@ class BrickLabels private constructor(
                 BrickKind.NXT -> ofNxt()
 
                 BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
-                BrickKind.NXT_PYBRICKS,
-                -> ofHub(brick)
+                BrickKind.NXT_PYBRICKS, BrickKind.MICROBIT, BrickKind.MICROBIT_V1,
+                -> ofOther(brick)
             }
         }
 

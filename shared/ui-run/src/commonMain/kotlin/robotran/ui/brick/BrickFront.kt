@@ -25,6 +25,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.kind.ByBrick
 import robotran.brick.state.BrickState
 import robotran.hub.model.HubModel
+import robotran.microbit.model.MicrobitModel
 import robotran.ui.brick.front.BrickFace
 import robotran.ui.brick.front.FrontButton
 import robotran.ui.brick.front.FrontPart
@@ -34,6 +35,7 @@ import robotran.ui.brick.front.Signal
 import robotran.ui.brick.front.drawFront
 import robotran.ui.brick.front.inUnits
 import robotran.ui.brick.hub.HubFace
+import robotran.ui.brick.microbit.MicrobitFace
 import robotran.ui.brick.nxt.NxtFace
 import robotran.ui.brick.rcx.RcxFace
 import robotran.ui.run.tags.RunTags
@@ -52,6 +54,8 @@ private val FACES = ByBrick { kind ->
 
         BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3, BrickKind.NXT_PYBRICKS,
         -> HubFace(checkNotNull(HubModel.of(kind)))
+
+        BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> MicrobitFace(checkNotNull(MicrobitModel.of(kind)))
     }
 }
 

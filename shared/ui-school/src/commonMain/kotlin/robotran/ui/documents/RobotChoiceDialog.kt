@@ -17,6 +17,8 @@ import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
+import robotran.editing.RobotTexts
 import robotran.simulation.state.RobotState
 import robotran.ui.school.tags.DocumentTags
 import robotran.ui.school.texts.DocumentTexts
@@ -28,6 +30,7 @@ import robotran.ui.texts.HubTexts
 import robotran.uikit.*
 import robotran.workshop.event.DocumentEvent
 import robotran.world.ReadyRobots
+import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.geometry.Pose
 
@@ -48,19 +51,28 @@ internal fun RobotChoiceDialog(onEvent: (DocumentEvent) -> Unit) {
             Arrangement.spacedBy(Space.MEDIUM),
             Arrangement.spacedBy(Space.MEDIUM),
         ) {
-            for (brick in BrickKind.entries) RobotCard(brick) { onEvent(DocumentEvent.NewWithBrick(brick)) }
+            for (brick in BrickKind.entries) {
+                val robot = ReadyRobots.defaultOf(brick)
+                RobotCard(robot, DocumentTags.robot(brick)) { onEvent(DocumentEvent.NewWithBrick(brick)) }
+                if (brick != BrickKind.entries.first { it.isOnBuggy }) continue
+                for (buggy in BuggyKind.entries.filter { it != robot.buggy?.kind }) {
+                    RobotCard(ReadyRobots.on(buggy), DocumentTags.robot(buggy)) {
+                        onEvent(DocumentEvent.NewWithBrick(brick, buggy))
+                    }
+                }
+            }
         }
     }
 }
 
 @Composable
-private fun RobotCard(brick: BrickKind, onClick: () -> Unit) {
+private fun RobotCard(robot: RobotDescription, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    CardButton(DocumentTags.robot(brick), onClick, Modifier.width(CARD_WIDTH)) {
+    CardButton(tag, onClick, Modifier.width(CARD_WIDTH)) {
         Column {
-            RobotFromAbove(brick, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
+            RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
-                HubTexts.robotWith(spoken, brick),
+                nameOf(robot),
                 Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
                 style = TextStyles.label,
             )
@@ -68,10 +80,21 @@ private fun RobotCard(brick: BrickKind, onClick: () -> Unit) {
     }
 }
 
-/** The ready robot with [brick], looking up. */
+/** Its brick and, on a micro:bit, its buggy. */
 @Composable
-private fun RobotFromAbove(brick: BrickKind, modifier: Modifier) {
-    val robot = remember(brick) { ReadyRobots.defaultOf(brick) }
+private fun nameOf(robot: RobotDescription): String {
+    val buggy = robot.buggy?.kind
+    val brick = HubTexts.robotWith(spoken, robot.brick)
+    return when (buggy) {
+        null -> brick
+        BuggyKind.PLAIN -> RobotTexts.readyPlainBuggy(spoken)
+        else -> "$brick, ${buggy.label}"
+    }
+}
+
+/** The ready robot, looking up. */
+@Composable
+private fun RobotFromAbove(robot: RobotDescription, modifier: Modifier) {
     val plan = remember(robot) { RobotPlan(robot) }
     Canvas(modifier) {
         val scale = size.height / SHOWN_CENTIMETRES

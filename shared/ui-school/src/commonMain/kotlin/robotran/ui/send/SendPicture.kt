@@ -50,9 +50,14 @@ fun SendPictureView(picture: SendPicture, modifier: Modifier = Modifier) = StepP
 
 /** What [draw] draws in the middle, as large as its place allows. For screen readers the sentence says the same. */
 @Composable
-internal fun StepPicture(draw: DrawScope.(RobotranColours) -> Unit, modifier: Modifier = Modifier) {
+internal fun StepPicture(draw: DrawScope.(RobotranColours) -> Unit, modifier: Modifier = Modifier) =
+    SmallStepPicture(draw, modifier.testTag(SendTags.SEND_PICTURE))
+
+/** The same beside a sentence of a step that has several. */
+@Composable
+internal fun SmallStepPicture(draw: DrawScope.(RobotranColours) -> Unit, modifier: Modifier = Modifier) {
     val colours = LocalRobotranColours.current
-    Canvas(modifier.testTag(SendTags.SEND_PICTURE)) {
+    Canvas(modifier) {
         val factor = minOf(size.width / SendPicture.WIDTH, size.height / SendPicture.HEIGHT)
         translate((size.width - SendPicture.WIDTH * factor) / 2, (size.height - SendPicture.HEIGHT * factor) / 2) {
             scale(factor, Offset.Zero) { draw(colours) }

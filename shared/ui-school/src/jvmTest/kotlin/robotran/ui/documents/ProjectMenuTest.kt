@@ -23,6 +23,7 @@ import androidx.compose.ui.test.performTextReplacement
 import androidx.compose.ui.test.pressKey
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.language.Language
 import robotran.ui.common.AutosaveBanner
 import robotran.ui.common.tags.CommonTags
@@ -177,6 +178,17 @@ class ProjectMenuTest {
                 .assertHeightIsAtLeast(48.dp).assertTextContains(brick.label, substring = true).performClick()
             assertNull(workshop.state.document.dialog)
             assertEquals(brick, workshop.state.programs.brick)
+        }
+    }
+
+    @Test
+    fun `each buggy of a micro-bit is asked for by its name`() = shown { workshop ->
+        for (buggy in BuggyKind.entries - BuggyKind.CUTEBOT) {
+            choose(DocumentTags.NEW_ROBOT)
+            onNodeWithTag(DocumentTags.robot(buggy)).performScrollTo()
+                .assertTextContains(buggy.label, substring = true).performClick()
+            assertEquals(buggy, workshop.state.world.robots.first().description.buggy?.kind)
+            assertEquals(BrickKind.MICROBIT, workshop.state.programs.brick)
         }
     }
 

@@ -40,6 +40,7 @@ import robotran.ui.runbar.SoundSwitch
 import robotran.ui.runbar.runShortcut
 import robotran.ui.send.SendDialog
 import robotran.ui.send.hub.HubSendDialog
+import robotran.ui.send.microbit.MicrobitSendDialog
 import robotran.ui.settings.SettingsPage
 import robotran.ui.world.LocalHearsRun
 import robotran.ui.world.escapedWords
@@ -157,6 +158,7 @@ private fun Pages(state: WorkshopState, footHeight: Dp, onEvent: (WorkshopEvent)
     DocumentDialogs(state.document, { noticeText(it) }, onEvent)
     state.send?.let { SendDialog(it, onEvent) }
     state.hubSend?.let { HubSendDialog(it, onEvent) }
+    state.microbitSend?.let { MicrobitSendDialog(it, onEvent) }
     state.show?.let { ExportDialog(it, state.world, state.session, onEvent) }
     state.handIn?.let { HandInDialog(it, state.document.hasShareSheet, onEvent) }
 }

@@ -5,6 +5,7 @@ import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.documents.AutosaveThrottle
 import robotran.documents.ProjectLock
 import robotran.documents.RestoredProject
@@ -28,6 +29,7 @@ import robotran.workshop.state.DocumentDialog
 import robotran.workshop.state.DocumentState
 import robotran.workshop.state.Notice
 import robotran.workshop.state.WorkToAdd
+import robotran.world.ReadyRobots
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
 
@@ -75,9 +77,9 @@ class DocumentStateHolder(
 
     fun handle(event: DocumentEvent) {
         when (event) {
-            DocumentEvent.NewRequested -> beginNew(BrickKind.default)
+            DocumentEvent.NewRequested -> beginNew(BuiltInWorlds.plain)
             DocumentEvent.RobotChoiceRequested -> view.show(DocumentDialog.RobotChoice)
-            is DocumentEvent.NewWithBrick -> beginNew(event.brick)
+            is DocumentEvent.NewWithBrick -> beginNew(plainWith(event.brick, event.buggy))
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }
             is DocumentEvent.LinkOpened -> launch { opener.openLink(event.link) }
@@ -245,7 +247,7 @@ class DocumentStateHolder(
         val taken = id?.let { projects.claim(it) }
         return switch(taken) { before ->
             if (taken == null) {
-                begin(brick)
+                begin(BuiltInWorlds.plainFor(brick))
             } else {
                 guard.begin(taken.first.id)
                 editor.openProject(taken.first.project)
@@ -309,19 +311,26 @@ class DocumentStateHolder(
         launch { projects.handle(event) }
     }
 
-    private fun beginNew(brick: BrickKind) {
+    /** The empty sheet with a robot that has this brick, and this buggy, if any. */
+    private fun plainWith(brick: BrickKind, buggy: BuggyKind?): World {
+        val plain = BuiltInWorlds.plainFor(brick)
+        val robot = buggy?.let { ReadyRobots.on(it) } ?: return plain
+        return plain.copy(robots = plain.robots.map { it.copy(description = robot) })
+    }
+
+    private fun beginNew(world: World) {
         launch {
             replacement.replace {
                 navigator.leavePages()
-                begin(brick)
+                begin(world)
             }
         }
     }
 
     /** Pages stay: who leaves the tutorial may have opened one before this project is there. */
-    private suspend fun begin(brick: BrickKind) {
+    private suspend fun begin(world: World) {
         val name = autosaver.unusedName()
-        editor.openProject(Project(BuiltInWorlds.plainFor(brick)))
+        editor.openProject(Project(world))
         autosaver.startNew(name)
         // This project is for free experiments.
         navigator.hideTask()

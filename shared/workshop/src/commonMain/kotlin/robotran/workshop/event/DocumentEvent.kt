@@ -1,6 +1,7 @@
 package robotran.workshop.event
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 import robotran.programs.ProgramTranslation
 import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.DocumentAnswer
@@ -16,8 +17,8 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Asks which robot a new project shall have. */
     data object RobotChoiceRequested : DocumentEvent
 
-    /** Opens a new project whose robot is the penbot with a [brick]. */
-    data class NewWithBrick(val brick: BrickKind) : DocumentEvent
+    /** Opens a new project whose robot is the penbot with a [brick], or the ready robot with a [buggy]. */
+    data class NewWithBrick(val brick: BrickKind, val buggy: BuggyKind? = null) : DocumentEvent
 
     /** Lets the user choose and open files. */
     data object OpenRequested : DocumentEvent

@@ -21,7 +21,7 @@ private val EXAMPLES: Map<ProgramLanguage, (BrickKind) -> Map<String, String>> =
             BrickKind.NXT -> exampleTexts.mapValues { forNxtPenbot(it.value) }
 
             BrickKind.SPIKE_PRIME, BrickKind.SPIKE_ESSENTIAL, BrickKind.TECHNIC_HUB, BrickKind.EV3,
-            BrickKind.NXT_PYBRICKS,
+            BrickKind.NXT_PYBRICKS, BrickKind.MICROBIT, BrickKind.MICROBIT_V1,
             -> exampleTexts.mapValues { forHub(it.value, brick) }
         }
     },

@@ -2,6 +2,10 @@ package robotran.workshop.platform
 
 import robotran.hublink.connection.HubPorts
 import robotran.hublink.connection.NoHubPorts
+import robotran.microbitlink.dap.MicrobitPorts
+import robotran.microbitlink.dap.NoMicrobitPorts
+import robotran.microbitlink.drive.MicrobitDrives
+import robotran.microbitlink.drive.NoMicrobitDrives
 import robotran.mpycompiler.MpyCompiler
 import robotran.simulation.picture.NoWorldPictures
 import robotran.simulation.picture.WorldPictures
@@ -79,6 +83,12 @@ interface Platform {
     /** How real hubs with Pybricks are reached. */
     val hubs: HubPorts get() = NoHubPorts
 
+    /** How a micro:bit at USB is reached. */
+    val microbits: MicrobitPorts get() = NoMicrobitPorts
+
+    /** The drives as which boards show themselves, where the app may write to drives. */
+    val microbitDrives: MicrobitDrives get() = NoMicrobitDrives
+
     /** Compiles programs for hubs; null where nothing does. It may load its compiler with the first program. */
     val mpyCompiler: MpyCompiler? get() = null
 
@@ -119,6 +129,8 @@ class MemoryPlatform(
     override val photoReader: PhotoReader = NoPhotoReader,
     override val hubs: HubPorts = NoHubPorts,
     override val mpyCompiler: MpyCompiler? = null,
+    override val microbits: MicrobitPorts = NoMicrobitPorts,
+    override val microbitDrives: MicrobitDrives = NoMicrobitDrives,
 ) : Platform {
     override val compilesBeside: Boolean get() = false
 }

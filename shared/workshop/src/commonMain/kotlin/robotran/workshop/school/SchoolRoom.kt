@@ -1,5 +1,8 @@
 package robotran.workshop.school
 
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
 import robotran.brick.kind.ProgramWay
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.assignment.AssignmentStateHolder
@@ -10,6 +13,7 @@ import robotran.workshop.event.ExportEvent
 import robotran.workshop.event.HandInsEvent
 import robotran.workshop.event.HubSendEvent
 import robotran.workshop.event.LearningEvent
+import robotran.workshop.event.MicrobitSendEvent
 import robotran.workshop.event.SchoolEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.export.ExportStateHolder
@@ -18,6 +22,8 @@ import robotran.workshop.handins.HandInsStateHolder
 import robotran.workshop.learning.LearningStateHolder
 import robotran.workshop.send.HubProgramBuilder
 import robotran.workshop.send.HubSendStateHolder
+import robotran.workshop.send.MicrobitProgramBuilder
+import robotran.workshop.send.MicrobitSendStateHolder
 import robotran.workshop.send.ProgramImageBuilder
 import robotran.workshop.send.SendStateHolder
 import robotran.workshop.send.TowerRobotLink
@@ -52,7 +58,9 @@ internal class SchoolRoom<Projects>(
         HubSendStateHolder(platform, scope, current, tabs, HubProgramBuilder(this))
     }
 
-    private val sendsToHub get() = services.current.shownRobot.description.brick.programWay == ProgramWay.HUB
+    /** The sheet that gets programs onto a micro:bit. It is made with the first request, since few pupils need it. */
+    private var microbit: MicrobitSendStateHolder? by mutableStateOf(null)
+    val microbitSend get() = microbit?.state
 
     /** Whether a page or sheet covers the paper, so that time stands still there. */
     val coversSheet: Boolean get() = export.state != null || handIns.state != null
@@ -71,14 +79,24 @@ internal class SchoolRoom<Projects>(
             is CourseEvent -> course.handle(event)
             is HandInsEvent -> handIns.handle(event)
             is ExportEvent -> export.handle(event)
-            is SendEvent -> if (event == SendEvent.Requested && sendsToHub) {
-                hubSend.handle(HubSendEvent.Requested)
-            } else {
-                send.handle(event)
-            }
-
+            is SendEvent -> if (event == SendEvent.Requested) requestSending() else send.handle(event)
             is HubSendEvent -> hubSend.handle(event)
+            is MicrobitSendEvent -> microbit?.handle(event)
         }
+    }
+
+    private fun requestSending() = when (services.current.shownRobot.description.brick.programWay) {
+        ProgramWay.HUB -> hubSend.handle(HubSendEvent.Requested)
+        ProgramWay.MICROBIT -> requestMicrobit()
+        ProgramWay.TOWER, ProgramWay.NONE -> send.handle(SendEvent.Requested)
+    }
+
+    private fun requestMicrobit() {
+        val holder = microbit ?: with(services) {
+            MicrobitSendStateHolder(platform, scope, current, tabs, MicrobitProgramBuilder(this))
+        }
+        microbit = holder
+        holder.handle(MicrobitSendEvent.Requested)
     }
 
     /** Waits until everything is stored. */
@@ -93,6 +111,7 @@ internal class SchoolRoom<Projects>(
     fun close() {
         send.close()
         hubSend.close()
+        microbit?.close()
         export.close()
         handIns.close()
         assignment.close()

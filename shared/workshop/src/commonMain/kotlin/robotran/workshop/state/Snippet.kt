@@ -2,6 +2,7 @@ package robotran.workshop.state
 
 import robotran.brick.program.BrickProgram
 import robotran.hub.program.HubProgram
+import robotran.microbit.program.MicrobitProgram
 import robotran.nxt.program.NxtProgram
 import robotran.rcxrom.program.RcxProgram
 
@@ -23,6 +24,7 @@ internal fun asSnippet(program: BrickProgram, robot: String, slot: Int, source: 
     is RcxProgram -> RcxSnippet(program, robot, slot, source)
     is NxtProgram -> NxtSnippet(program, robot, slot, source)
     is HubProgram -> HubSnippet(program, robot, slot, source)
+    is MicrobitProgram -> MicrobitSnippet(program, robot, slot, source)
     else -> error("There is no brick for ${program.name}.")
 }
 
@@ -49,3 +51,11 @@ private class HubSnippet(
     override val source: String,
 ) : Snippet,
     HubProgram by program
+
+private class MicrobitSnippet(
+    program: MicrobitProgram,
+    override val robot: String,
+    override val slot: Int,
+    override val source: String,
+) : Snippet,
+    MicrobitProgram by program

@@ -59,6 +59,9 @@ interface WorkshopState {
     /** The sheet that sends a program to a real hub; null while it is closed. */
     val hubSend: HubSendState?
 
+    /** The sheet that gets a program onto a micro:bit; null while it is closed. */
+    val microbitSend: MicrobitSendState?
+
     /** The sheet with which pupils show what they made; null while it is closed. */
     val show: ExportState?
 

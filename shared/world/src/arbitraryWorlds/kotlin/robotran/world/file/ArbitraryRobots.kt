@@ -4,8 +4,13 @@ import io.kotest.property.Arb
 import io.kotest.property.arbitrary.arbitrary
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
+import robotran.brick.kind.BuggyPins
+import robotran.brick.kind.PlainDrive
+import robotran.brick.kind.WheelTrim
 import robotran.brick.sensors.SensorKind
 import robotran.world.BrickMount
+import robotran.world.BuggyMount
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.Chassis
@@ -52,8 +57,31 @@ private class ArbitraryRobot(private val random: Random, private val wanted: Bri
             pen = pen,
             brickAt = BrickMount(Point(number(-3.0, 3.0), 0.0), random.nextBoolean()),
             parts = if (random.nextInt(4) == 0) like.parts else parts(brick, ports.shuffled(random), front),
+            buggy = like.buggy?.let { if (random.nextBoolean()) it else buggy() },
             base = base?.base,
         ).rounded()
+    }
+
+    private fun buggy(): BuggyMount {
+        val kind = BuggyKind.entries.random(random)
+        val trim = if (random.nextBoolean()) WheelTrim.NONE else WheelTrim(1.0, number(0.8, 1.0))
+        return BuggyMount(kind, trim, if (kind == BuggyKind.PLAIN) pins() else null)
+    }
+
+    private fun pins(): BuggyPins {
+        val pins = BuggyPins.USABLE.shuffled(random)
+        val drive = PlainDrive.entries.random(random)
+        val (left, right) = pins.chunked(drive.pinsOfWheel).take(2)
+        val rest = pins.drop(2 * drive.pinsOfWheel)
+        return BuggyPins(
+            drive,
+            left,
+            right,
+            rest.take(random.nextInt(BuggyPins.MOST_LINES)),
+            isDarkOne = random.nextBoolean(),
+            trigger = rest[BuggyPins.MOST_LINES].takeIf { random.nextBoolean() },
+            pen = rest[BuggyPins.MOST_LINES + 1].takeIf { random.nextBoolean() },
+        )
     }
 
     private fun chassis(front: Double): Chassis {

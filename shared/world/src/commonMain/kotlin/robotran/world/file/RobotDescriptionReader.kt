@@ -48,6 +48,7 @@ internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = fals
         ),
         parts =
             cursor.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
+        buggy = (cursor.optional("buggy")?.let { readBuggy(it, like.buggy) } ?: like.buggy).takeIf { brick.isOnBuggy },
         base = base?.base,
         unknown = unknownOf(cursor),
     )

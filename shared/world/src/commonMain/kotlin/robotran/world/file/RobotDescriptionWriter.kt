@@ -40,6 +40,7 @@ internal fun ObjectBuilder.describe(robot: RobotDescription) {
     if (robot.pen != like.pen) put("pen", robot.pen?.let { JsonPrimitive(it.motor.name) } ?: JsonNull)
     if (robot.brickAt.at != like.brickAt.at) put("brickAt", point(robot.brickAt.at))
     flag("brickTurned", robot.brickAt.turned, default = like.brickAt.turned)
+    if (robot.buggy != like.buggy) robot.buggy?.let { put("buggy", elementOf(it)) }
     if (robot.parts != like.parts) put("parts", JsonArray(robot.parts.map(::elementOf)))
 }
 

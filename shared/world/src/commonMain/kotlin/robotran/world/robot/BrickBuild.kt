@@ -3,6 +3,7 @@ package robotran.world.robot
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.ByBrick
 import robotran.world.Drive
+import robotran.world.MicrobitMotorParameters
 import robotran.world.NxtMotorParameters
 import robotran.world.Penbot
 
@@ -41,6 +42,15 @@ class BrickBuild internal constructor(
             NxtMotor,
         )
 
+        /** 5.2 by 4.3 cm, drawn as if it lay on the buggy. */
+        private fun ofMicrobit() = BrickBuild(
+            seatWidth = 5.0,
+            seatLength = 4.2,
+            rightBumperPort = 2,
+            hasShortForm = false,
+            MicrobitMotor,
+        )
+
         private fun hub(seatWidth: Double, seatLength: Double) =
             BrickBuild(seatWidth, seatLength, rightBumperPort = 2, hasShortForm = false, NxtMotor)
 
@@ -60,6 +70,8 @@ class BrickBuild internal constructor(
 
                 // 7.2 by 11.2 cm.
                 BrickKind.EV3 -> hub(seatWidth = 6.8, seatLength = 10.4)
+
+                BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> ofMicrobit()
             }
         }
 
@@ -118,6 +130,24 @@ private object NxtMotor : DriveMotor {
 
     override fun rollingDeceleration(drive: Drive, circumference: Double) =
         NxtMotorParameters.ROLLING_DECELERATION / drive.gear / FULL_TURN * circumference
+}
+
+/**
+ * A motor of a micro:bit buggy. Nobody has published measured speeds of one: these are start values, which pupils replace by
+ * their own, see [MicrobitMotorParameters].
+ */
+private object MicrobitMotor : DriveMotor {
+    override val lag = MicrobitMotorParameters.LAG
+
+    override fun topSpeed(drive: Drive, circumference: Double) = MicrobitMotorParameters.TOP_SPEED / drive.gear
+
+    override fun calibratedSpeed(drive: Drive, circumference: Double) =
+        MicrobitMotorParameters.CALIBRATED_SPEED / drive.gear
+
+    override fun stallForce(drive: Drive) =
+        MicrobitMotorParameters.STALL_TORQUE * drive.gear / (drive.wheelDiameter / 2) * NEWTON
+
+    override fun rollingDeceleration(drive: Drive, circumference: Double) = Penbot.ROLLING_DECELERATION
 }
 
 /** In kg cm/s2. */

@@ -1,5 +1,6 @@
 package robotran.world.robot
 
+import robotran.brick.kind.WheelTrim
 import robotran.world.BumperPart
 import robotran.world.Facing
 import robotran.world.FingerTouchPart
@@ -29,6 +30,7 @@ fun RobotDescription.rounded(): RobotDescription = copy(
     casters = casters.map { it.rounded() },
     brickAt = brickAt.copy(at = brickAt.at.rounded()),
     parts = parts.map { it.rounded() },
+    buggy = buggy?.let { it.copy(trim = it.trim.rounded()) },
 )
 
 /** A part that is one of the penbot's but for its rounding is that part. */
@@ -57,5 +59,7 @@ private fun RobotPart.inThousandths(): RobotPart = when (this) {
 /** The penbot's parts, by what they are when they are rounded. */
 private val PENBOT_PARTS: Map<RobotPart, RobotPart> =
     ReadyRobots.RCX_PENBOT.parts.map { it.on(null) }.associateBy { it.inThousandths() }
+
+private fun WheelTrim.rounded() = WheelTrim(roundToThousandths(left), roundToThousandths(right))
 
 private fun Point.rounded() = Point(roundToThousandths(x), roundToThousandths(y))

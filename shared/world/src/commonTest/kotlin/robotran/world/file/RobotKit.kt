@@ -31,7 +31,13 @@ internal val FULL_ROBOT = """
         { "kind": "light", "port": 3, "at": [8.5, 1], "height": 2, "facing": "down" },
         { "kind": "rotation", "wheel": "right" },
         { "kind": "touch" }
-      ]
+      ],
+      "buggy": {
+        "kind": "plain", "trim": [1, 0.98],
+        "pins": {
+          "drive": "bridge", "left": [12, 8], "right": [16, 14], "lines": [0, 1], "darkIsOne": false, "trigger": 15, "echo": 13, "pen": 2
+        }
+      }
     }
 """.trimIndent()
 

@@ -30,7 +30,7 @@ internal val FULL_WORLD = """
             "wheels": {
               "diameter": 4.32, "width": 2.2, "track": 15, "gear": 1.667, "left": "B", "right": "A", "reversed": true, "grip": 0.9
             },
-            "casters": [[7, 2], [7, -2]], "pen": null, "brickAt": [-1, 0], "brickTurned": true,
+            "casters": [[7, 2], [7, -2]], "pen": null, "brickAt": [-1, 0], "brickTurned": true, "buggy": { "kind": "plain", "trim": [1, 0.98], "pins": { "drive": "bridge", "left": [12, 8], "right": [16, 14], "lines": [0, 1], "darkIsOne": false, "trigger": 15, "echo": 13, "pen": 2 } },
             "parts": [
               { "kind": "bumper", "port": 1, "at": [-9.5, 1], "width": 9, "depth": 1.5, "direction": 180, "side": "left" },
               { "kind": "ultrasonic", "port": 4, "at": [9, 0], "height": 12, "facing": 45, "turret": "C" },

@@ -67,6 +67,14 @@ class RobotParametersTest {
             "technic-penbot" to (20.74 to 267.13),
             "ev3-penbot" to (30.13 to 316.94),
             "nxt-pybricks-penbot" to (27.12 to 295.80),
+            "cutebot" to (2.05 to 66.01),
+            "cutebot-pro" to (4.21 to 71.94),
+            "maqueen" to (1.21 to 48.15),
+            "maqueen-plus" to (3.17 to 76.37),
+            "tiny-bit" to (2.46 to 65.33),
+            "kitronik-penbot" to (3.92 to 98.10),
+            "plain-buggy" to (3.02 to 78.48),
+            "cutebot-v1" to (2.05 to 66.01),
         )
         assertEquals(expected.keys, ReadyRobots.all.keys)
         for ((name, pair) in expected) {
@@ -115,6 +123,6 @@ class RobotParametersTest {
     @Test
     fun `every ready robot can be built`() {
         for ((name, robot) in ReadyRobots.all) assertEquals(emptyList(), robotErrors(robot), name)
-        assertTrue(ReadyRobots.all.size == 11)
+        assertEquals(19, ReadyRobots.all.size)
     }
 }

@@ -2,9 +2,14 @@ package robotran.world.file
 
 import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
+import robotran.brick.kind.BuggyPins
+import robotran.brick.kind.PlainDrive
+import robotran.brick.kind.WheelTrim
 import robotran.brick.sensors.SensorKind
 import robotran.language.Language
 import robotran.world.BrickMount
+import robotran.world.BuggyMount
 import robotran.world.BumperPart
 import robotran.world.BumperSide
 import robotran.world.Chassis
@@ -114,6 +119,31 @@ class RobotFileTest {
     }
 
     @Test
+    fun `a buggy is read and written with all it has, and only a micro-bit has one`() {
+        val named = """{"format": "robotran-robot", "version": 1, "title": "B", "brick": "microbit", "buggy": {"kind": "maqueen"}}"""
+        assertEquals(BuggyMount(BuggyKind.MAQUEEN), loadedRobot(named).buggy)
+        assertEquals(null, loadedRobot(named.replace("\"microbit\"", "\"nxt\"")).buggy)
+        assertEquals(BuggyPins.BRIDGE, loadedRobot(named.replace("\"maqueen\"", "\"plain\", \"pins\": {\"drive\": \"bridge\"}")).buggy?.pins)
+        val pins = BuggyPins(
+            PlainDrive.BRIDGE,
+            left = listOf(12, 8),
+            right = listOf(16, 14),
+            lines = listOf(0, 1),
+            isDarkOne = false,
+            trigger = 15,
+            echo = 13,
+            pen = 2,
+        )
+        val full = ReadyRobots.CUTEBOT.copy(
+            title = "Own",
+            buggy = BuggyMount(BuggyKind.PLAIN, WheelTrim(1.0, 0.98), pins),
+        )
+        assertEquals(full, loadedRobot(writeRobot(full)))
+        assertEquals("Line 27: buggy.pins: Pin 12 of the buggy is used twice.", robotRefusal("[0, 1]", "[0, 12]"))
+        assertTrue("belongs to the micro:bit itself" in robotRefusal("[0, 1]", "[0, 5]"))
+    }
+
+    @Test
     fun `every robot of the page can be read`() {
         assertTrue(documentedRobots.isNotEmpty())
         documentedRobots.values.forEach(::loadedRobot)
@@ -136,7 +166,9 @@ class RobotFileTest {
         assertEquals("Line 9: mass must be from 0.1 to 5.", robotRefusal("\"mass\": 1.1", "\"mass\": 9"))
         assertEquals(
             "Line 5: like: There is no ready robot called \"judo\", only \"rcx-penbot\", \"nxt-penbot\", " +
-                "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", \"essential-rover\", \"technic-penbot\", \"ev3-penbot\" and \"nxt-pybricks-penbot\".",
+                "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", \"essential-rover\", \"technic-penbot\", \"ev3-penbot\", " +
+                "\"nxt-pybricks-penbot\", \"cutebot\", \"cutebot-pro\", \"maqueen\", \"maqueen-plus\", \"tiny-bit\", \"kitronik-penbot\", " +
+                "\"plain-buggy\" and \"cutebot-v1\".",
             robotRefusal("\"sumo\"", "\"judo\""),
         )
         val german = assertIs<RobotFileResult.Failure>(

@@ -1,6 +1,5 @@
 package robotran.ui.brick.hub
 
-import androidx.compose.foundation.Canvas
 import androidx.compose.foundation.background
 import androidx.compose.foundation.layout.BoxWithConstraints
 import androidx.compose.foundation.layout.Column
@@ -8,11 +7,6 @@ import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.text.BasicText
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
-import androidx.compose.ui.geometry.CornerRadius
-import androidx.compose.ui.geometry.Offset
-import androidx.compose.ui.geometry.Rect
-import androidx.compose.ui.geometry.Size
-import androidx.compose.ui.graphics.lerp
 import androidx.compose.ui.platform.testTag
 import androidx.compose.ui.semantics.LiveRegionMode
 import androidx.compose.ui.semantics.clearAndSetSemantics
@@ -22,6 +16,8 @@ import androidx.compose.ui.text.font.FontFamily
 import androidx.compose.ui.unit.Dp
 import robotran.hub.display.HubScreen
 import robotran.hub.state.HubState
+import robotran.ui.brick.front.LightMatrix
+import robotran.ui.brick.front.MatrixLook
 import robotran.ui.run.tags.RunTags
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.texts.HubTexts
@@ -45,7 +41,7 @@ internal fun HubDisplayView(state: HubState, unit: Dp, modifier: Modifier = Modi
         liveRegion = LiveRegionMode.Polite
     }
     when {
-        screen.lights.isNotEmpty() -> Lights(screen.lights, spokenModifier)
+        screen.lights.isNotEmpty() -> LightMatrix(screen.lights.map { it / FULL }, MATRIX, spokenModifier)
         screen.rows.isNotEmpty() -> Rows(screen.rows, state.model.columns, spokenModifier)
         else -> Printed(lines, unit, spokenModifier)
     }
@@ -59,22 +55,6 @@ private fun descriptionOf(screen: HubScreen, printed: List<String>): String {
         screen.lights.isEmpty() -> RunTexts.display(spoken, words.joinToString("\n"))
         words.isEmpty() -> HubTexts.lightsOff(spoken)
         else -> HubTexts.lights(spoken, words.joinToString(" "))
-    }
-}
-
-/** 5 by 5 lights, each as bright as it is. */
-@Composable
-private fun Lights(lights: List<Int>, modifier: Modifier) = Canvas(modifier) {
-    val cell = size.minDimension / SIDE
-    val left = (size.width - SIDE * cell) / 2
-    val corner = CornerRadius(cell * CORNER)
-    for ((place, light) in lights.withIndex()) {
-        val at = Offset(left + (place % SIDE + GAP) * cell, (place / SIDE + GAP) * cell)
-        val side = Size(cell * (1 - 2 * GAP), cell * (1 - 2 * GAP))
-        drawRoundRect(HubColours.LIGHT_EDGE, at, side, corner)
-        val inner = Rect(at, side).deflate(cell * EDGE)
-        val colour = lerp(HubColours.LIGHT_OFF, HubColours.LIGHT_ON, light / FULL)
-        drawRoundRect(colour, inner.topLeft, inner.size, corner)
     }
 }
 
@@ -109,10 +89,7 @@ private fun Printed(lines: List<String>, unit: Dp, modifier: Modifier) = Column(
     }
 }
 
-private const val SIDE = 5
-private const val GAP = 0.09f
-private const val CORNER = 0.2f
-private const val EDGE = 0.04f
+private val MATRIX = MatrixLook(HubColours.LIGHT_EDGE, HubColours.LIGHT_OFF, HubColours.LIGHT_ON)
 private const val FULL = 100f
 private const val PRINTED = 4
 private const val PRINTED_SIZE = 18f

@@ -1,6 +1,7 @@
 package robotran.ui.school.tags
 
 import robotran.brick.kind.BrickKind
+import robotran.brick.kind.BuggyKind
 
 /** The tags of projects and their dialogs, by which tests and the page find what is on the screen. */
 object DocumentTags {
@@ -69,6 +70,8 @@ object DocumentTags {
     fun menuItem(tag: String) = "work-$tag"
 
     fun rename(id: String) = "rename-$id"
+
+    fun robot(buggy: BuggyKind) = "buggy-${buggy.word}"
 
     fun robot(brick: BrickKind) = "robot-${brick.name.lowercase().replace('_', '-')}"
 

@@ -1,0 +1,39 @@
+package robotran.microbitlink.drive
+
+import robotran.microbitlink.MicrobitBoard
+
+/** The drives as which boards at a machine show themselves, as far as the app may write to them. */
+interface MicrobitDrives {
+    /** Those that are there now. */
+    suspend fun available(): List<MicrobitDrive>
+
+    /** Copies the file [hex] onto [drive], and waits until the board has taken or refused it. */
+    suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult
+}
+
+/**
+ * The drive of a board.
+ *
+ * @property path where the system shows it.
+ * @property board which one it is; null if the drive does not tell.
+ */
+data class MicrobitDrive(val path: String, val board: MicrobitBoard?)
+
+/** What became of a file that was copied onto a drive. */
+sealed interface DriveResult {
+    /** The board has it, or at least has not complained. */
+    data object Copied : DriveResult
+
+    /** The board has refused it. [words] are its own, in English. */
+    data class Refused(val words: String) : DriveResult
+
+    /** The system could not write it, for instance because the board was unplugged. */
+    data object NotWritten : DriveResult
+}
+
+/** A platform that writes to no drive. */
+object NoMicrobitDrives : MicrobitDrives {
+    override suspend fun available(): List<MicrobitDrive> = emptyList()
+
+    override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult = DriveResult.NotWritten
+}

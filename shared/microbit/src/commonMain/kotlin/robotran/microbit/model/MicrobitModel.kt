@@ -1,0 +1,52 @@
+package robotran.microbit.model
+
+import robotran.brick.kind.BrickKind
+
+/**
+ * The micro:bits that run MicroPython. A row holds the facts of a board, from the source of MicroPython 1.9.2 (V1) and
+ * 1.18 (V2) for it unless said otherwise.
+ *
+ * @property kind the same among all bricks.
+ * @property heapBytes room for a running program and its values.
+ * @property fileBytes room for its files.
+ * @property hasSpeaker whether it has a loudspeaker; without one it needs a buzzer on a pin.
+ * @property buttons those that it has.
+ * @property hasMicrophone whether it hears how loud it is.
+ * @property statementMicroseconds about how long a statement takes (estimate).
+ */
+enum class MicrobitModel(
+    val kind: BrickKind,
+    val heapBytes: Int,
+    val fileBytes: Int,
+    val hasSpeaker: Boolean,
+    val buttons: List<MicrobitButton>,
+    val hasMicrophone: Boolean,
+    val statementMicroseconds: Int,
+) {
+    V1(
+        BrickKind.MICROBIT_V1,
+        heapBytes = 10_240,
+        fileBytes = 28_672,
+        hasSpeaker = false,
+        buttons = listOf(MicrobitButton.A, MicrobitButton.B),
+        hasMicrophone = false,
+        statementMicroseconds = 100,
+    ),
+    V2(
+        BrickKind.MICROBIT,
+        heapBytes = 65_536,
+        fileBytes = 20_480,
+        hasSpeaker = true,
+        buttons = MicrobitButton.entries,
+        hasMicrophone = true,
+        statementMicroseconds = 20,
+    ),
+    ;
+
+    val hasLogo: Boolean get() = MicrobitButton.LOGO in buttons
+
+    companion object {
+        /** The board of this kind; null if [kind] is none. */
+        fun of(kind: BrickKind): MicrobitModel? = entries.find { it.kind == kind }
+    }
+}

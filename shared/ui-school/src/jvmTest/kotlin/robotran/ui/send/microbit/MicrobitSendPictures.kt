@@ -1,0 +1,92 @@
+package robotran.ui.send.microbit
+
+import androidx.compose.foundation.background
+import androidx.compose.foundation.layout.Box
+import androidx.compose.foundation.layout.fillMaxSize
+import androidx.compose.foundation.layout.padding
+import androidx.compose.ui.Alignment
+import androidx.compose.ui.Modifier
+import androidx.compose.ui.unit.dp
+import org.jetbrains.skia.Image
+import robotran.language.Language
+import robotran.ui.language.InLanguage
+import robotran.ui.screen.keepAs
+import robotran.ui.screen.onEventThread
+import robotran.ui.screen.sceneOf
+import robotran.ui.theme.RobotranTheme
+import robotran.uikit.*
+import robotran.workshop.state.AppTheme
+import robotran.workshop.state.MicrobitSendState
+import robotran.workshop.state.Settings
+import kotlin.test.Test
+
+/** Pictures of the sheet that gets programs onto a micro:bit, for review. */
+class MicrobitSendPictures {
+    @Test
+    fun `every step can be photographed on a phone`() {
+        for ((name, step) in MICROBIT_STEPS) {
+            photograph(
+                step,
+                Screen.PHONE,
+                Settings(),
+            ).keepAs("microbit-send/phone-$name")
+        }
+    }
+
+    @Test
+    fun `every step can be photographed on all screens, in all languages, dark, and with text twice as large`() {
+        for (screen in Screen.entries) {
+            for ((name, step) in MICROBIT_STEPS.filterKeys { it in IMPORTANT }) {
+                for (language in Language.entries) {
+                    val look = Settings(language = language, theme = AppTheme.DARK)
+                    photograph(
+                        step,
+                        screen,
+                        look,
+                    ).keepAs("microbit-send/${screen.name.lowercase()}-${language.tag}-$name")
+                    photograph(step, screen, look.copy(theme = AppTheme.LIGHT, textScale = 2f))
+                        .keepAs("microbit-send/${screen.name.lowercase()}-${language.tag}-200-$name")
+                }
+            }
+        }
+    }
+}
+
+private fun photograph(state: MicrobitSendState, screen: Screen, settings: Settings): Image = onEventThread {
+    val scene = sceneOf(screen.width, screen.height) {
+        InLanguage(settings.language) {
+            RobotranTheme(dark = false, settings) {
+                Box(
+                    Modifier.fillMaxSize().background(LocalRobotranColours.current.desk).padding(16.dp),
+                    Alignment.Center,
+                ) { MicrobitSendCard(state, onEvent = {}) }
+            }
+        }
+    }
+    try {
+        scene.render()
+        scene.render(nanoTime = SECOND)
+    } finally {
+        scene.close()
+    }
+}
+
+private enum class Screen(val width: Int, val height: Int) {
+    PHONE(411, 891),
+    PHONE_ACROSS(891, 411),
+    TABLET(1280, 800),
+}
+
+private val IMPORTANT = setOf(
+    "first-usb",
+    "choose-all",
+    "found",
+    "found-other",
+    "sending-again",
+    "running-prints",
+    "failed-at",
+    "saved",
+    "number-other_board",
+    "error-taken",
+)
+private const val SECOND = 1_000_000_000L

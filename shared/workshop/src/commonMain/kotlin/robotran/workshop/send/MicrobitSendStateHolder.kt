@@ -1,0 +1,249 @@
+package robotran.workshop.send
+
+import androidx.compose.runtime.getValue
+import androidx.compose.runtime.mutableStateOf
+import androidx.compose.runtime.setValue
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.Job
+import kotlinx.coroutines.launch
+import robotran.language.source.Diagnostic
+import robotran.language.source.Severity
+import robotran.language.source.SourceRange
+import robotran.microbitlink.FlashErrorKind
+import robotran.microbitlink.drive.DriveResult
+import robotran.workshop.event.MicrobitSendEvent
+import robotran.workshop.platform.Platform
+import robotran.workshop.service.CurrentProject
+import robotran.workshop.service.ProgramTabs
+import robotran.workshop.state.ChoosingProblem
+import robotran.workshop.state.MicrobitSendState
+import robotran.workshop.state.MicrobitSendStep
+import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.ShownNumber
+import kotlin.coroutines.cancellation.CancellationException
+
+/**
+ * Gets the shown program onto a real micro:bit, step by step: as a file, onto the board's drive or by USB. One piece of
+ * work runs at a time. A board at USB stays connected until the sheet is closed; its program then goes on.
+ */
+internal class MicrobitSendStateHolder(
+    private val platform: Platform,
+    private val scope: CoroutineScope,
+    private val current: CurrentProject,
+    private val tabs: ProgramTabs,
+    private val programs: MicrobitPrograms,
+) {
+    /** Null while the sheet is closed. */
+    var state: MicrobitSendState? by mutableStateOf(null)
+        private set
+
+    private val microPython = MicroPythonStore(platform)
+    private val usb = MicrobitUsbSending(MicrobitSession(platform.microbits), ::show) { board ->
+        state = state?.copy(board = board)
+    }
+    private var work: Job? = null
+    private var built: MicrobitTranslation.Success? = null
+
+    fun handle(event: MicrobitSendEvent) {
+        if (event != MicrobitSendEvent.Requested && state == null) return
+        when (event) {
+            MicrobitSendEvent.Requested -> if (state == null) begin()
+            MicrobitSendEvent.MicroPythonRequested -> run { chooseMicroPython() }
+            MicrobitSendEvent.HexSaved -> run { saveHex() }
+            MicrobitSendEvent.PythonSaved -> run { savePython() }
+            MicrobitSendEvent.DriveRequested -> run { copyToDrive() }
+            MicrobitSendEvent.UsbRequested -> run { findBoard() }
+            MicrobitSendEvent.OtherBoardRequested -> run { askForBoard() }
+            is MicrobitSendEvent.BoardChosen -> run { usb.connect(event.board, sending()) }
+            MicrobitSendEvent.Confirmed -> run { usb.send(sending()) }
+            MicrobitSendEvent.WholeRequested -> run { usb.sendWhole(sending()) }
+            MicrobitSendEvent.Retried -> run { retry() }
+            MicrobitSendEvent.BackRequested -> run { showWays() }
+            is MicrobitSendEvent.NumberEntered -> enterNumber(event.text)
+            MicrobitSendEvent.LineShown -> showLine()
+            MicrobitSendEvent.Cancelled -> cancel()
+        }
+    }
+
+    /** Cancels whatever is under way and releases the board. */
+    fun close() {
+        if (state == null) return
+        state = null
+        val before = work
+        work = null
+        before?.cancel()
+        scope.launch {
+            before?.join()
+            // Only now, since the work may just have connected it.
+            if (state == null) usb.close()
+        }
+    }
+
+    private fun begin() {
+        state = MicrobitSendState(current.shownProgram.name, MicrobitSendStep.Building)
+        run { build() }
+    }
+
+    private suspend fun build() {
+        built = null
+        when (val result = orNull { programs.build(current.shownProgram) }) {
+            is MicrobitTranslation.Failure -> show(MicrobitSendStep.HasErrors(result.diagnostics.first()))
+
+            MicrobitTranslation.NotForBoards, null -> show(MicrobitSendStep.CompilerFailed)
+
+            is MicrobitTranslation.Success -> {
+                built = result
+                microPython.read()
+                showWays()
+            }
+        }
+    }
+
+    /** Null if the translator crashes on the program because of a bug, which must not take the app with it. */
+    private suspend fun <T> orNull(translate: suspend () -> T): T? = try {
+        translate()
+    } catch (cancelled: CancellationException) {
+        throw cancelled
+    } catch (_: Throwable) {
+        null
+    }
+
+    private suspend fun showWays(problem: ChoosingProblem? = null) {
+        val built = built ?: return build()
+        val file = microPython.chosen?.file
+        state = state?.copy(microPython = microPython.chosen?.found, size = sizeOf(file, built))
+        val mistake = file?.let { mistakeOf(it, built) }
+        val ways = if (mistake == null) ways(hasFile = file != null) else emptySet()
+        show(MicrobitSendStep.Choosing(ways, problem ?: mistake?.let { ChoosingProblem.OfProgram(it) }))
+    }
+
+    /** @param hasFile whether there is MicroPython; a board may have it, too. */
+    private suspend fun ways(hasFile: Boolean): Set<MicrobitWay> = buildSet {
+        if (platform.microbits.canReach) add(MicrobitWay.USB)
+        if (hasFile) {
+            if (platform.microbitDrives.available().isNotEmpty()) add(MicrobitWay.DRIVE)
+            add(MicrobitWay.SAVE)
+        }
+    }
+
+    private suspend fun chooseMicroPython() = when (val result = microPython.choose()) {
+        ChoosingResult.Cancelled -> Unit
+        is ChoosingResult.Failure -> showWays(ChoosingProblem.OfFile(result.file, result.error))
+        is ChoosingResult.Success -> showWays(ChoosingProblem.NotKept.takeIf { !result.isKept })
+    }
+
+    private suspend fun saveHex() {
+        val built = built ?: return
+        val hex = microPython.hexWith(built) ?: return showWays()
+        val saved = platform.saveHex(current.shownProgram.name, hex)
+        show(saved) { MicrobitSendStep.HexSaved(it) }
+    }
+
+    private suspend fun savePython() {
+        val built = built ?: return
+        show(platform.saveMain(built)) { MicrobitSendStep.PythonSaved(it) }
+    }
+
+    private suspend fun show(saved: SavedFile, next: (String) -> MicrobitSendStep) = when (saved) {
+        is SavedFile.Success -> show(next(saved.name))
+        SavedFile.Failure -> showWays(ChoosingProblem.NotSaved)
+        SavedFile.Cancelled -> Unit
+    }
+
+    private suspend fun copyToDrive() {
+        val hex = built?.let { microPython.hexWith(it) } ?: return showWays()
+        val drive = platform.microbitDrives.available().firstOrNull() ?: return showWays(ChoosingProblem.NoBoard)
+        show(MicrobitSendStep.Copying)
+        when (val copied = platform.microbitDrives.copy(hex, drive)) {
+            DriveResult.Copied -> show(MicrobitSendStep.Copied)
+            is DriveResult.Refused -> show(MicrobitSendStep.NotCopied(copied.words))
+            DriveResult.NotWritten -> show(MicrobitSendStep.NotCopied(words = ""))
+        }
+    }
+
+    private suspend fun findBoard() {
+        show(MicrobitSendStep.Looking)
+        val boards = platform.microbits.available()
+        val known = boards.firstOrNull { it == usb.lastUsed } ?: boards.singleOrNull()
+        when {
+            known != null -> usb.connect(known, sending())
+            boards.isNotEmpty() -> show(MicrobitSendStep.ManyBoards(boards))
+            else -> askForBoard()
+        }
+    }
+
+    private suspend fun askForBoard() {
+        show(MicrobitSendStep.Looking)
+        val chosen = platform.microbits.choose()
+        if (chosen != null) usb.connect(chosen, sending()) else showWays(ChoosingProblem.NoBoard)
+    }
+
+    private suspend fun retry() {
+        val device = usb.device
+        when {
+            built == null -> build()
+            device == null -> findBoard()
+            // A board that was plugged in again may be another one for the platform.
+            device !in platform.microbits.available() -> findBoard()
+            else -> usb.connect(device, sending(), isKnown = true)
+        }
+    }
+
+    private fun sending() = MicrobitSending(
+        checkNotNull(built) {
+            "The program was not built."
+        },
+        microPython.chosen?.file,
+    )
+
+    private fun enterNumber(text: String) {
+        val step = state?.step as? MicrobitSendStep.HexSaved ?: return
+        val number = text.filter(Char::isDigit).take(DISPLAYED_DIGITS)
+        val kind = number.toIntOrNull()?.takeIf { number.length == DISPLAYED_DIGITS }?.let(FlashErrorKind::ofDisplay)
+        show(step.copy(number = ShownNumber(number, kind)))
+    }
+
+    private fun showLine() {
+        val shown = when (val step = state?.step) {
+            is MicrobitSendStep.HasErrors -> step.first
+            is MicrobitSendStep.Running -> step.errorLine?.let { errorAt(it) }
+            else -> null
+        } ?: return
+        close()
+        tabs.showDiagnostic(shown)
+    }
+
+    private fun errorAt(line: Int): Diagnostic {
+        val file = current.shownProgram.files.first().name
+        return Diagnostic(Severity.ERROR, file, SourceRange(line, column = 1, endColumn = 1), message = "")
+    }
+
+    private fun cancel() {
+        val link = usb.link
+        if (state?.step is MicrobitSendStep.Sending && link != null) {
+            // What the board has is known only once the stream is closed.
+            run { show(MicrobitSendStep.Cancelled(link.state.value.holds)) }
+        } else {
+            close()
+        }
+    }
+
+    private fun show(step: MicrobitSendStep) {
+        state = state?.copy(step = step)
+    }
+
+    /** Cancels the work before, waits until it has ended, and does [next]. */
+    private fun run(next: suspend () -> Unit) {
+        val before = work
+        before?.cancel()
+        work = scope.launch {
+            before?.join()
+            next()
+        }
+    }
+
+    private companion object {
+        /** A board shows 501 to 537. */
+        const val DISPLAYED_DIGITS = 3
+    }
+}
