@@ -115,6 +115,7 @@ internal class BrickDialect private constructor(
 
                 // Its programs are those of an NXT.
                 BrickKind.NXT_PYBRICKS -> hub(Keyword.NXT, lightPort = 3)
+
                 BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> microbit()
             }
         }

@@ -110,6 +110,28 @@ private fun hubBody(
     return prism(outline, RobotPlan3D.CHASSIS_TOP, top, palette.brick(build.colour), topDecals = decals)
 }
 
+/** A screen, or where there is room for one row only, 5 by 5 lights; nothing on a hub without a display. */
+private fun displayOf(kind: BrickKind, palette: RobotPalette, half: Double, lower: Double, upper: Double): List<Decal> {
+    val top = RobotPlan3D.BRICK_TOP
+    if (kind.displayRows != 1) {
+        return listOf(Round.plate(-half, lower, half, upper, top, palette.glass)).filter { kind.displayRows > 0 }
+    }
+    val (width, height) = 2 * half / HUB_LIGHTS to (upper - lower) / HUB_LIGHTS
+    val lights = List(HUB_LIGHTS * HUB_LIGHTS) { number ->
+        val x = -half + (number % HUB_LIGHTS + 0.5) * width
+        val y = lower + (number / HUB_LIGHTS + 0.5) * height
+        val (aside, above) = width * HUB_LIGHT_SHARE to height * HUB_LIGHT_SHARE
+        Round.plate(x - aside, y - above, x + aside, y + above, top, palette.nxtFace)
+    }
+    return listOf(Round.plate(-half, lower, half, upper, top, palette.bumperEdge)) + lights
+}
+
+/** Lights in a row and in a column. */
+private const val HUB_LIGHTS = 5
+
+/** Half of how much of its place a light fills. */
+private const val HUB_LIGHT_SHARE = 0.3
+
 /** A micro:bit around the origin: a dark board in a frame of the robot's colour, with its lights, buttons and pins. */
 private fun microbitBody(
     build: RobotPlacement,
@@ -158,28 +180,6 @@ private const val LIGHT_STEP = 0.38
 private const val LIGHTS_UP = 0.2
 private const val PIN_STEP = 0.9
 private const val PINS_DOWN = 0.45
-
-/** A screen, or where there is room for one row only, 5 by 5 lights; nothing on a hub without a display. */
-private fun displayOf(kind: BrickKind, palette: RobotPalette, half: Double, lower: Double, upper: Double): List<Decal> {
-    val top = RobotPlan3D.BRICK_TOP
-    if (kind.displayRows != 1) {
-        return listOf(Round.plate(-half, lower, half, upper, top, palette.glass)).filter { kind.displayRows > 0 }
-    }
-    val (width, height) = 2 * half / HUB_LIGHTS to (upper - lower) / HUB_LIGHTS
-    val lights = List(HUB_LIGHTS * HUB_LIGHTS) { number ->
-        val x = -half + (number % HUB_LIGHTS + 0.5) * width
-        val y = lower + (number / HUB_LIGHTS + 0.5) * height
-        val (aside, above) = width * HUB_LIGHT_SHARE to height * HUB_LIGHT_SHARE
-        Round.plate(x - aside, y - above, x + aside, y + above, top, palette.nxtFace)
-    }
-    return listOf(Round.plate(-half, lower, half, upper, top, palette.bumperEdge)) + lights
-}
-
-/** Lights in a row and in a column. */
-private const val HUB_LIGHTS = 5
-
-/** Half of how much of its place a light fills. */
-private const val HUB_LIGHT_SHARE = 0.3
 private const val HUB_FRAME = 0.35
 private const val HUB_SHARE = 0.6
 private const val HUB_RISE = 0.2

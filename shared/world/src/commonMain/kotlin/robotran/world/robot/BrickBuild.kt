@@ -70,6 +70,7 @@ class BrickBuild internal constructor(
 
                 // 7.2 by 11.2 cm.
                 BrickKind.EV3 -> hub(seatWidth = 6.8, seatLength = 10.4)
+
                 BrickKind.MICROBIT, BrickKind.MICROBIT_V1 -> ofMicrobit()
             }
         }
