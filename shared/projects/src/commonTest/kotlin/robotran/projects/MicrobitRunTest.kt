@@ -131,12 +131,14 @@ class MicrobitRunTest {
     @Test
     fun `a Cutebot follows the edge of a line, which its sensors see as dark`() = runTest {
         val follow = "power 2\nrepeat while timer < 6\n  if light < 50\n    motor A forward\n    motor C stop\n  else\n" +
-            "    motor A stop\n    motor C forward\n  end\nend\n"
+            "    motor A stop\n    motor C forward\n  end\n  wait 20 milliseconds\nend\n"
         val line = Mark(MarkFigure.Line(listOf(Point(30.0, 40.0), Point(95.0, 40.0)), width = 2.0))
-        val session = run(ReadyRobots.CUTEBOT, "show light\nshow sensor 2\n$follow") { world ->
+
+        fun atLine(world: World) =
             world.copy(marks = listOf(line), robots = world.robots.map { it.copy(start = Pose(40.0, 39.0, 0.0)) })
-        }
-        assertEquals(listOf("0", "100"), calls(session).filter { "print" in it }.map { it.substringAfter("print ") })
+        val shown = run(ReadyRobots.CUTEBOT, "show light\nshow sensor 2\n", ::atLine)
+        assertEquals(listOf("0", "100"), calls(shown).filter { "print" in it }.map { it.substringAfter("print ") })
+        val session = run(ReadyRobots.CUTEBOT, follow, ::atLine)
         val end = session.state.robot.pose
         assertTrue(end.x > 60 && abs(end.y - 39) < 2, "$end")
         val without = run(ReadyRobots.CUTEBOT, "show light\n").let(::calls).first()
