@@ -1,6 +1,5 @@
 package robotran.robolang.python.microbit
 
-import robotran.microbit.buggy.I2cWheels
 import robotran.robolang.RobolangMicrobitProgram
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
@@ -31,10 +30,9 @@ internal fun compareOnBoard(
     python: String,
     log: List<String>,
 ): BoardComparison {
-    val isBusy = PAUSE.containsMatchIn(python.replace(PAUSE_OF_CHIP, ""))
-    val pause = (program.robot.buggy.wheels as? I2cWheels)?.pauseMilliseconds ?: 0
+    val isBusy = PAUSE.containsMatchIn(python)
     val second = boardRunOf(program, STEPS_OF_BOARD.takeIf { isBusy })
-    val first = BoardRun.ofLog(log, program.robot.buggy).without(pause, program).upTo(second.until)
+    val first = BoardRun.ofLog(log, program.robot.buggy).upTo(second.until)
     val exact = sameCalls(first.calls, second.calls)
     val isSame = isAll(exact, first, second)
     return when {
@@ -79,17 +77,6 @@ private fun isAll(same: Int, first: BoardRun, second: BoardRun): Boolean {
     // In the last moments one may have begun another call.
     val last = second.until - TOLERANCE_OF_LOOPS
     return same >= maxOf(first.calls.count { it.time < last }, second.calls.count { it.time < last })
-}
-
-/** What some chips need after a frame is more than the interpreter waits. */
-private fun BoardRun.without(pause: Int, program: RobolangMicrobitProgram): BoardRun {
-    if (pause == 0) return this
-    val frame = "${program.robot.buggy.stopCalls.first()}".split(' ').take(WORDS_OF_FRAME).joinToString(" ")
-    var late = 0
-    val onTime = calls.map { call ->
-        TimedCall(call.time - late, call.call).also { if (call.call.startsWith(frame)) late += pause }
-    }
-    return BoardRun(onTime, end, errorLine, until)
 }
 
 /** What is done before this time, with what may be one or two milliseconds off. */
@@ -144,12 +131,8 @@ private fun isRandom(program: RobolangMicrobitProgram): Boolean =
     allExpressions(program.checked.tree).any { it is Expression.Call && it.name.key == BuiltIn.RANDOM.text }
 
 private val SHOWN = Regex("(print|display scroll|display show) (.*)")
-private val PAUSE_OF_CHIP = Regex("""\]\)\)\n +sleep\(1\)""")
 private val PAUSE = Regex("""(?m)^ +(sleep\(1\)|tick\(\)|look\(\))$""")
 private const val ALMOST = 1e-4
-
-/** How many words of a call tell that it is for the wheels: `i2c`, address, and what each frame of the chip begins with. */
-private const val WORDS_OF_FRAME = 5
 
 /** What MicroPython for Node says when calls are too deep. */
 private const val DEEP = "pystack exhausted"
