@@ -65,8 +65,8 @@ internal class SendCommand(
         "FILE",
         help = "programs: .robo, .java, .class, .jar or folders of class files, which the Prgm button goes through; " +
             "or for LEGO's own firmware: .nqc, .lasm or .rcx, each into a slot; or for a hub with Pybricks: " +
-            "one .mpy, or one .robo that names it or with --brick; or for a micro:bit: one .hex, or one .robo that names " +
-            "it or with --brick",
+            "one .mpy, or one .robo that names it or with --brick; or for a micro:bit: one .hex, or one .robo that " +
+            "names it or with --brick",
     ).multiple(required = true)
     private val port by portOption()
     private val slot by option(
@@ -90,8 +90,8 @@ internal class SendCommand(
     private val console get() = process.speaking(spoken.language)
 
     override fun help(context: Context) =
-        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, to a hub with " +
-            "Pybricks, by USB, or onto the drive of a micro:bit."
+        "Sends programs to a real brick with the firmware of leJOS or LEGO, through the infrared tower, to a hub " +
+            "with Pybricks, by USB, or onto the drive of a micro:bit."
 
     override fun run() {
         val board = boardOf(files, brick, buggy, spoken.language)

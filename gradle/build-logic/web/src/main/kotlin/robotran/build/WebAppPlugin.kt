@@ -58,6 +58,8 @@ class WebAppPlugin : Plugin<Project> {
             task.page.set(site.flatMap { it.site })
             task.helpers.from(project.fileTree("src/browserTest") { it.exclude("**/*.test.mjs") })
             task.helpers.from("src/first-part/budget.json")
+            // Made-up files with MicroPython, which tests open.
+            task.helpers.from(project.rootProject.fileTree("shared/microbit-link/src/commonTest/resources/vectors"))
             task.examples.from(project.rootProject.fileTree("examples"))
             task.expectedProjectRuns.set(project.rootProject.file("shared/projects/src/commonTest/resources/runs"))
             task.expectedRuns.set(project.rootProject.file("shared/simulation/src/commonTest/resources/runs"))

@@ -60,6 +60,7 @@ internal val MICROBIT_STEPS: Map<String, MicrobitSendState> = buildMap {
     put("first", choosing(null), microPython = null)
     put("first-usb", choosing(null, MicrobitWay.USB), microPython = null)
     put("choose-save", choosing(null, MicrobitWay.SAVE))
+    put("choose-usb", choosing(null, MicrobitWay.USB, MicrobitWay.SAVE))
     put("choose-all", choosing(null, *MicrobitWay.entries.toTypedArray()))
     put("wrong-file", choosing(ChoosingProblem.OfFile("holiday.hex", ImageError.NoMicroPython)), microPython = null)
     put("too-large", choosing(ChoosingProblem.OfProgram(ImageError.TooLarge(31_004, 20_150))))
