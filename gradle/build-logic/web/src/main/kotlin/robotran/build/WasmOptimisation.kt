@@ -30,6 +30,9 @@ internal object WasmOptimisation {
     /** Kotlin functions that Kotlin's generated code finds by name. */
     private val separate = listOf("throwValue", "getKotlinException", "jsToKotlinStringAdapter")
 
+    /** What makes the messages of a language. Inlined where it is chosen, it would bring the messages of all languages along. */
+    private const val MESSAGES = "*Messages.<init>*"
+
     /** Keeps the names of functions, by which [robotran.build.site.SplitWasm] divides the app; the parts have none. */
     private const val KEEP_NAMES = "-g"
 
@@ -39,6 +42,7 @@ internal object WasmOptimisation {
             features.map { "--enable-$it" } +
                 KEEP_NAMES +
                 separate.map { "--no-inline=kotlin.wasm.internal.$it" } +
+                "--no-inline=$MESSAGES" +
                 passes.split(" ")
         }
 

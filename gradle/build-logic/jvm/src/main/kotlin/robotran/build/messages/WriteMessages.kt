@@ -1,8 +1,9 @@
 package robotran.build.messages
 
 /**
- * Writes the Kotlin of the tables of [catalogue]: an interface for each and an object for each of the [languages], or one
- * object for all languages.
+ * Writes the Kotlin of the tables of [catalogue]: an interface for each and a class for each of the [languages], or one
+ * object for all languages. An instance of a class is made when its language is first asked for: Kotlin/Wasm makes objects
+ * when the module starts, and with each comes a reference of every message, so that a page would load all of them first.
  */
 class MessagesWriter(private val catalogue: MessageCatalogue, private val languages: List<SpokenLanguage>) {
     /** The contents of files by their names. */
@@ -10,7 +11,7 @@ class MessagesWriter(private val catalogue: MessageCatalogue, private val langua
         if (table.isObject) {
             listOf("${table.name}.kt" to file(wholeObject(table)))
         } else {
-            languages.map { "${objectName(table, it)}.kt" to file(objectOf(table, it)) } +
+            languages.map { "${className(table, it)}.kt" to file(classOf(table, it)) } +
                 ("${table.name}.kt" to file(interfaceOf(table)))
         }
     }.toMap()
@@ -32,8 +33,12 @@ class MessagesWriter(private val catalogue: MessageCatalogue, private val langua
             append(documentation(message.documentation, indent = "    "))
             append("    fun ${message.signature}: String\n\n")
         }
-        append("    companion object {\n        fun of(language: Language): ${table.name} = when (language) {\n")
-        languages.forEach { append("            Language.${it.constant} -> ${objectName(table, it)}\n") }
+        append("    companion object {\n")
+        append("        private val made = arrayOfNulls<${table.name}>(${languages.size})\n\n")
+        append("        fun of(language: Language): ${table.name} =\n")
+        append("            made[language.ordinal] ?: make(language).also { made[language.ordinal] = it }\n\n")
+        append("        private fun make(language: Language): ${table.name} = when (language) {\n")
+        languages.forEach { append("            Language.${it.constant} -> ${className(table, it)}()\n") }
         append("        }\n    }\n}\n")
     }
 
@@ -54,9 +59,9 @@ class MessagesWriter(private val catalogue: MessageCatalogue, private val langua
         append("}\n")
     }
 
-    private fun objectOf(table: MessageTable, language: SpokenLanguage) = buildString {
+    private fun classOf(table: MessageTable, language: SpokenLanguage) = buildString {
         val delegated = table.bases.map { "$it by $it.of(Language.${language.constant})" }
-        append("internal object ${objectName(table, language)}${bases(listOf(table.name) + delegated)} {\n")
+        append("internal class ${className(table, language)}${bases(listOf(table.name) + delegated)} {\n")
         append("    override val language: Language get() = Language.${language.constant}\n\n")
         for (message in table.messages) {
             val pattern = message.patterns[language.tag] ?: message.patterns[ENGLISH] ?: continue
@@ -67,7 +72,7 @@ class MessagesWriter(private val catalogue: MessageCatalogue, private val langua
         append("}\n")
     }
 
-    private fun objectName(table: MessageTable, language: SpokenLanguage) = "${language.className}${table.name}"
+    private fun className(table: MessageTable, language: SpokenLanguage) = "${language.className}${table.name}"
 
     private fun visibility(table: MessageTable) = if (table.visibility.isEmpty()) "" else "${table.visibility} "
 

@@ -65,7 +65,7 @@ class ReadCatalogueTest {
     }
 
     @Test
-    fun `an interface and an object for each language are written`() {
+    fun `an interface and a class for each language are written`() {
         val files = MessagesWriter(readCatalogue("touch.md", text), languages).files()
         assertEquals(
             setOf("TouchMessages.kt", "EnglishTouchMessages.kt", "BrazilianPortugueseTouchMessages.kt"),
@@ -78,7 +78,7 @@ class ReadCatalogueTest {
         val english = files.getValue("EnglishTouchMessages.kt")
         assertContains(
             english,
-            "object EnglishTouchMessages : TouchMessages, PlaceMessages by PlaceMessages.of(Language.ENGLISH) {",
+            "class EnglishTouchMessages : TouchMessages, PlaceMessages by PlaceMessages.of(Language.ENGLISH) {",
         )
         assertContains(english, "\"It touched \${thing(kind)} \${near.size} times.\"")
         assertContains(english, "private fun thing(kind: TouchKind): String")
