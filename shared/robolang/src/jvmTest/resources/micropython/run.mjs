@@ -1,7 +1,7 @@
 // Runs programs in MicroPython on the fake modules beside this file.
 // usage: node run.mjs MICROPYTHON.mjs PROGRAMS.json, where each program has a name and a text;
 // prints a line for each program: its name and its log, with tabs between.
-import { readFileSync, readdirSync } from 'node:fs'
+import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 
@@ -14,12 +14,12 @@ async function interpreter() {
     const python = await loadMicroPython({ heapsize: 8 * 1024 * 1024, stdout: () => {} })
     python.FS.mkdir('/fakes')
     python.FS.mkdir('/fakes/pybricks')
-    for (const folder of ['', 'pybricks/']) {
+    for (const folder of ['', 'pybricks/'].filter(name => existsSync(join(here, name)))) {
         for (const file of readdirSync(join(here, folder)).filter(name => name.endsWith('.py'))) {
             python.FS.writeFile('/fakes/' + folder + file, readFileSync(join(here, folder, file)))
         }
     }
-    python.runPython('import sys\nsys.path.append("/fakes")\nfrom fake_run import run\nimport json\n')
+    python.runPython('import sys\nsys.path.insert(0, "/fakes")\nfrom fake_run import run\nimport json\n')
     return python
 }
 

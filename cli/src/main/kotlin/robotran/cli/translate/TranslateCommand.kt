@@ -12,6 +12,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import kotlinx.coroutines.runBlocking
 import robotran.brick.kind.BrickKind
 import robotran.cli.console.brickOption
+import robotran.cli.console.buggyOption
 import robotran.cli.console.oldNqcOption
 import robotran.cli.console.targetOption
 import robotran.cli.files.FIRMWARE_ENDINGS
@@ -22,8 +23,9 @@ import robotran.cli.files.mayWrite
 import robotran.cli.files.readProgramFiles
 import robotran.cli.files.writeFile
 import robotran.cli.hub.PythonOfFile
-import robotran.cli.hub.hubOf
+import robotran.cli.hub.isBoard
 import robotran.cli.hub.isHub
+import robotran.cli.hub.pythonBrickOf
 import robotran.cli.hub.pythonOf
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
@@ -75,8 +77,8 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         metavar = TargetLanguage.entries.joinToString("|") { it.word },
         help =
             "what the programs become: java for leJOS (of Robolang, if not given), nqc for LEGO's own firmware, " +
-                "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks " +
-                "(if --brick or the program names one)",
+                "lasm, its assembly text (of other programs, if not given), or python for a hub with Pybricks or a " +
+                "micro:bit (if --brick or the program names one)",
     ).convert { text ->
         TargetLanguage.of(text)
             ?: fail("$text is none of ${TargetLanguage.entries.joinToString { it.word }}")
@@ -84,18 +86,22 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     private val target by targetOption()
     private val oldNqc by oldNqcOption()
     private val brick by brickOption()
+    private val buggy by buggyOption()
     private val spoken by LanguageOption()
     private val sentences get() = CommandMessages.of(spoken.language)
 
     override fun help(context: Context) =
         "Writes programs in another language: Java for leJOS or leJOS NXJ, NQC, the assembly text of LEGO's " +
-            "firmware, or Python for a hub with Pybricks."
+            "firmware, or Python for a hub with Pybricks or a micro:bit."
 
     override fun run() {
         if (!mayWrite(programs, listOf(output, kit), console.speaking(spoken.language))) {
             throw ProgramResult(ExitCode.BAD_INPUT.status)
         }
-        val javaKit = kit.takeIf { output == null && brick?.isHub != true && programs.all { isNamed(it, JAVA) } }
+        val javaKit = kit.takeIf {
+            output == null && brick?.isHub != true && brick?.isBoard != true &&
+                programs.all { isNamed(it, JAVA) }
+        }
         if (javaKit != null) throw ProgramResult(writeJavaKit(javaKit).status)
         if (programs.size > 1 && (output != null || kit != null)) {
             throw UsageError("-o and --kit take one program at a time")
@@ -104,7 +110,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
             throw UsageError("--kit goes with Java only")
         }
         if (programs.any { (hubOf(it) != null) != (targetOf(it) == TargetLanguage.PYTHON) }) {
-            throw UsageError("--to python and a hub, such as --brick spike-prime, go together")
+            throw UsageError("--to python and a hub, such as --brick spike-prime or microbit, go together")
+        }
+        if (buggy != null && programs.any { hubOf(it)?.isBoard != true }) {
+            throw UsageError("--buggy goes with --brick microbit or microbit-v1")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
     }
@@ -140,7 +149,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun hubOf(program: String): BrickKind? = hubOf(listOf(program), brick, spoken.language)
+    private fun hubOf(program: String): BrickKind? = pythonBrickOf(listOf(program), brick, spoken.language)
 
     private fun targetOf(program: String): TargetLanguage = language ?: when {
         hubOf(program) != null -> TargetLanguage.PYTHON
@@ -156,7 +165,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
     }
 
     private fun translateToPython(program: String, hub: BrickKind): ExitCode =
-        when (val python = pythonOf(program, hub, spoken.language)) {
+        when (val python = pythonOf(program, hub, spoken.language, buggy)) {
             is PythonOfFile.Failure -> refuse(python.lines, python.code)
 
             is PythonOfFile.Success -> {

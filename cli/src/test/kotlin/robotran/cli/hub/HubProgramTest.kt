@@ -39,7 +39,7 @@ class HubProgramTest : CommandTest() {
         assertEquals(2, run("translate", square, "--brick", "spike-prime", "--kit", "$folder/kit.zip"))
         assertContains(console.complaints.removeLast(), "--kit goes with Java only")
         console.complaints.forEach {
-            assertContains(it, "--to python and a hub, such as --brick spike-prime, go together")
+            assertContains(it, "--to python and a hub, such as --brick spike-prime or microbit, go together")
         }
     }
 

@@ -11,7 +11,7 @@ enum class ShownLanguage(val programs: ProgramLanguage?, val extension: String) 
     NQC(ProgramLanguage.NQC),
     LASM(ProgramLanguage.LASM),
 
-    /** For hubs with Pybricks. */
+    /** For hubs with Pybricks, and for a micro:bit. */
     PYTHON(null, ".py"),
     ;
 

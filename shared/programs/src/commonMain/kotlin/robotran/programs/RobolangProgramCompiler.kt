@@ -4,13 +4,12 @@ import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.languagesupport.ParsedSource
 import robotran.programs.messages.ProgramMessages
-import robotran.robolang.RobolangHubProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.messages.RobolangMessages
-import robotran.robolang.python.translateToPython
+import robotran.robolang.python.pythonOf
 import robotran.robolang.syntax.ParsedText
 
 internal class RobolangProgramCompiler(private val settings: CompilerSettings) : LanguageCompiler {
@@ -26,13 +25,10 @@ internal class RobolangProgramCompiler(private val settings: CompilerSettings) :
         is RobolangResult.Failure -> ProgramResult.Failure(result.diagnostics)
     }
 
-    /** What a real hub cannot do of [program], and what to do instead. */
-    private fun lossesOf(program: RobolangProgram): List<Diagnostic> {
-        if (program !is RobolangHubProgram) return emptyList()
-        return translateToPython(program, program.robot, PythonTranslationMessages.of(settings.language)).notes
-            .filter { it.isLost }
+    /** What a real hub or board cannot do of [program], and what to do instead. */
+    private fun lossesOf(program: RobolangProgram): List<Diagnostic> =
+        pythonOf(program, PythonTranslationMessages.of(settings.language))?.notes.orEmpty().filter { it.isLost }
             .map { Diagnostic(Severity.WARNING, program.name, it.range, it.message) }
-    }
 
     /** Compiles the Java that [program] becomes. */
     override suspend fun compileToClasses(

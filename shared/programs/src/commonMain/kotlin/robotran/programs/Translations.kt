@@ -7,12 +7,11 @@ import robotran.legofirmware.FirmwareProgram
 import robotran.legofirmware.image.ChunkId
 import robotran.legofirmware.image.ChunkKind
 import robotran.legofirmware.listing.assemblyListing
-import robotran.robolang.RobolangHubProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.NqcTranslationMessages
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.nqc.translateToNqc
-import robotran.robolang.python.translateToPython
+import robotran.robolang.python.pythonOf
 import robotran.robolang.translate.LineMap
 import robotran.robolang.translate.translateRobolang
 
@@ -25,12 +24,12 @@ internal fun interface ProgramTranslator {
     fun translate(written: Program, compiled: BrickProgram, to: ShownLanguage, language: Language): ProgramTranslation
 }
 
-/** Robolang becomes Java for its brick, NQC, or Python for its hub. */
+/** Robolang becomes Java for its brick, NQC, or Python for its hub or board. */
 internal val ROBOLANG_TRANSLATOR = ProgramTranslator { written, compiled, to, language ->
     val program = compiled as RobolangProgram
     when (to) {
         ShownLanguage.NQC -> program.asNqc(written.name, language)
-        ShownLanguage.PYTHON -> (program as RobolangHubProgram).asPython(written.name, language)
+        ShownLanguage.PYTHON -> program.asPython(written.name, language)
         else -> program.asJava(written.name)
     }
 }
@@ -52,8 +51,9 @@ private fun RobolangProgram.asNqc(file: String, language: Language): ProgramTran
     )
 }
 
-private fun RobolangHubProgram.asPython(file: String, language: Language): ProgramTranslation {
-    val translation = translateToPython(this, robot, PythonTranslationMessages.of(language))
+private fun RobolangProgram.asPython(file: String, language: Language): ProgramTranslation {
+    val python = pythonOf(this, PythonTranslationMessages.of(language))
+    val translation = checkNotNull(python) { "Only a robot that runs Python shows it." }
     return ProgramTranslation(
         ShownLanguage.PYTHON,
         translation.fileName,

@@ -107,7 +107,8 @@ class MicrobitRunTest {
         val session = run(ReadyRobots.CUTEBOT, text)
         assertEquals(listOf("2 print 1", "2 display show 1"), calls(session).filter { it.startsWith("2 ") })
         assertTrue(driven(session) in 8.0..13.0, "${driven(session)}")
-        val faster = run(ReadyRobots.CUTEBOT, "start forward\nwait 0.2 seconds\npower right 6\nwait 0.2 seconds\nstop\n")
+        val faster =
+            run(ReadyRobots.CUTEBOT, "start forward\nwait 0.2 seconds\npower right 6\nwait 0.2 seconds\nstop\n")
         assertEquals(
             listOf("i2c 0x10 01 02 2d 00", "i2c 0x10 02 02 55 00"),
             calls(faster).filter { it.startsWith("3 ") }.map { it.drop(2) },

@@ -3,12 +3,10 @@ package robotran.robolang.python
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.robolang.robot.HubFigures
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
-import robotran.robolang.syntax.Sense
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
 import robotran.robolang.syntax.allStatements
@@ -17,20 +15,16 @@ import robotran.robolang.syntax.allStatements
 internal class PythonExpressions(
     private val program: CheckedProgram,
     private val names: PythonNames,
-    private val uses: PythonUses,
-    private val notes: PythonNotes,
-    private val awaited: AwaitedRoutines,
-    private val senses: (Sense, Expression) -> PythonText,
+    uses: PythonUses,
+    private val target: PythonTarget,
 ) {
+    val arithmetic: PythonArithmetic = target.arithmetic
     private val signs = Signs(program)
-    private val builtIns = PythonBuiltIns(this, uses)
+    private val builtIns = PythonBuiltIns(this, uses, target)
     private val constants: Map<Symbol, Expression.Number> = allStatements(program.tree)
         .filterIsInstance<Statement.Declare>()
         .filter { it.isConstant && it.value is Expression.Number }
         .associate { program.symbolOf(it.name) to it.value as Expression.Number }
-
-    /** Whether it writes for a task, in which readings and calls that wait have to be awaited. */
-    var isInTask = false
 
     fun typeOf(expression: Expression): ValueType = when {
         expression is Expression.Number && expression.value is NumberValue.Whole -> ValueType.WHOLE
@@ -45,6 +39,18 @@ internal class PythonExpressions(
 
     /** [expression], with brackets unless it binds at least as tightly as [strength]. */
     fun text(expression: Expression, strength: Int): String = written(expression).atLeast(strength)
+
+    /** The same inside another sum, difference or product of whole numbers, which is checked as a whole. */
+    private fun part(expression: Expression, strength: Int, isPart: Boolean): String {
+        val bare = bare(expression)
+        if (!isPart || bare !is Expression.Binary || !isSum(bare)) return text(expression, strength)
+        val inner = joined(bare, bare.operator.text, bare.operator.strength)
+        return if (expression is Expression.Brackets) "(${inner.text})" else inner.atLeast(strength)
+    }
+
+    /** Whether [expression] is a sum, a difference or a product of whole numbers. */
+    private fun isSum(expression: Expression.Binary): Boolean =
+        expression.operator in SUMS && program.typeOf(expression) == ValueType.WHOLE
 
     /** [expression] for a place of the type [wanted]: a whole number becomes a decimal one. */
     fun text(expression: Expression, wanted: ValueType): String {
@@ -116,14 +122,14 @@ internal class PythonExpressions(
     private fun written(expression: Expression): PythonText = when (expression) {
         is Expression.Number -> number(expression)
         is Expression.BooleanLiteral -> primary(if (expression.value) "True" else "False")
-        is Expression.ColourLiteral -> primary(uses.parameter("Color.${expression.colour.name}"))
+        is Expression.ColourLiteral -> target.colour(expression)
         is Expression.ListOf -> list(expression)
         is Expression.Variable -> primary(names.of(program.symbolOf(expression.name)))
-        is Expression.ListElement -> element(expression)
+        is Expression.ListElement -> arithmetic.element(expression)
         is Expression.Unary -> unary(expression)
         is Expression.Binary -> binary(expression)
         is Expression.Call -> call(expression)
-        is Expression.Sense -> senses(expression.sense, expression)
+        is Expression.Sense -> target.reading(expression)
         is Expression.Brackets -> inBrackets(expression)
     }
 
@@ -140,17 +146,9 @@ internal class PythonExpressions(
         )
     }
 
-    /** [number], which stands for [expression], if the hub can hold it. */
-    fun checked(number: Long, expression: Expression): String {
-        if (number > LARGEST || number < -LARGEST - 1) {
-            notes.lost(expression.range, notes.messages.numberTooLarge("$number"))
-        }
-        return "$number"
-    }
-
     private fun number(expression: Expression.Number): PythonText {
         val text = when (val value = expression.value) {
-            is NumberValue.Whole -> checked(value.value.toLong(), expression)
+            is NumberValue.Whole -> arithmetic.checked(value.value.toLong(), expression)
             is NumberValue.Decimal -> decimal(expression.text)
         }
         return PythonText(text, if (text.startsWith("-")) PythonStrength.UNARY else PythonStrength.PRIMARY)
@@ -169,34 +167,33 @@ internal class PythonExpressions(
         return if (typed.startsWith("-")) "-$text" else text
     }
 
-    /** [index] of an element, as an argument in square brackets. */
-    fun index(index: Expression): String {
-        if (!isNeverBelow(index)) notes.tell(index.range, notes.messages.negativeIndex())
-        return text(index)
-    }
-
-    private fun element(expression: Expression.ListElement): PythonText =
-        primary("${text(expression.list, PythonStrength.PRIMARY)}[${index(expression.index)}]")
-
     private fun unary(expression: Expression.Unary): PythonText = when (expression.operator) {
         UnaryOperator.NOT -> PythonText(negated(expression.operand), PythonStrength.NOT)
 
         UnaryOperator.MINUS -> {
             val operand = text(expression.operand, PythonStrength.UNARY)
-            PythonText(if (operand.startsWith("-")) "-($operand)" else "-$operand", PythonStrength.UNARY)
+            val text = PythonText(if (operand.startsWith("-")) "-($operand)" else "-$operand", PythonStrength.UNARY)
+            if (program.typeOf(expression) == ValueType.WHOLE) arithmetic.whole(text, expression) else text
         }
     }
 
     private fun binary(expression: Expression.Binary): PythonText = when {
         expression.operator.isComparison -> compared(expression, expression.operator)
-        expression.operator == BinaryOperator.DIVIDE -> quotient(expression)
-        expression.operator == BinaryOperator.MOD -> remainder(expression)
-        else -> joined(expression, expression.operator.text, expression.operator.strength)
+        expression.operator == BinaryOperator.DIVIDE -> arithmetic.quotient(expression)
+
+        expression.operator == BinaryOperator.MOD -> arithmetic.remainder(expression)
+
+        else -> {
+            val text = joined(expression, expression.operator.text, expression.operator.strength)
+            if (isSum(expression)) arithmetic.whole(text, expression) else text
+        }
     }
 
-    private fun joined(expression: Expression.Binary, operator: String, strength: Int): PythonText {
-        val left = text(expression.left, strength)
-        return PythonText("$left $operator ${text(expression.right, strength + 1)}", strength)
+    /** Both sides of [expression] with [operator] between. */
+    fun joined(expression: Expression.Binary, operator: String, strength: Int): PythonText {
+        val isSum = isSum(expression)
+        val left = part(expression.left, strength, isSum)
+        return PythonText("$left $operator ${part(expression.right, strength + 1, isSum)}", strength)
     }
 
     /** Both sides bind tighter than a comparison, so that no chain comes about. */
@@ -208,24 +205,6 @@ internal class PythonExpressions(
         )
     }
 
-    private fun quotient(expression: Expression.Binary): PythonText {
-        if (program.typeOf(expression) == ValueType.DECIMAL) return joined(expression, "/", PythonStrength.PRODUCT)
-        notes.tell(expression.range, notes.messages.wholeDivision())
-        if (isNeverBelow(expression.left) && isNeverBelow(expression.right)) {
-            return joined(expression, "//", PythonStrength.PRODUCT)
-        }
-        return primary("${uses.use(PythonHelper.DIVIDE)}(${text(expression.left)}, ${text(expression.right)})")
-    }
-
-    private fun remainder(expression: Expression.Binary): PythonText {
-        val isWhole = program.typeOf(expression) == ValueType.WHOLE
-        if (isWhole && isNeverBelow(expression.left) && isNeverBelow(expression.right)) {
-            return joined(expression, "%", PythonStrength.PRODUCT)
-        }
-        val helper = if (isWhole) PythonHelper.REMAINDER else PythonHelper.DECIMAL_REMAINDER
-        return primary("${uses.use(helper)}(${text(expression.left)}, ${text(expression.right)})")
-    }
-
     private fun call(expression: Expression.Call): PythonText {
         val symbol = program.symbolOf(expression.name)
         val builtIn = if (symbol.declaredAt == null) BuiltIn.of(expression.name.key) else null
@@ -234,11 +213,7 @@ internal class PythonExpressions(
 
     /** A call of a routine of the program. */
     fun call(routine: Symbol, arguments: List<Expression>): PythonText =
-        waiting("${names.of(routine)}(${arguments(routine, arguments)})", isInTask && routine in awaited)
-
-    /** [call], which is awaited in a task if it takes time. */
-    fun waiting(call: String, isAwaited: Boolean = isInTask): PythonText =
-        if (isAwaited) PythonText("await $call", PythonStrength.AWAIT) else primary(call)
+        target.called(routine, "${names.of(routine)}(${arguments(routine, arguments)})")
 
     /** The pupil's brackets, unless what is in them has no operator. */
     private fun inBrackets(expression: Expression.Brackets): PythonText {
@@ -247,6 +222,6 @@ internal class PythonExpressions(
     }
 
     private companion object {
-        const val LARGEST = HubFigures.LARGEST
+        val SUMS = setOf(BinaryOperator.PLUS, BinaryOperator.MINUS, BinaryOperator.TIMES)
     }
 }

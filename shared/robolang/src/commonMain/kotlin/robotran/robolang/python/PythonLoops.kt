@@ -16,7 +16,7 @@ internal class PythonLoops(
     private val program: CheckedProgram,
     private val names: PythonNames,
     private val expressions: PythonExpressions,
-    private val uses: PythonUses,
+    private val target: PythonTarget,
     private val statements: PythonStatements,
 ) {
     private val steady = InvariantExpressions(program)
@@ -29,7 +29,7 @@ internal class PythonLoops(
 
     fun write(loop: Statement.Loop) = names.inScope {
         when (loop) {
-            is Statement.Repeat -> around(loop) { "for _ in range(${expressions.text(loop.count)})" }
+            is Statement.Repeat -> around(loop) { "for _ in ${target.arithmetic.times(loop)}" }
             is Statement.RepeatForever -> around(loop) { "while True" }
             is Statement.RepeatWhile -> around(loop) { "while ${expressions.text(loop.condition)}" }
             is Statement.RepeatUntil -> around(loop) { "while ${expressions.opposite(loop.condition)}" }
@@ -51,17 +51,17 @@ internal class PythonLoops(
         beforeNextRound.removeLast()
     }
 
-    /** What keeps a loop that waits for nothing from keeping the hub busy, and other tasks from their turn. */
-    private fun pauseIn(loop: Statement.Loop): PythonStatements.Pause? {
+    /** What keeps a loop that waits for nothing from keeping the robot busy, and others from their turn. */
+    private fun pauseIn(loop: Statement.Loop): PythonPause? {
         val isOpenEnded =
             loop is Statement.RepeatForever || loop is Statement.RepeatWhile || loop is Statement.RepeatUntil
         val inner = withInner(loop.body)
-        if (!isOpenEnded || inner.any { statements.takesTime(it) }) return null
+        if (inner.any { statements.takesTime(it) }) return null
         val watches = loop is Statement.RepeatForever || inner.any { it is Command } ||
             (loop.expressions + inner.flatMap { it.expressions }).flatMap(::withParts).any { it is Expression.Sense }
-        if (!watches) return null
+        val line = (if (isOpenEnded && watches) target.pause() else target.look()) ?: return null
         val skips = loop.body.any { hasContinue(it) }
-        return if (skips) PythonStatements.Pause.FIRST else PythonStatements.Pause.LAST
+        return PythonPause(line, isFirst = skips)
     }
 
     /** Whether [statement] goes on with the next round of the loop around it. */
@@ -82,7 +82,7 @@ internal class PythonLoops(
         val by = if (step == null) 1 else (expressions.literal(step) as? NumberValue.Whole)?.value
         if (by == null || by == 0) {
             val arguments = expressions.arguments(listOfNotNull(loop.from, loop.to, step))
-            return "${uses.use(PythonHelper.COUNT)}($arguments)"
+            return target.arithmetic.count(loop, arguments)
         }
         val behind = behind(loop.to, if (by > 0) 1 else -1)
         return when {
@@ -118,7 +118,7 @@ internal class PythonLoops(
             if (known == null) by = names.local("step")
             val others = listOfNotNull(
                 "$last = ${expressions.text(loop.to)}".takeIf { last != to },
-                step?.takeIf { known == null }?.let { "$by = ${expressions.text(it)}" },
+                step?.takeIf { known == null }?.let { "$by = ${target.arithmetic.step(loop, expressions.text(it))}" },
             )
             (listOf("$variable = $from") + others) to names.noteOn(symbol)
         }

@@ -13,26 +13,18 @@ internal class PythonStatements(
     private val program: CheckedProgram,
     private val names: PythonNames,
     private val expressions: PythonExpressions,
-    private val commands: PybricksCommands,
-    private val devices: PybricksDevices,
+    private val target: PythonTarget,
     private val notes: PythonNotes,
-    private val uses: PythonUses,
     private val writer: PythonWriter,
+    private val place: PythonPlace,
 ) {
-    private val loops = PythonLoops(program, names, expressions, uses, this)
-
-    /** Where a loop waits for a moment in each round. */
-    enum class Pause { FIRST, LAST }
-
-    /** What the statements belong to. */
-    var place: PythonPlace = PythonPlace.Plain
+    private val loops = PythonLoops(program, names, expressions, target, this)
 
     /** Whether [statement] itself lets time go by; a reading does not count. */
     fun takesTime(statement: Statement): Boolean = waits(statement, emptySet())
 
     private fun waits(statement: Statement, seen: Set<String>): Boolean {
-        val isLong = statement is Command &&
-            (statement.waits || statement is Command.Beep || statement is Command.Buzz || statement is Command.ShowText)
+        val isLong = statement is Command && target.takesTime(statement)
         val calls = listOfNotNull((statement as? Statement.Call)?.name) +
             statement.expressions.flatMap(::withParts).mapNotNull { (it as? Expression.Call)?.name }
         return isLong || calls.map { it.key }.filter { it !in seen }.any { called ->
@@ -43,13 +35,12 @@ internal class PythonStatements(
     private val routines = program.tree.routines.associateBy { it.name.key }
 
     /** [statements] in the block that is open, which ends at [lastLine]. */
-    fun block(statements: List<Statement>, lastLine: Int, pause: Pause? = null, next: String? = null) {
+    fun block(statements: List<Statement>, lastLine: Int, pause: PythonPause? = null, next: String? = null) {
         writer.enterBlock()
-        val wait = { writer.line(commands.wait("${PybricksCommands.PAUSE}")) }
-        if (pause == Pause.FIRST) wait()
+        if (pause?.isFirst == true) writer.line(pause.line)
         write(statements)
         writer.commentsAbove(lastLine + 1)
-        if (pause == Pause.LAST) wait()
+        if (pause?.isFirst == false) writer.line(pause.line)
         next?.let { writer.line(it) }
         writer.close()
     }
@@ -67,11 +58,15 @@ internal class PythonStatements(
 
     private fun write(statement: Statement) {
         writer.begin(statement.range.line)
-        place.linesBefore(statement, program).forEach { writer.line(it) }
+        place.linesBefore(statement).forEach { writer.line(it) }
         when (statement) {
             is Statement.Loop -> loops.write(statement)
             is Statement.If -> choose(statement)
-            else -> lines(statement.range.line) { linesOf(statement) to noteOn(statement) }
+
+            else -> {
+                lines(statement.range.line) { linesOf(statement) to noteOn(statement) }
+                target.linesBehind(statement).forEach { writer.line(it) }
+            }
         }
     }
 
@@ -79,20 +74,15 @@ internal class PythonStatements(
         (statement as? Statement.Declare)?.let { names.noteOn(program.symbolOf(it.name)) }
 
     private fun linesOf(statement: Statement): List<String> = when (statement) {
-        is Command -> commands.linesOf(statement)
+        is Command -> target.linesOf(statement)
         is Statement.Break -> listOf("break")
         is Statement.Continue -> loops.onContinue + "continue"
         is Statement.Declare -> listOf(declare(statement))
         is Statement.Assign -> listOf(assign(statement))
         is Statement.Call -> listOf(expressions.call(program.symbolOf(statement.name), statement.arguments).text)
         is Statement.Return -> listOf(returned(statement))
-        is Statement.Halt -> halt()
+        is Statement.Halt -> target.halt(place)
         is Statement.Loop, is Statement.If -> error("A block is no line.")
-    }
-
-    private fun halt(): List<String> {
-        val stop = if (commands.mayTurnAtEnd) commands.stop() else emptyList()
-        return stop + if (place is PythonPlace.MainTask) "return" else "raise SystemExit"
     }
 
     private fun declare(statement: Statement.Declare): String {
@@ -111,13 +101,13 @@ internal class PythonStatements(
         is AssignTarget.ListElement -> {
             val symbol = program.symbolOf(target.list)
             val value = expressions.text(statement.value, symbol.type.element)
-            "${names.of(symbol)}[${expressions.index(target.index)}] = $value"
+            this.target.arithmetic.setElement(target.list, target.index, value)
         }
     }
 
     private fun returned(statement: Statement.Return): String {
         val value = statement.value ?: return "return"
-        val wanted = (place as? PythonPlace.Routine)?.result
+        val wanted = place.result
         return "return " + if (wanted == null) expressions.text(value) else expressions.text(value, wanted)
     }
 
@@ -127,12 +117,10 @@ internal class PythonStatements(
      */
     fun lines(line: Int, write: () -> Pair<List<String>, String?>): Boolean {
         val lost = notes.lostCount
-        val used = uses.copy()
-        val made = devices.copy()
+        val takeBack = target.checkpoint()
         val (texts, note) = write()
         if (notes.lostCount > lost) {
-            uses.takeBack(used)
-            devices.takeBack(made)
+            takeBack()
             writer.line("# ${notes.lastLost}", line)
             return false
         }
@@ -157,3 +145,6 @@ internal class PythonStatements(
         block(otherwise.body, statement.endRange.line)
     }
 }
+
+/** The [line] with which a loop waits for a moment in each round: its first, or its last. */
+internal class PythonPause(val line: String, val isFirst: Boolean)

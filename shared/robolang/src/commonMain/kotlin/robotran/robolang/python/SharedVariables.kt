@@ -8,7 +8,7 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 
 /** Which variables of the whole program each part of it uses and changes. */
-internal class SharedVariables(private val program: CheckedProgram, private val speeds: PybricksSpeeds) {
+internal class SharedVariables(private val program: CheckedProgram, private val target: PythonTarget) {
     private val tree = program.tree
 
     /** Those that routines and behaviours use. */
@@ -44,7 +44,7 @@ internal class SharedVariables(private val program: CheckedProgram, private val 
         .mapNotNull { ((it as? Statement.Assign)?.target as? AssignTarget.Variable)?.name }
         .map(program::symbolOf).filter { it.isGlobal }.distinct()
 
-    /** The variables with speeds that [body] changes. */
-    fun speedsChangedIn(body: List<Statement>): List<String> =
-        withInner(body).flatMap { speeds.changedBy(it) }.distinct()
+    /** The variables of the translation itself that [body] changes. */
+    fun ownChangedIn(body: List<Statement>): List<String> =
+        withInner(body).flatMap { target.variablesChangedBy(it) }.distinct()
 }

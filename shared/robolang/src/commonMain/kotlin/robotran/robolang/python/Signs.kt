@@ -3,23 +3,18 @@ package robotran.robolang.python
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Sense
-import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.UnaryOperator
-import robotran.robolang.syntax.allExpressions
-import robotran.robolang.syntax.allStatements
 
 /**
  * Finds whole numbers that are never below 0: Python divides those as Robolang does, and a list has places for them.
  * What a variable, a parameter or a function can be comes from all lines that give it a value.
  */
 internal class Signs(private val program: CheckedProgram) {
-    private val routines = program.tree.routines.associateBy { it.name.key }
-    private val values = sources()
+    private val values = ValueSources(program).values
     private val neverBelow: MutableSet<Symbol> = values.keys.filterTo(HashSet()) { it.type == ValueType.WHOLE }
 
     init {
@@ -72,54 +67,4 @@ internal class Signs(private val program: CheckedProgram) {
             BuiltIn.SIN, BuiltIn.COS, BuiltIn.TAN, BuiltIn.ATAN2, BuiltIn.POW -> false
         }
     }
-
-    /** All values that each symbol gets; null for one that can be anything. */
-    private fun sources(): Map<Symbol, List<Expression?>> {
-        val found = HashMap<Symbol, MutableList<Expression?>>()
-
-        fun add(symbol: Symbol, value: Expression?) {
-            found.getOrPut(symbol) { mutableListOf() } += value
-        }
-
-        for (statement in allStatements(program.tree)) {
-            when (statement) {
-                is Statement.Declare -> add(program.symbolOf(statement.name), statement.value)
-
-                is Statement.Assign -> (statement.target as? AssignTarget.Variable)?.let {
-                    add(program.symbolOf(it.name), statement.value)
-                }
-
-                is Statement.ForRange -> {
-                    val symbol = program.symbolOf(statement.variable)
-                    val step = statement.step
-                    val isUp = step == null || (step as? Expression.Number)?.value?.isNegative == false
-                    add(symbol, statement.from)
-                    if (!isUp) add(symbol, statement.to)
-                }
-
-                is Statement.ForEach -> {
-                    val elements = (statement.list as? Expression.ListOf)?.elements ?: listOf(null)
-                    elements.forEach { add(program.symbolOf(statement.variable), it) }
-                }
-
-                is Statement.Call -> addArguments(statement.name.key, statement.arguments, ::add)
-
-                else -> Unit
-            }
-        }
-        allExpressions(program.tree).filterIsInstance<Expression.Call>()
-            .forEach { addArguments(it.name.key, it.arguments, ::add) }
-        for (routine in program.tree.routines) {
-            val symbol = program.symbolOf(routine.name)
-            returnsIn(routine.body).forEach { add(symbol, it) }
-        }
-        return found
-    }
-
-    private fun addArguments(routine: String, arguments: List<Expression>, add: (Symbol, Expression?) -> Unit) {
-        routines[routine]?.parameters?.zip(arguments)?.forEach { (name, value) -> add(program.symbolOf(name), value) }
-    }
-
-    private fun returnsIn(statements: List<Statement>): List<Expression> =
-        withInner(statements).mapNotNull { (it as? Statement.Return)?.value }
 }

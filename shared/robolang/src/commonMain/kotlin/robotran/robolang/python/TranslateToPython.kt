@@ -2,7 +2,11 @@ package robotran.robolang.python
 
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.PythonTranslationMessages
+import robotran.robolang.python.microbit.BoardRoom
+import robotran.robolang.python.microbit.MicrobitTarget
+import robotran.robolang.python.pybricks.PybricksTarget
 import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.allStatements
 
 /**
  * Translates [program] to Python for a [robot] whose hub runs Pybricks, as a teacher would write it: the devices of the
@@ -15,11 +19,41 @@ fun translateToPython(
     program: RobolangProgram,
     robot: RobotTarget.Hub,
     messages: PythonTranslationMessages,
+): PythonTranslation = translateToPython(program, messages) { PybricksTarget(robot, it) }
+
+/**
+ * Translates [program] to MicroPython for a [robot] with a micro:bit: the numbers of this robot at the top, then functions
+ * for what the program does with it, then the main program, which stops the wheels however it ends. Old enough for
+ * MicroPython 1.9.2, which a V1 has. Never throws.
+ *
+ * @param messages the notes in the pupil's language.
+ */
+fun translateToPython(
+    program: RobolangProgram,
+    robot: RobotTarget.Microbit,
+    messages: PythonTranslationMessages,
+): PythonTranslation = translateToPython(program, messages) { MicrobitTarget(robot, it) }.let {
+    val room = BoardRoom.of(robot.model, allStatements(program.checked.tree).size, it.python)
+    PythonTranslation(it.fileName, it.python, it.lineMap, it.notes, room)
+}
+
+/** Translates [program] for the robot that it was compiled for; null if that runs no Python. Never throws. */
+fun pythonOf(program: RobolangProgram, messages: PythonTranslationMessages): PythonTranslation? =
+    when (val robot = program.robot) {
+        is RobotTarget.Hub -> translateToPython(program, robot, messages)
+        is RobotTarget.Microbit -> translateToPython(program, robot, messages)
+        is RobotTarget.Rcx, is RobotTarget.Nxt -> null
+    }
+
+private fun translateToPython(
+    program: RobolangProgram,
+    messages: PythonTranslationMessages,
+    targetOf: (PythonContext) -> PythonTarget,
 ): PythonTranslation {
     // Written once to know the names that the translation itself uses, which the pupil's then must not have.
-    val taken = PythonFile(program, robot, PythonNotes(messages), emptySet()).apply { write() }.names
+    val taken = PythonFile(program, targetOf, PythonNotes(messages), emptySet()).apply { write() }.names
     val notes = PythonNotes(messages)
-    val writer = PythonFile(program, robot, notes, taken).write()
+    val writer = PythonFile(program, targetOf, notes, taken).write()
     return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, notes.inOrder())
 }
 

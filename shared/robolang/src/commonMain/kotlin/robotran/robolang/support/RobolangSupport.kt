@@ -11,6 +11,7 @@ import robotran.languagesupport.LanguageSupport
 import robotran.languagesupport.ProgramFiles
 import robotran.languagesupport.ProgramMeasure
 import robotran.languagesupport.SourceFile
+import robotran.microbit.model.MicrobitModel
 import robotran.robolang.RobolangWords
 import robotran.robolang.brickOfRobolang
 import robotran.robolang.edit.RobolangSyntax
@@ -47,7 +48,9 @@ object RobolangSupport : LanguageSupport {
     override fun translations(brick: BrickKind): List<ShownLanguage> = listOfNotNull(
         ShownLanguage.JAVA.takeIf { brick.java != null },
         ShownLanguage.NQC.takeIf { brick.hasLegoFirmware },
-    ).ifEmpty { listOfNotNull(ShownLanguage.PYTHON.takeIf { HubModel.of(brick) != null }) }
+    ).ifEmpty { listOfNotNull(ShownLanguage.PYTHON.takeIf { runsPython(brick) }) }
+
+    private fun runsPython(brick: BrickKind) = HubModel.of(brick) != null || MicrobitModel.of(brick) != null
 }
 
 private object RobolangFiles : ProgramFiles(ProgramLanguage.ROBOLANG) {

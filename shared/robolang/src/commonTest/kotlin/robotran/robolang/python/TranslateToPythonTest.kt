@@ -120,12 +120,6 @@ class TranslateToPythonTest {
         assertContains(lines, "robot = DriveBase(left_motor, right_motor, wheel_diameter=49.6, axle_track=114.25)")
     }
 
-    /** Lines with `end` have no Python. */
-    private fun linesOfEnds(tree: SyntaxTree): Set<Int> = (
-        tree.routines.map { it.endRange } + tree.behaviours.map { it.endRange } +
-            allStatements(tree).mapNotNull { (it as? Statement.Block)?.endRange }
-    ).map { it.line }.toSet()
-
     private companion object {
         val sources = testPrograms + documentedPrograms + examplePrograms
 
@@ -136,3 +130,9 @@ class TranslateToPythonTest {
         }
     }
 }
+
+/** Lines with `end` have no Python. */
+internal fun linesOfEnds(tree: SyntaxTree): Set<Int> = (
+    tree.routines.map { it.endRange } + tree.behaviours.map { it.endRange } +
+        allStatements(tree).mapNotNull { (it as? Statement.Block)?.endRange }
+).map { it.line }.toSet()

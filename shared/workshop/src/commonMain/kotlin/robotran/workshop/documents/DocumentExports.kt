@@ -21,10 +21,10 @@ import robotran.projects.LinkCreation
 import robotran.projects.linkOf
 import robotran.projects.penbotTarget
 import robotran.projects.target
-import robotran.robolang.RobolangHubProgram
 import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.PythonTranslationMessages
-import robotran.robolang.python.translateToPython
+import robotran.robolang.python.PythonTranslation
+import robotran.robolang.python.pythonOf
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.translate.KitFile
 import robotran.robolang.translate.javaKitFiles
@@ -121,10 +121,11 @@ internal class DocumentExports(
 
             is ProgramResult.Success -> {
                 val image = result.firmwareImage
-                val runnable = result.program
+                val python = (result.program as? RobolangProgram)
+                    ?.let { pythonOf(it, PythonTranslationMessages.of(preferences.language)) }
                 when {
                     image != null -> saveImage(program, image)
-                    runnable is RobolangHubProgram -> savePython(program, runnable)
+                    python != null -> savePython(program, python)
                     else -> saveKit(program, kitOf(program, result, target))
                 }
             }
@@ -150,8 +151,7 @@ internal class DocumentExports(
         return if (isItsOwn) robot.target else brick.penbotTarget
     }
 
-    private suspend fun savePython(program: Program, runnable: RobolangHubProgram) {
-        val python = translateToPython(runnable, runnable.robot, PythonTranslationMessages.of(preferences.language))
+    private suspend fun savePython(program: Program, python: PythonTranslation) {
         val name = program.name.removeSuffix(program.language.extension)
         save(name, FileKind.PYTHON, python.python.encodeToByteArray())
     }

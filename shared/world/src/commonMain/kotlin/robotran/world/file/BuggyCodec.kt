@@ -18,12 +18,20 @@ private val KINDS = BuggyKind.entries.associateBy { it.word }
 private val DRIVES = PlainDrive.entries.associateBy { wordFor(it) }
 private val PINS = BuggyPins.USABLE.first()..BuggyPins.USABLE.last()
 
-/** A buggy; its kind is that of [like] if the file does not say it. */
-internal fun readBuggy(cursor: JsonCursor, like: BuggyMount?) = BuggyMount(
-    kind = cursor.optional("kind")?.choice(KINDS) ?: like?.kind ?: BuggyKind.CUTEBOT,
-    trim = cursor.optional("trim")?.let(::readTrim) ?: WheelTrim.NONE,
-    pins = cursor.optional("pins")?.let(::readPins),
-)
+/**
+ * A buggy.
+ *
+ * @param isKept whether the robot has one; otherwise nothing of it is written again, not even fields that nobody knows.
+ */
+internal fun readBuggy(cursor: JsonCursor, isKept: Boolean): BuggyMount? {
+    val buggy = BuggyMount(
+        kind = cursor.member("kind").choice(KINDS),
+        trim = cursor.optional("trim")?.let(::readTrim) ?: WheelTrim.NONE,
+        pins = cursor.optional("pins")?.let(::readPins),
+    )
+    if (!isKept) cursor.rest()
+    return buggy.takeIf { isKept }
+}
 
 /** See [readBuggy]. */
 internal fun elementOf(buggy: BuggyMount): JsonElement = jsonObject {
@@ -53,7 +61,7 @@ private fun readTrim(cursor: JsonCursor): WheelTrim {
 }
 
 private fun readPins(cursor: JsonCursor): BuggyPins {
-    val usual = BuggyPins.of(cursor.optional("drive")?.choice(DRIVES) ?: PlainDrive.SERVOS)
+    val usual = BuggyPins.of(cursor.member("drive").choice(DRIVES))
     val drive = usual.drive
     val wheel = drive.pinsOfWheel..drive.pinsOfWheel
     val pins = BuggyPins(

@@ -1,9 +1,13 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
 import robotran.hub.model.HubButton
 import robotran.hub.model.HubDeviceKind
 import robotran.language.source.SourceRange
 import robotran.robolang.check.ValueType
+import robotran.robolang.python.PythonContext
+import robotran.robolang.python.PythonStrength
+import robotran.robolang.python.PythonText
+import robotran.robolang.python.primary
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BrickButton
@@ -22,14 +26,15 @@ internal class PybricksSenses(
     private val header: RobotHeader?,
     private val hubUses: HubUses,
     private val devices: PybricksDevices,
-    private val uses: PythonUses,
-    private val notes: PythonNotes,
+    private val context: PythonContext,
 ) {
     private val hub = robot.model
+    private val uses = context.uses
+    private val notes = context.notes
     private val messages = notes.messages
 
-    /** What writes them; set before the first one. */
-    lateinit var expressions: PythonExpressions
+    /** What writes readings that take time; set before the first one. */
+    lateinit var awaiting: PybricksAwaiting
 
     fun written(sense: Sense, expression: Expression): PythonText = when (sense) {
         Sense.LeftBumper, Sense.RightBumper -> bumper(sense, expression.range)
@@ -59,7 +64,7 @@ internal class PybricksSenses(
     }
 
     private fun read(device: String, reading: String, sensor: Int): PythonText =
-        expressions.waiting("$device.$reading()", expressions.isInTask && isAwaited(robot.sensors.getValue(sensor)))
+        awaiting.waiting("$device.$reading()", awaiting.isInTask && isAwaited(robot.sensors.getValue(sensor)))
 
     private fun bumper(sense: Sense, range: SourceRange): PythonText {
         val sensor = hubUses.portOf(sense) ?: return nothing(range, messages.noBumper())
@@ -84,7 +89,7 @@ internal class PybricksSenses(
     private fun distance(sensor: Int?, range: SourceRange): PythonText {
         if (sensor == null) return nothing(range, messages.noSonar())
         val device = devices.sensor(sensor, lineOf(Sense.Distance))
-        if (hub.kind.hasLetteredInputs) return expressions.waiting("${uses.use(PythonHelper.DISTANCE)}()")
+        if (hub.kind.hasLetteredInputs) return awaiting.waiting("${uses.use(PybricksHelper.DISTANCE)}()")
         return PythonText("${read(device, "distance", sensor).text} // 10", PythonStrength.PRODUCT)
     }
 
@@ -114,7 +119,13 @@ internal class PybricksSenses(
             }
 
             HubDeviceKind.COLOR_SENSOR, HubDeviceKind.LIGHT_SENSOR -> {
-                if (expressions.typeOf(expression) == ValueType.COLOUR) colour(port, range) else light(port, range)
+                if (context.expressions.typeOf(expression) ==
+                    ValueType.COLOUR
+                ) {
+                    colour(port, range)
+                } else {
+                    light(port, range)
+                }
             }
 
             HubDeviceKind.ULTRASONIC_SENSOR -> distance(port, range)

@@ -1,13 +1,17 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.python.PythonContext
+import robotran.robolang.python.PythonStrength
 import robotran.robolang.robot.roundAsPython
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue
 import robotran.robolang.syntax.TimeUnit
 
 /** Writes the whole numbers that Pybricks takes: written ones worked out here, decimal ones rounded where they are made. */
-internal class PybricksNumbers(private val expressions: PythonExpressions) {
+internal class PybricksNumbers(context: PythonContext) {
+    private val expressions by lazy(LazyThreadSafetyMode.NONE) { context.expressions }
+
     /** [value] as a whole number. */
     fun whole(value: Expression): String = times(value, 1)
 
@@ -18,7 +22,7 @@ internal class PybricksNumbers(private val expressions: PythonExpressions) {
             is NumberValue.Decimal -> roundAsPython(literal.decimal.toDouble() * factor)
             null -> return computed(value, factor)
         }
-        return expressions.checked(product, value)
+        return expressions.arithmetic.checked(product, value)
     }
 
     private fun computed(value: Expression, factor: Int): String {

@@ -1,6 +1,8 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.ValueType
+import robotran.robolang.python.PythonContext
+import robotran.robolang.python.pythonString
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command
@@ -12,16 +14,18 @@ import robotran.robolang.syntax.TimeUnit
 /** Writes the commands to the robot; in a task each that takes time is awaited. */
 internal class PybricksCommands(
     private val robot: RobotTarget.Hub,
-    private val expressions: PythonExpressions,
+    context: PythonContext,
+    private val awaiting: PybricksAwaiting,
     private val devices: PybricksDevices,
-    private val uses: PythonUses,
-    private val notes: PythonNotes,
     private val speeds: PybricksSpeeds,
 ) {
+    private val expressions by lazy(LazyThreadSafetyMode.NONE) { context.expressions }
+    private val uses = context.uses
+    private val notes = context.notes
     private val hub = robot.model
     private val messages = notes.messages
-    private val motors = PybricksMotors(robot, expressions, devices, uses, notes, speeds)
-    private val numbers = PybricksNumbers(expressions)
+    private val motors = PybricksMotors(robot, context, awaiting, devices, speeds)
+    private val numbers = PybricksNumbers(context)
 
     /** The figures at the top of a program. */
     val constants: List<String> get() = motors.constants
@@ -60,7 +64,7 @@ internal class PybricksCommands(
     /** `wait(500)`, also in a task. */
     fun wait(milliseconds: String): String = waiting("${uses.tool("wait")}($milliseconds)")
 
-    private fun waiting(call: String): String = expressions.waiting(call).text
+    private fun waiting(call: String): String = awaiting.waiting(call).text
 
     private fun move(command: Command.Move): List<String> {
         val sign = signOf(command.direction)
@@ -94,7 +98,7 @@ internal class PybricksCommands(
             return emptyList()
         }
         devices.pen(pen)
-        val helper = if (command.position == PenPosition.DOWN) PythonHelper.PEN_DOWN else PythonHelper.PEN_UP
+        val helper = if (command.position == PenPosition.DOWN) PybricksHelper.PEN_DOWN else PybricksHelper.PEN_UP
         return listOf(waiting("${uses.use(helper)}()"))
     }
 
@@ -108,7 +112,7 @@ internal class PybricksCommands(
         if (!hub.hasSpeaker) {
             notes.tell(command.range, messages.noSpeaker())
             devices.hub()
-            return listOf(waiting("${uses.use(PythonHelper.BLINK)}($milliseconds)"))
+            return listOf(waiting("${uses.use(PybricksHelper.BLINK)}($milliseconds)"))
         }
         val arguments = if (hertz.isEmpty()) "" else "$hertz, $milliseconds"
         return listOf(waiting("${devices.hub()}.speaker.beep($arguments)"))
@@ -128,7 +132,7 @@ internal class PybricksCommands(
         }
         if (hub.hasMatrix && !isShort(command.value)) notes.tell(command.range, messages.smallDisplay())
         devices.hub()
-        return listOf("${uses.use(PythonHelper.SHOW)}($value)")
+        return listOf("${uses.use(PybricksHelper.SHOW)}($value)")
     }
 
     private fun hasDisplay(command: Command): Boolean {

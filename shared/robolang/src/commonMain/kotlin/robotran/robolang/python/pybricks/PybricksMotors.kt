@@ -1,6 +1,7 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
 import robotran.brick.controls.MotorPort
+import robotran.robolang.python.PythonContext
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.speedAhead
@@ -14,14 +15,16 @@ import robotran.robolang.syntax.PowerSide
 /** Writes commands to motors, and drives that have no end of their own. */
 internal class PybricksMotors(
     private val robot: RobotTarget.Hub,
-    private val expressions: PythonExpressions,
+    context: PythonContext,
+    private val awaiting: PybricksAwaiting,
     private val devices: PybricksDevices,
-    private val uses: PythonUses,
-    private val notes: PythonNotes,
     private val speeds: PybricksSpeeds,
 ) {
+    private val expressions by lazy(LazyThreadSafetyMode.NONE) { context.expressions }
+    private val uses = context.uses
+    private val notes = context.notes
     private val messages = notes.messages
-    private val numbers = PybricksNumbers(expressions)
+    private val numbers = PybricksNumbers(context)
     private val left = robot.left
     private val right = robot.right
     private val ways = speeds.ways
@@ -91,7 +94,7 @@ internal class PybricksMotors(
         devices.base()
         val literal = (expressions.literal(command.power) as? NumberValue.Whole)?.value
         if (literal == null || speeds.areVariables) {
-            return listOf("${uses.use(PythonHelper.SET_POWER)}(${numbers.whole(command.power)})")
+            return listOf("${uses.use(PybricksHelper.SET_POWER)}(${numbers.whole(command.power)})")
         }
         return listOf(settings(HubFigures.speedOf(literal)))
     }
@@ -134,7 +137,7 @@ internal class PybricksMotors(
         val speed = checkNotNull(speeds.variableOf(motor)) { "A motor whose power changes has a variable." }
         val only = ways.onlyOf(motor)
         val signed = if (only != null) signed(only, speed) else "${ways.variableOf(motor)} * $speed"
-        return listOf("${uses.use(PythonHelper.RUN_ON)}(${devices.motor(motor)}, $signed)")
+        return listOf("${uses.use(PybricksHelper.RUN_ON)}(${devices.motor(motor)}, $signed)")
     }
 
     fun command(command: Command.Motor): List<String> {
@@ -166,7 +169,7 @@ internal class PybricksMotors(
         val arguments = "${HubFigures.TURNING_SPEED}, ${numbers.whole(command.angle)}"
         val memory = remembered(port, 0)
         if (!command.waits) return memory + "$motor.run_angle($arguments, wait=False)"
-        return memory + expressions.waiting("$motor.run_angle($arguments)").text
+        return memory + awaiting.waiting("$motor.run_angle($arguments)").text
     }
 
     fun reset(command: Command.ResetMotor): List<String> {

@@ -1,5 +1,7 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
+import robotran.robolang.python.PythonHelper
+import robotran.robolang.python.decimalFigure
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.fastestAhead
@@ -10,19 +12,16 @@ import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
 
 /**
- * A function that a translation contains only if it is used; `src/brick/python` has its Python.
+ * A function of a translation for a hub; `src/brick/python` has its Python.
  *
- * @property called its name.
- * @property needs what it uses, which is above it.
- * @property imports what it imports, such as `umath:floor`.
  * @property others what it has in the program besides itself.
  */
-internal enum class PythonHelper(
-    val called: String,
-    val needs: List<PythonHelper> = emptyList(),
-    val imports: List<String> = emptyList(),
+internal enum class PybricksHelper(
+    override val called: String,
+    override val needs: List<PybricksHelper> = emptyList(),
+    override val imports: List<String> = emptyList(),
     private val others: List<String> = emptyList(),
-) {
+) : PythonHelper {
     DIVIDE("divide"),
     REMAINDER("remainder", listOf(DIVIDE)),
     DECIMAL_REMAINDER("decimal_remainder"),
@@ -39,7 +38,7 @@ internal enum class PythonHelper(
     WHENEVER("whenever", imports = listOf("pybricks.tools:wait"), others = listOf("acting")),
     ;
 
-    val names: List<String> get() = others + called
+    override val names: List<String> get() = others + called
 
     /** Its Python for [robot]; in tasks if [isReacting]. */
     fun textFor(robot: RobotTarget.Hub, isReacting: Boolean, ways: PybricksWays): String {

@@ -1,4 +1,4 @@
-package robotran.robolang.python
+package robotran.robolang.python.pybricks
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.robot.HubUses

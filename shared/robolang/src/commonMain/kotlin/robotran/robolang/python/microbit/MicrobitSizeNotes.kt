@@ -1,0 +1,52 @@
+package robotran.robolang.python.microbit
+
+import robotran.microbit.model.MicrobitModel
+import robotran.robolang.python.PythonContext
+import robotran.robolang.python.withInner
+import robotran.robolang.robot.RobotTarget
+import robotran.robolang.syntax.Expression
+import robotran.robolang.syntax.Routine
+import robotran.robolang.syntax.Statement
+import robotran.robolang.syntax.allStatements
+import robotran.robolang.syntax.expressions
+import robotran.robolang.syntax.withParts
+
+/** Tells whether a program is too large for its board, or calls itself deeper than that can. */
+internal class MicrobitSizeNotes(private val robot: RobotTarget.Microbit, private val context: PythonContext) {
+    private val tree = context.tree
+    private val notes = context.notes
+    private val messages = notes.messages
+
+    fun tell() {
+        tellSize()
+        val routine = tree.routines.firstOrNull { callsItself(it) } ?: return
+        notes.tell(routine.range, messages.deepCalls("${BoardRoom.deepestCallsOn(robot.model)}"))
+    }
+
+    private fun tellSize() {
+        if (robot.model != MicrobitModel.V1) return
+        val statements = allStatements(tree)
+        val most = statements.getOrNull(BoardRoom.MOST_STATEMENTS_V1)
+        val many = statements.getOrNull(BoardRoom.MANY_STATEMENTS_V1)
+        when {
+            most != null -> notes.lost(most.range, messages.tooLongForV1("${BoardRoom.MOST_STATEMENTS_V1}"))
+            many != null -> notes.tell(many.range, messages.longForV1("${BoardRoom.MANY_STATEMENTS_V1}"))
+        }
+    }
+
+    private fun callsItself(routine: Routine): Boolean {
+        val seen = mutableSetOf<String>()
+        val waiting = ArrayDeque(calledBy(routine))
+        while (waiting.isNotEmpty()) {
+            val next = waiting.removeFirst()
+            if (next == routine.name.key) return true
+            if (seen.add(next)) tree.routines.firstOrNull { it.name.key == next }?.let { waiting += calledBy(it) }
+        }
+        return false
+    }
+
+    private fun calledBy(routine: Routine): List<String> = withInner(routine.body).flatMap { statement ->
+        listOfNotNull((statement as? Statement.Call)?.name?.key) +
+            statement.expressions.flatMap(::withParts).mapNotNull { (it as? Expression.Call)?.name?.key }
+    }
+}
