@@ -330,7 +330,7 @@ object ReadyRobots {
     fun defaultOf(brick: BrickKind): RobotDescription = all.values.first { it.brick == brick }
 
     /** The robot with this buggy and this [board]. */
-    fun on(buggy: BuggyKind, board: BrickKind): RobotDescription {
+    fun on(buggy: BuggyKind, board: BrickKind = BrickKind.MICROBIT): RobotDescription {
         val ready = all.values.filter { it.buggy?.kind == buggy }
         return ready.firstOrNull { it.brick == board } ?: ready.first().copy(brick = board)
     }
