@@ -307,7 +307,7 @@ def pen_up():
 
 def play(hertz, time):
     if time > 0:
-        music.pitch(hertz, time, wait=False)
+        music.pitch(hertz, time, @PIN@wait=False)
         @WAIT@(time)
 
 //// SHOW

@@ -13,9 +13,9 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
 import robotran.brick.sensors.SensorKind
 import robotran.hub.model.HubModel
+import robotran.language.Language
 import robotran.microbit.buggy.Buggy
 import robotran.microbit.model.MicrobitModel
-import robotran.language.Language
 import robotran.robolang.RobolangResult
 import robotran.robolang.RobolangWords
 import robotran.robolang.compileRobolang

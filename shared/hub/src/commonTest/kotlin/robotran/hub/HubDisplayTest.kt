@@ -1,12 +1,12 @@
 package robotran.hub
 
+import robotran.brick.lights.LightFont
 import robotran.hub.display.HubDisplay
 import robotran.hub.display.HubScreen
 import robotran.hub.display.MatrixFont
 import robotran.hub.model.HubModel
 import robotran.hub.program.HubError
 import robotran.hub.program.HubNative
-import robotran.brick.lights.LightFont
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals

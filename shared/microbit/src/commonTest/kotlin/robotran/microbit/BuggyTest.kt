@@ -88,7 +88,14 @@ class BuggyTest {
 
     @Test
     fun `no pin of a buggy is used twice, and all sensors have a port`() {
-        for (buggy in all) assertTrue(buggy.sensors.keys.all { it in 1..BrickKind.MICROBIT.inputPorts }, "${buggy.kind}")
+        for (buggy in all) {
+            assertTrue(
+                buggy.sensors.keys.all {
+                    it in 1..BrickKind.MICROBIT.inputPorts
+                },
+                "${buggy.kind}",
+            )
+        }
         assertEquals(setOf(1, 2, 3), Buggy.of(BuggyKind.CUTEBOT).sensors.keys)
         assertEquals(setOf(1, 2, 3, 4), Buggy.of(BuggyKind.MAQUEEN_PLUS).sensors.keys)
         assertEquals(emptySet(), Buggy.of(BuggyKind.PLAIN).sensors.keys)

@@ -1,7 +1,6 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
 import robotran.brick.kind.WheelTrim
 import robotran.brick.state.RunState
@@ -13,10 +12,14 @@ import robotran.simulation.RobotProgramSet
 import robotran.simulation.Session
 import robotran.simulation.physics.loadPhysicsEngine
 import robotran.simulation.runUnattended
+import robotran.world.Mark
+import robotran.world.MarkFigure
 import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.World
 import robotran.world.file.BuiltInWorlds
+import robotran.world.geometry.Point
+import robotran.world.geometry.Pose
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.test.Test
@@ -107,7 +110,8 @@ class MicrobitRunTest {
         val session = run(ReadyRobots.CUTEBOT, text)
         assertEquals(listOf("2 print 1", "2 display show 1"), calls(session).filter { it.startsWith("2 ") })
         assertTrue(driven(session) in 8.0..13.0, "${driven(session)}")
-        val faster = run(ReadyRobots.CUTEBOT, "start forward\nwait 0.2 seconds\npower right 6\nwait 0.2 seconds\nstop\n")
+        val faster =
+            run(ReadyRobots.CUTEBOT, "start forward\nwait 0.2 seconds\npower right 6\nwait 0.2 seconds\nstop\n")
         assertEquals(
             listOf("i2c 0x10 01 02 2d 00", "i2c 0x10 02 02 55 00"),
             calls(faster).filter { it.startsWith("3 ") }.map { it.drop(2) },
@@ -115,13 +119,32 @@ class MicrobitRunTest {
     }
 
     @Test
-    fun `line sensors know light and dark, and the sonar how far a wall is`() = runTest {
-        val dark = BuiltInWorlds.plainFor(BrickKind.MICROBIT)
-        val session = run(ReadyRobots.CUTEBOT, "show light\nshow sensor 2\nshow distance\nshow sensor 3\n")
-        assertTrue(dark.robots.isNotEmpty())
-        val printed = calls(session).filter { "print" in it }.map { it.substringAfter("print ") }
-        assertEquals(listOf("100", "100"), printed.take(2))
-        assertEquals(printed[2], printed[3])
+    fun `the distance sensor hears the wall, and a drive stops before it`() = runTest {
+        val text = "show distance\nshow sensor 3\nstart forward\nwait until distance < 20\nstop\nshow distance\n"
+        val printed = calls(run(ReadyRobots.CUTEBOT, text)).filter {
+            "print" in it
+        }.map { it.substringAfter("print ").toInt() }
+        // From the sensor, 5.8 cm ahead of the wheels at 40, to the wall at 100.
+        assertEquals(listOf(54, 54), printed.take(2))
+        assertTrue(printed[2] in 17..19, "$printed")
+    }
+
+    @Test
+    fun `a Cutebot follows the edge of a line, which its sensors see as dark`() = runTest {
+        val follow =
+            "power 2\nrepeat while timer < 6\n  if light < 50\n    motor A forward\n    motor C stop\n  else\n" +
+                "    motor A stop\n    motor C forward\n  end\n  wait 20 milliseconds\nend\n"
+        val line = Mark(MarkFigure.Line(listOf(Point(30.0, 40.0), Point(95.0, 40.0)), width = 2.0))
+
+        fun atLine(world: World) =
+            world.copy(marks = listOf(line), robots = world.robots.map { it.copy(start = Pose(40.0, 39.0, 0.0)) })
+        val shown = run(ReadyRobots.CUTEBOT, "show light\nshow sensor 2\n", ::atLine)
+        assertEquals(listOf("0", "100"), calls(shown).filter { "print" in it }.map { it.substringAfter("print ") })
+        val session = run(ReadyRobots.CUTEBOT, follow, ::atLine)
+        val end = session.state.robot.pose
+        assertTrue(end.x > 60 && abs(end.y - 39) < 2, "$end")
+        val without = run(ReadyRobots.CUTEBOT, "show light\n").let(::calls).first()
+        assertEquals("1 print 100", without)
     }
 
     @Test

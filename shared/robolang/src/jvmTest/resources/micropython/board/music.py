@@ -1,7 +1,7 @@
 import board_world as world
 
 
-def pitch(frequency, duration=-1, wait=True):
+def pitch(frequency, duration=-1, pin=0, wait=True):
     if not isinstance(frequency, int) or not isinstance(duration, int):
         raise TypeError("can't convert float to int")
     world.log("pitch", frequency, duration)

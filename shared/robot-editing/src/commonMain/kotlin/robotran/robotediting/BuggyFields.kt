@@ -30,12 +30,12 @@ internal fun RobotDescription.buggyFields(): List<Field<RobotEdit>> {
     ) { chosen -> RobotEdit.Change(onBuggy(chosen)).takeIf { chosen != buggy.kind } }
     if (buggy.kind != BuggyKind.PLAIN) return listOf(kind)
     val pins = buggy.pins ?: BuggyPins.SERVOS
-    return listOf(kind, Field.Help(RobotTexts::pinsHelp), driveField(pins)) + wheelPins(pins) + sensorPins(pins) + penPin(pins)
+    return listOf(kind, Field.Help(RobotTexts::pinsHelp), driveField(pins)) + wheelPins(pins) + sensorPins(pins) +
+        penPin(pins)
 }
 
 /** The ready robot with this buggy, with the brick of this one. */
-private fun RobotDescription.onBuggy(kind: BuggyKind): RobotDescription =
-    ReadyRobots.on(kind).copy(brick = brick)
+private fun RobotDescription.onBuggy(kind: BuggyKind): RobotDescription = ReadyRobots.on(kind).copy(brick = brick)
 
 private fun RobotDescription.driveField(pins: BuggyPins): Field<RobotEdit> = chips(
     "robot-pins-drive",
@@ -66,7 +66,9 @@ private fun RobotDescription.wheelPins(pins: BuggyPins): List<Field<RobotEdit>> 
         pinField("robot-pin-left-${place + 1}", label, pins, pin) { pins.copy(left = pins.left.with(place, it ?: pin)) }
     }
     val right = pins.right.mapIndexed { place, pin ->
-        val label: Words = { if (hasTwo) "${RobotTexts.pinRight(it)}, ${names[place](it)}" else RobotTexts.pinRight(it) }
+        val label: Words = {
+            if (hasTwo) "${RobotTexts.pinRight(it)}, ${names[place](it)}" else RobotTexts.pinRight(it)
+        }
         pinField("robot-pin-right-${place + 1}", label, pins, pin) {
             pins.copy(right = pins.right.with(place, it ?: pin))
         }
@@ -88,9 +90,10 @@ private fun RobotDescription.sensorPins(pins: BuggyPins): List<Field<RobotEdit>>
     val trigger = pinField("robot-pin-trigger", RobotTexts::pinTrigger, pins, pins.trigger, mayBeNone = true) {
         pins.copy(trigger = it, echo = if (it == null) null else pins.echo)
     }
-    val echo = pinField("robot-pin-echo", RobotTexts::pinEcho, pins, pins.echo, mayBeNone = true, sharing = pins.trigger) {
-        pins.copy(echo = it)
-    }
+    val echo =
+        pinField("robot-pin-echo", RobotTexts::pinEcho, pins, pins.echo, mayBeNone = true, sharing = pins.trigger) {
+            pins.copy(echo = it)
+        }
     return lines + listOfNotNull(dark.takeIf { pins.lines.isNotEmpty() }, trigger, echo.takeIf { pins.trigger != null })
 }
 
@@ -132,7 +135,11 @@ internal fun RobotDescription.withPins(pins: BuggyPins): RobotDescription {
     } else {
         partsOf(SensorKind.ULTRASONIC).firstOrNull()?.on(port) ?: partFor(SensorKind.ULTRASONIC, port)
     }
-    return copy(buggy = BuggyMount(BuggyKind.PLAIN, buggy?.trim ?: WheelTrim.NONE, pins), parts = wanted + listOfNotNull(sonar))
+    return copy(
+        buggy = BuggyMount(BuggyKind.PLAIN, buggy?.trim ?: WheelTrim.NONE, pins),
+        parts =
+            wanted + listOfNotNull(sonar),
+    )
 }
 
 private fun RobotDescription.partsOf(kind: SensorKind) = parts.filter { it.kind == kind }

@@ -31,7 +31,9 @@ private fun RobotDescription.countedFields(driven: RobotDescription): List<Field
             val changed = way / (WAY * wheels)
             copy(drive = drive.copy(wheelDiameter = drive.wheelDiameter * changed, track = drive.track * changed))
         },
-        turnField(TURN * turn, TURNS) { measured -> copy(drive = drive.copy(track = drive.track * TURN * turn / measured)) },
+        turnField(TURN * turn, TURNS) { measured ->
+            copy(drive = drive.copy(track = drive.track * TURN * turn / measured))
+        },
     )
 }
 
@@ -49,12 +51,13 @@ private fun RobotDescription.timedFields(driven: RobotDescription): List<Field<R
     )
 }
 
-private fun wayField(now: Double, spec: NumberSpec, with: (Double) -> RobotDescription): Field<RobotEdit> = Field.Number(
-    "robot-measured-way",
-    { RobotTexts.measuredWay(it, WAY.toInt()) },
-    shown(now),
-    spec,
-) { RobotEdit.Change(with(it), "measured way") }
+private fun wayField(now: Double, spec: NumberSpec, with: (Double) -> RobotDescription): Field<RobotEdit> =
+    Field.Number(
+        "robot-measured-way",
+        { RobotTexts.measuredWay(it, WAY.toInt()) },
+        shown(now),
+        spec,
+    ) { RobotEdit.Change(with(it), "measured way") }
 
 private fun turnField(now: Double, spec: NumberSpec, with: (Double) -> RobotDescription): Field<RobotEdit> =
     Field.Number("robot-measured-turn", RobotTexts::measuredTurn, shown(now), spec) {

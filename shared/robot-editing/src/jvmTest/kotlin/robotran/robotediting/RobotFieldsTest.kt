@@ -67,7 +67,9 @@ class RobotFieldsTest {
     fun `three test drives of a buggy put speed, track and trim right, in whatever order they are typed`() {
         val begun = RobotEditing.of(ReadyRobots.CUTEBOT)
         val typed = listOf(WAY to 60.0, TURN to 320.0, SIDE to 4.0)
-        val orders = typed.flatMap { first -> (typed - first).flatMap { second -> listOf(listOf(first, second) + (typed - first - second)) } }
+        val orders = typed.flatMap { first ->
+            (typed - first).flatMap { second -> listOf(listOf(first, second) + (typed - first - second)) }
+        }
         assertEquals(6, orders.size)
         val gear = 50.0 / 60.0
         val track = begun.robot.drive.track * 360.0 / (320.0 * gear)
@@ -83,7 +85,11 @@ class RobotFieldsTest {
 
     @Test
     fun `a second trim is added to the first, and only one wheel is slowed down`() {
-        val begun = RobotEditing.of(ReadyRobots.CUTEBOT.let { it.copy(buggy = it.buggy?.copy(trim = WheelTrim(1.0, 0.97))) })
+        val begun = RobotEditing.of(
+            ReadyRobots.CUTEBOT.let {
+                it.copy(buggy = it.buggy?.copy(trim = WheelTrim(1.0, 0.97)))
+            },
+        )
         val right = begun.typed(SIDE, -3.0)
         val factor = 1 - 2 * 3.0 * 7.6 / 2500
         assertEquals(0.97 / factor, right.trim.right / right.trim.left, TRIM_TOLERANCE)

@@ -16,9 +16,9 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.program.BrickProgram
 import robotran.brick.state.RunState
 import robotran.hub.model.HubModel
-import robotran.microbit.model.MicrobitModel
 import robotran.language.Language
 import robotran.language.fuzz.Fuzzing
+import robotran.microbit.model.MicrobitModel
 import robotran.robolang.RobolangResult
 import robotran.robolang.compileRobolang
 import robotran.robolang.messages.RobolangMessages

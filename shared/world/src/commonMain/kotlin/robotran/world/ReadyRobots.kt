@@ -296,7 +296,11 @@ object ReadyRobots {
     )
 
     /** A Cutebot with a micro:bit V1. */
-    val CUTEBOT_V1 = CUTEBOT.copy(title = "Cutebot with micro:bit V1", brick = BrickKind.MICROBIT_V1, base = "cutebot-v1")
+    val CUTEBOT_V1 = CUTEBOT.copy(
+        title = "Cutebot with micro:bit V1",
+        brick = BrickKind.MICROBIT_V1,
+        base = "cutebot-v1",
+    )
 
     /** By the name in files. The first with a kind of brick is the penbot of that brick. */
     val all: Map<String, RobotDescription> =
@@ -366,7 +370,8 @@ private fun box(back: Double, front: Double, half: Double) =
 private fun lightDown(port: Int, at: Point) = SensorPart(port, SensorKind.LIGHT, at, height = 1.0, facing = Facing.Down)
 
 /** Half a centimetre over the floor. */
-private fun lineSensor(port: Int, at: Point) = SensorPart(port, SensorKind.LIGHT, at, height = 0.5, facing = Facing.Down)
+private fun lineSensor(port: Int, at: Point) =
+    SensorPart(port, SensorKind.LIGHT, at, height = 0.5, facing = Facing.Down)
 
 private fun sonar(port: Int, at: Point, height: Double, direction: Double) =
     SensorPart(port, SensorKind.ULTRASONIC, at, height, Facing.Ahead(direction))

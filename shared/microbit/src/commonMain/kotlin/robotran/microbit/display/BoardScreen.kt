@@ -11,11 +11,8 @@ import robotran.brick.state.isSameNumber
  * @property shown the text that the lights stand for; empty if they are off, or show a picture.
  * @property printed the newest lines of the program's output.
  */
-data class BoardScreen(
-    val lights: List<Int> = DARK,
-    val shown: String = "",
-    val printed: List<String> = emptyList(),
-) : Screen {
+data class BoardScreen(val lights: List<Int> = DARK, val shown: String = "", val printed: List<String> = emptyList()) :
+    Screen {
     override val lines: List<String> get() = listOf(shown)
 
     override val texts: List<String> get() = (lines + printed).map { it.trim() }.filter { it.isNotEmpty() }

@@ -10,6 +10,7 @@ import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.buggy.PenServo
 import robotran.microbit.display.BoardDisplay
 import robotran.microbit.log.MicrobitLogEntry
+import robotran.microbit.messages.MicrobitMeaning
 import robotran.microbit.messages.MicrobitMessages
 import robotran.microbit.messages.describe
 import robotran.microbit.model.MicrobitModel

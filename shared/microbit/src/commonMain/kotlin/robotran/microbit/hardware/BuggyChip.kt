@@ -1,7 +1,7 @@
 package robotran.microbit.hardware
 
-import robotran.microbit.buggy.BridgeWheels
 import robotran.microbit.buggy.BridgePins
+import robotran.microbit.buggy.BridgeWheels
 import robotran.microbit.buggy.Buggy
 import robotran.microbit.buggy.I2cServo
 import robotran.microbit.buggy.I2cWheels

@@ -1,7 +1,6 @@
 package robotran.microbit.messages
 
 import robotran.language.quoted
-import robotran.microbit.hardware.MicrobitMeaning
 import robotran.microbit.program.MicrobitCall
 import robotran.microbit.program.MicrobitNative
 

@@ -10,11 +10,8 @@ import robotran.microbit.buggy.MicrobitSensor
  * @property sensor what is there; null if nothing is.
  * @property value percent of light, or centimetres; 0 without a sensor.
  */
-data class MicrobitInput(
-    override val port: Int,
-    val sensor: MicrobitSensor? = null,
-    override val value: Int = 0,
-) : InputReading {
+data class MicrobitInput(override val port: Int, val sensor: MicrobitSensor? = null, override val value: Int = 0) :
+    InputReading {
     override val isActive: Boolean get() = sensor != null
     override val isPressed: Boolean get() = false
     override val distance: Int? get() = value.takeIf { sensor is MicrobitSensor.Sonar }

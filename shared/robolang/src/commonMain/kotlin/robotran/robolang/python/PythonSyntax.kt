@@ -46,11 +46,14 @@ object PythonSyntax : CodeSyntax {
             "async",
             "await",
             "break",
+            "class",
             "continue",
             "def",
             "elif",
             "else",
+            "except",
             "False",
+            "finally",
             "for",
             "from",
             "global",
@@ -64,6 +67,7 @@ object PythonSyntax : CodeSyntax {
             "raise",
             "return",
             "True",
+            "try",
             "while",
         )
     }

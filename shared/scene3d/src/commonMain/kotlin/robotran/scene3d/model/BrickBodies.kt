@@ -140,7 +140,9 @@ private fun microbitBody(
         val y = (place / LIGHTS - LIGHTS / 2) * LIGHT_STEP + LIGHTS_UP
         Round.plate(x - LIGHT, y - LIGHT, x + LIGHT, y + LIGHT, top, palette.sensorLamp)
     }
-    val buttons = listOf(-1, 1).map { round.disc(it * halfWidth * BOARD_SIDE, LIGHTS_UP, top, BOARD_BUTTON, palette.bumper) }
+    val buttons = listOf(-1, 1).map {
+        round.disc(it * halfWidth * BOARD_SIDE, LIGHTS_UP, top, BOARD_BUTTON, palette.bumper)
+    }
     val pins = List(LIGHTS) {
         round.disc((it - LIGHTS / 2) * PIN_STEP, PINS_DOWN - halfLength, top, BOARD_PIN, palette.orange)
     }

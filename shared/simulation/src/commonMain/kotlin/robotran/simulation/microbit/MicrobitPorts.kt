@@ -40,7 +40,9 @@ internal class MicrobitPorts(
     private var sonarBias = 0.0
     private var hasSonar = false
     private val sensors: List<Measuring> =
-        robot.microbitSensors.mapNotNull { (port, sensor) -> robot.partFor(port, sensor)?.let { measuring(it, sensor) } } +
+        robot.microbitSensors.mapNotNull { (port, sensor) ->
+            robot.partFor(port, sensor)?.let { measuring(it, sensor) }
+        } +
             own()
     private val commands = ::commandOf
 

@@ -48,7 +48,8 @@ internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = fals
         ),
         parts =
             cursor.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
-        buggy = cursor.optional("buggy")?.let { readBuggy(it, brick.isOnBuggy) } ?: like.buggy.takeIf { brick.isOnBuggy },
+        buggy =
+            cursor.optional("buggy")?.let { readBuggy(it, brick.isOnBuggy) } ?: like.buggy.takeIf { brick.isOnBuggy },
         base = base?.base,
         unknown = unknownOf(cursor),
     )

@@ -9,7 +9,6 @@ import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertNotEquals
 import kotlin.test.assertSame
-import kotlin.test.assertTrue
 
 class RobotParametersTest {
     private val penbot = ReadyRobots.RCX_PENBOT

@@ -120,10 +120,14 @@ class RobotFileTest {
 
     @Test
     fun `a buggy is read and written with all it has, and only a micro-bit has one`() {
-        val named = """{"format": "robotran-robot", "version": 1, "title": "B", "brick": "microbit", "buggy": {"kind": "maqueen"}}"""
+        val named = """{"format": "robotran-robot", "version": 1, "title": "B", "brick": "microbit", """ +
+            """"buggy": {"kind": "maqueen"}}"""
         assertEquals(BuggyMount(BuggyKind.MAQUEEN), loadedRobot(named).buggy)
         assertEquals(null, loadedRobot(named.replace("\"microbit\"", "\"nxt\"")).buggy)
-        assertEquals(BuggyPins.BRIDGE, loadedRobot(named.replace("\"maqueen\"", "\"plain\", \"pins\": {\"drive\": \"bridge\"}")).buggy?.pins)
+        assertEquals(
+            BuggyPins.BRIDGE,
+            loadedRobot(named.replace("\"maqueen\"", "\"plain\", \"pins\": {\"drive\": \"bridge\"}")).buggy?.pins,
+        )
         val pins = BuggyPins(
             PlainDrive.BRIDGE,
             left = listOf(12, 8),
@@ -166,8 +170,9 @@ class RobotFileTest {
         assertEquals("Line 9: mass must be from 0.1 to 5.", robotRefusal("\"mass\": 1.1", "\"mass\": 9"))
         assertEquals(
             "Line 5: like: There is no ready robot called \"judo\", only \"rcx-penbot\", \"nxt-penbot\", " +
-                "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", \"essential-rover\", \"technic-penbot\", \"ev3-penbot\", " +
-                "\"nxt-pybricks-penbot\", \"cutebot\", \"cutebot-pro\", \"maqueen\", \"maqueen-plus\", \"tiny-bit\", \"kitronik-penbot\", " +
+                "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", " +
+                "\"essential-rover\", \"technic-penbot\", \"ev3-penbot\", \"nxt-pybricks-penbot\", \"cutebot\", " +
+                "\"cutebot-pro\", \"maqueen\", \"maqueen-plus\", \"tiny-bit\", \"kitronik-penbot\", " +
                 "\"plain-buggy\" and \"cutebot-v1\".",
             robotRefusal("\"sumo\"", "\"judo\""),
         )

@@ -190,7 +190,7 @@ internal class MicrobitCommands(
 
     private fun tone(command: Command, hertz: Int, milliseconds: Int): List<String> {
         sounds(command)
-        return listOf("${uses.module("music")}.pitch($hertz, $milliseconds, wait=False)")
+        return listOf("${uses.module("music")}.pitch($hertz, $milliseconds, ${state.pin}wait=False)")
     }
 
     private fun sounds(command: Command) {
@@ -204,7 +204,7 @@ internal class MicrobitCommands(
         val time = numbers.ofTone(command.duration, durations)
         if (time == "0") return emptyList()
         val isSimple = time.toIntOrNull() != null && !context.isReacting
-        if (isSimple) return listOf("${uses.module("music")}.pitch($hertz, $time)")
+        if (isSimple) return listOf("${uses.module("music")}.pitch($hertz, $time, ${state.pin}".trimEnd(',', ' ') + ")")
         uses.use(if (context.isReacting) MicrobitHelper.WAIT else MicrobitHelper.PLAY)
         if (!context.isReacting) uses.import("microbit", "sleep")
         return listOf("${uses.use(MicrobitHelper.PLAY)}($hertz, $time)")

@@ -32,8 +32,8 @@ internal class MicrobitFigureLines(
         writer.line("POWERS = ($table)", note = "Percent for the powers 0 to 7.")
         val trim = robot.trim
         if (trim != WheelTrim.NONE) {
-            writer.line("TRIM_LEFT = ${trim.left}", note = "What slows down the faster wheel.")
-            writer.line("TRIM_RIGHT = ${trim.right}")
+            writer.line("TRIM_LEFT = ${figure(trim.left)}", note = "What slows down the faster wheel.")
+            writer.line("TRIM_RIGHT = ${figure(trim.right)}")
         }
         writer.line("left_power = right_power = ${MicrobitFigures.FIRST_POWER}")
     }

@@ -103,7 +103,7 @@ internal class MicrobitHelperTexts(
             "LOOK" to if (isReacting) "\n    look()" else "",
         )
 
-        MicrobitHelper.PLAY -> mapOf("WAIT" to if (isReacting) "wait" else "sleep")
+        MicrobitHelper.PLAY -> mapOf("PIN" to state.pin, "WAIT" to if (isReacting) "wait" else "sleep")
 
         MicrobitHelper.DISTANCE -> sonarPins().let { (trigger, echo) ->
             mapOf(

@@ -1,5 +1,6 @@
 package robotran.robolang.python.microbit
 
+import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.MotorCommand
@@ -10,7 +11,10 @@ import robotran.robolang.syntax.allExpressions
 import robotran.robolang.syntax.allStatements
 
 /** What a translation needs of figures and variables besides its functions. */
-internal class MicrobitState(tree: SyntaxTree) {
+internal class MicrobitState(tree: SyntaxTree, robot: RobotTarget.Microbit) {
+    /** What keeps the sound of a board with a loudspeaker off pin 0, where a buggy without a buzzer may have a motor. */
+    val pin: String = if (robot.model.hasSpeaker && robot.buggy.buzzer == null) "pin=None, " else ""
+
     private val commands = allStatements(tree).filterIsInstance<Command>()
 
     /** Whether the program changes powers, or turns one wheel alone: then each wheel's way and power is remembered. */

@@ -23,7 +23,7 @@ internal class MicrobitTarget(private val robot: RobotTarget.Microbit, private v
     PythonTarget {
     private val tree = context.tree
     private val uses = context.uses
-    private val state = MicrobitState(tree)
+    private val state = MicrobitState(tree, robot)
     private val wheels = MicrobitWheels(uses)
     private val readings = MicrobitReadings(robot, context, state, wheels)
     private val watched = WatchedVariables(context)

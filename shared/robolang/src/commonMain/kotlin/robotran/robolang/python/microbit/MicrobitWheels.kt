@@ -25,8 +25,11 @@ internal class MicrobitWheels(private val uses: PythonUses) {
     fun linesOf(wheels: Wheels): List<String> = when (wheels) {
         is I2cWheels -> wheels.frames.flatMap { frame ->
             val write = "${board("i2c")}.write(${hex(wheels.address)}, bytes([${bytesOf(frame)}]))"
-            listOf(write) + listOf("${board("sleep")}(${wheels.pauseMilliseconds})")
-                .filter { wheels.pauseMilliseconds > 0 }
+            if (wheels.pauseMilliseconds == 0) {
+                listOf(write)
+            } else {
+                listOf(write, "${uses.import("utime", "sleep_us")}(${wheels.pauseMilliseconds * MICROSECONDS})")
+            }
         }
 
         is ServoWheels -> {
@@ -86,6 +89,7 @@ internal class MicrobitWheels(private val uses: PythonUses) {
 
     companion object {
         private const val PERCENT = 100
+        private const val MICROSECONDS = 1000
         private const val HEXADECIMAL = 16
 
         /** [number] of a chip, as its maker writes it. */

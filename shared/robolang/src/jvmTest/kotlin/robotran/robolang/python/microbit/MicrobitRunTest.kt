@@ -34,12 +34,6 @@ class MicrobitRunTest {
         val all = complete.map { (name, it) ->
             compareOnBoard(name, programs.getValue(name), it.python, logs.getValue(name))
         }
-        (System.getenv("ROBOTRAN_PY") ?: "/tmp/hp/py").let { folder ->
-            for ((name, it) in complete) {
-                java.io.File(folder, name.replace('/', '_') + ".py").apply { parentFile.mkdirs() }
-                    .writeText("$pins\n${it.python}")
-            }
-        }
         val wrong = all.filter { it.isWrong }
         val report = report(programs.size, all, refused.map { it.second })
         println(report)

@@ -59,21 +59,29 @@ private fun board(): List<FrontShape> = listOf(
     }
 }
 
-private fun buggy(): List<FrontShape> = listOf(Rect(2f, 258f, 34f, 386f), Rect(230f, 258f, 262f, 386f)).flatMap { tyre ->
-    listOf(box(tyre, 10f, MicrobitColours.TYRE)) + List(TREADS) {
-        val y = tyre.top + TREAD_STEP * (it + 1)
-        FrontShape(FrontShape.Line(Offset(tyre.left + 5f, y), Offset(tyre.right - 5f, y), 3f), MicrobitColours.TREAD)
+private fun buggy(): List<FrontShape> =
+    listOf(Rect(2f, 258f, 34f, 386f), Rect(230f, 258f, 262f, 386f)).flatMap { tyre ->
+        listOf(box(tyre, 10f, MicrobitColours.TYRE)) + List(TREADS) {
+            val y = tyre.top + TREAD_STEP * (it + 1)
+            FrontShape(
+                FrontShape.Line(Offset(tyre.left + 5f, y), Offset(tyre.right - 5f, y), 3f),
+                MicrobitColours.TREAD,
+            )
+        }
+    } + listOf(
+        box(BUGGY, 22f, MicrobitColours.BUGGY_EDGE),
+        box(BUGGY.deflate(1.5f), 21f, MicrobitColours.BUGGY),
+        box(
+            Rect(BOARD.left - 4f, BOARD.bottom - 14f, BOARD.right + 4f, BOARD.bottom + 12f),
+            5f,
+            MicrobitColours.SOCKET,
+        ),
+    ) + listOf(EYE_LEFT, EYE_RIGHT).flatMap { x ->
+        listOf(
+            FrontShape(FrontShape.Disc(Offset(x, EYE_Y), EYE), MicrobitColours.SONAR),
+            FrontShape(FrontShape.Disc(Offset(x, EYE_Y), EYE - 5f), MicrobitColours.SONAR_DARK),
+        )
     }
-} + listOf(
-    box(BUGGY, 22f, MicrobitColours.BUGGY_EDGE),
-    box(BUGGY.deflate(1.5f), 21f, MicrobitColours.BUGGY),
-    box(Rect(BOARD.left - 4f, BOARD.bottom - 14f, BOARD.right + 4f, BOARD.bottom + 12f), 5f, MicrobitColours.SOCKET),
-) + listOf(EYE_LEFT, EYE_RIGHT).flatMap { x ->
-    listOf(
-        FrontShape(FrontShape.Disc(Offset(x, EYE_Y), EYE), MicrobitColours.SONAR),
-        FrontShape(FrontShape.Disc(Offset(x, EYE_Y), EYE - 5f), MicrobitColours.SONAR_DARK),
-    )
-}
 
 private fun buttonOf(button: MicrobitButton): FrontPart.Button = when (button) {
     MicrobitButton.A -> knob(button, Rect(31f, 138f, 85f, 192f), MicrobitTexts::buttonA, "A")

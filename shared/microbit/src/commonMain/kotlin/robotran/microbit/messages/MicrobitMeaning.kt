@@ -1,4 +1,4 @@
-package robotran.microbit.hardware
+package robotran.microbit.messages
 
 /** What a call to a chip or a pin has come to. */
 internal sealed interface MicrobitMeaning {
