@@ -1,7 +1,6 @@
 package robotran.projects
 
 import kotlinx.coroutines.test.runTest
-import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
 import robotran.brick.kind.WheelTrim
 import robotran.brick.state.RunState
@@ -122,7 +121,9 @@ class MicrobitRunTest {
     @Test
     fun `the distance sensor hears the wall, and a drive stops before it`() = runTest {
         val text = "show distance\nshow sensor 3\nstart forward\nwait until distance < 20\nstop\nshow distance\n"
-        val printed = calls(run(ReadyRobots.CUTEBOT, text)).filter { "print" in it }.map { it.substringAfter("print ").toInt() }
+        val printed = calls(run(ReadyRobots.CUTEBOT, text)).filter {
+            "print" in it
+        }.map { it.substringAfter("print ").toInt() }
         // From the sensor, 5.8 cm ahead of the wheels at 40, to the wall at 100.
         assertEquals(listOf(54, 54), printed.take(2))
         assertTrue(printed[2] in 17..19, "$printed")
@@ -130,8 +131,9 @@ class MicrobitRunTest {
 
     @Test
     fun `a Cutebot follows the edge of a line, which its sensors see as dark`() = runTest {
-        val follow = "power 2\nrepeat while timer < 6\n  if light < 50\n    motor A forward\n    motor C stop\n  else\n" +
-            "    motor A stop\n    motor C forward\n  end\n  wait 20 milliseconds\nend\n"
+        val follow =
+            "power 2\nrepeat while timer < 6\n  if light < 50\n    motor A forward\n    motor C stop\n  else\n" +
+                "    motor A stop\n    motor C forward\n  end\n  wait 20 milliseconds\nend\n"
         val line = Mark(MarkFigure.Line(listOf(Point(30.0, 40.0), Point(95.0, 40.0)), width = 2.0))
 
         fun atLine(world: World) =

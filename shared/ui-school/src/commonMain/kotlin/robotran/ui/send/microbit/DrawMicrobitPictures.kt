@@ -21,7 +21,7 @@ internal fun DrawScope.drawProgramToMicrobit(colours: RobotranColours) {
 
 /** MicroPython, and the program that goes into it. */
 internal fun DrawScope.drawNeedsMicroPython(colours: RobotranColours) {
-    drawSheet(Offset(12f, 26f), colours, lines = 5, size = Size(52f, 76f))
+    drawSheet(Offset(4f, 26f), colours, lines = 5, size = Size(62f, 76f))
     drawArrow(Offset(74f, 60f), Offset(94f, 60f), colours)
     drawSheet(Offset(104f, 10f), colours, isFirmware = true)
     drawQuestion(Offset(204f, 60f), colours)
