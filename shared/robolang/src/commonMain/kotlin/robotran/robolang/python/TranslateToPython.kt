@@ -5,6 +5,10 @@ import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.python.microbit.BoardRoom
 import robotran.robolang.python.microbit.MicrobitTarget
 import robotran.robolang.python.pybricks.PybricksTarget
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonFile
+import robotran.robolang.python.writer.PythonNotes
+import robotran.robolang.python.writer.PythonTarget
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.allStatements
 
@@ -54,7 +58,8 @@ private fun translateToPython(
     val taken = PythonFile(program, targetOf, PythonNotes(messages), emptySet()).apply { write() }.names
     val notes = PythonNotes(messages)
     val writer = PythonFile(program, targetOf, notes, taken).write()
-    return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, notes.inOrder())
+    val all = notes.inOrder().map { PythonNote(it.range, it.message, it.isLost) }
+    return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, all)
 }
 
 private fun fileNameOf(program: String): String =

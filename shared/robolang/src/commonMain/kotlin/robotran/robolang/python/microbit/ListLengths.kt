@@ -2,7 +2,7 @@ package robotran.robolang.python.microbit
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
-import robotran.robolang.python.ValueSources
+import robotran.robolang.python.writer.ValueSources
 import robotran.robolang.syntax.Expression
 
 /** How many elements lists have: none changes its length, so a variable's is that of what it is given. */

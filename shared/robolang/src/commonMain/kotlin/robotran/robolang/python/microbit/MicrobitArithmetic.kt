@@ -1,11 +1,11 @@
 package robotran.robolang.python.microbit
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonArithmetic
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonStrength
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.primary
+import robotran.robolang.python.writer.PythonArithmetic
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonStrength
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.primary
 import robotran.robolang.syntax.BuiltIn
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Name

@@ -2,8 +2,8 @@ package robotran.robolang.python.microbit
 
 import robotran.brick.controls.MotorPort
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.pythonString
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.pythonString
 import robotran.robolang.robot.Durations
 import robotran.robolang.robot.MicrobitFigures
 import robotran.robolang.robot.RobotTarget

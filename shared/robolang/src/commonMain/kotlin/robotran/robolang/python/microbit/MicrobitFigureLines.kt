@@ -1,8 +1,8 @@
 package robotran.robolang.python.microbit
 
 import robotran.brick.kind.WheelTrim
-import robotran.robolang.python.PythonUses
-import robotran.robolang.python.PythonWriter
+import robotran.robolang.python.writer.PythonUses
+import robotran.robolang.python.writer.PythonWriter
 import robotran.robolang.robot.MicrobitFigures
 import robotran.robolang.robot.RobotTarget
 

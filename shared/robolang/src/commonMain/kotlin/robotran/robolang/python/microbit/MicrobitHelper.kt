@@ -1,6 +1,6 @@
 package robotran.robolang.python.microbit
 
-import robotran.robolang.python.PythonHelper
+import robotran.robolang.python.writer.PythonHelper
 import robotran.robolang.template.sectionsOf
 import robotran.robolang.template.templates
 

@@ -3,7 +3,7 @@ package robotran.robolang.python.microbit
 import robotran.brick.kind.WheelTrim
 import robotran.microbit.buggy.I2cWheels
 import robotran.microbit.model.MicrobitButton
-import robotran.robolang.python.PythonContext
+import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.robot.MicrobitUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression

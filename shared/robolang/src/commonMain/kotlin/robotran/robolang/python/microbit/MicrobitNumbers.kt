@@ -1,8 +1,8 @@
 package robotran.robolang.python.microbit
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonStrength
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonStrength
 import robotran.robolang.robot.Durations
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue

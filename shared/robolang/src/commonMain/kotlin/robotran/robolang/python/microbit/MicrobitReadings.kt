@@ -7,10 +7,10 @@ import robotran.microbit.buggy.LineSensor
 import robotran.microbit.buggy.MicrobitSensor
 import robotran.microbit.buggy.PinLine
 import robotran.microbit.model.MicrobitButton
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonStrength
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.primary
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonStrength
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.primary
 import robotran.robolang.robot.MicrobitFigures
 import robotran.robolang.robot.MicrobitUses
 import robotran.robolang.robot.RobotTarget

@@ -1,8 +1,8 @@
 package robotran.robolang.python.microbit
 
 import robotran.microbit.model.MicrobitModel
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.withInner
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.withInner
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine

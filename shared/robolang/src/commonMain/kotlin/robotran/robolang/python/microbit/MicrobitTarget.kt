@@ -1,13 +1,13 @@
 package robotran.robolang.python.microbit
 
 import robotran.robolang.check.Symbol
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonHelper
-import robotran.robolang.python.PythonParts
-import robotran.robolang.python.PythonPlace
-import robotran.robolang.python.PythonTarget
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.PythonWriter
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonHelper
+import robotran.robolang.python.writer.PythonParts
+import robotran.robolang.python.writer.PythonPlace
+import robotran.robolang.python.writer.PythonTarget
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.PythonWriter
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression

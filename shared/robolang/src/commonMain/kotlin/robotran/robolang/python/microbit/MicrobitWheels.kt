@@ -13,7 +13,7 @@ import robotran.microbit.buggy.WheelSide
 import robotran.microbit.buggy.Wheels
 import robotran.microbit.program.MicrobitCall
 import robotran.microbit.program.MicrobitNative
-import robotran.robolang.python.PythonUses
+import robotran.robolang.python.writer.PythonUses
 
 /** Writes how a buggy is told the percents of its wheels, which are in `left` and `right`, and the angle of its servo. */
 internal class MicrobitWheels(private val uses: PythonUses) {

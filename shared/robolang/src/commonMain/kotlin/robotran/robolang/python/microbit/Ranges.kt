@@ -2,8 +2,8 @@ package robotran.robolang.python.microbit
 
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.ValueSources
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.ValueSources
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.BinaryOperator
 import robotran.robolang.syntax.Expression

@@ -2,7 +2,7 @@ package robotran.robolang.python.microbit
 
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.Uses
-import robotran.robolang.python.PythonContext
+import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.syntax.AssignTarget
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression

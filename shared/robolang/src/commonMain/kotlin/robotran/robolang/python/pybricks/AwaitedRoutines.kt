@@ -2,7 +2,7 @@ package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.CheckedProgram
 import robotran.robolang.check.Symbol
-import robotran.robolang.python.withInner
+import robotran.robolang.python.writer.withInner
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Sense

@@ -1,7 +1,7 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonWriter
-import robotran.robolang.python.withInner
+import robotran.robolang.python.writer.PythonWriter
+import robotran.robolang.python.writer.withInner
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.PenPosition
 import robotran.robolang.syntax.Statement

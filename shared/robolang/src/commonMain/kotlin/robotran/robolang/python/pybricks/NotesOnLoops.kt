@@ -1,7 +1,7 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonExpressions
-import robotran.robolang.python.PythonNotes
+import robotran.robolang.python.writer.PythonExpressions
+import robotran.robolang.python.writer.PythonNotes
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Statement

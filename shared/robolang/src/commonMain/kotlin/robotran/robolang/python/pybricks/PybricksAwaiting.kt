@@ -1,8 +1,8 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonStrength
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.primary
+import robotran.robolang.python.writer.PythonStrength
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.primary
 
 /** Awaits what takes time in a task. */
 internal class PybricksAwaiting {

@@ -1,8 +1,8 @@
 package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.pythonString
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.pythonString
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Command

@@ -3,9 +3,9 @@ package robotran.robolang.python.pybricks
 import robotran.brick.controls.MotorPort
 import robotran.hub.model.HubButton
 import robotran.hub.model.HubDeviceKind
-import robotran.robolang.python.PythonUses
-import robotran.robolang.python.PythonWriter
-import robotran.robolang.python.decimalFigure
+import robotran.robolang.python.writer.PythonUses
+import robotran.robolang.python.writer.PythonWriter
+import robotran.robolang.python.writer.decimalFigure
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget

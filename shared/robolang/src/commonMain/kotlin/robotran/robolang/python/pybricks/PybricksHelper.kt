@@ -1,7 +1,7 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonHelper
-import robotran.robolang.python.decimalFigure
+import robotran.robolang.python.writer.PythonHelper
+import robotran.robolang.python.writer.decimalFigure
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.fastestAhead

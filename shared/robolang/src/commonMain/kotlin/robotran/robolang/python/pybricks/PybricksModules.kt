@@ -1,6 +1,6 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonUses
+import robotran.robolang.python.writer.PythonUses
 
 /** `Port.A`, `Color.RED` and so on: [name] of a class of the parameters. */
 internal fun PythonUses.parameter(name: String): String {

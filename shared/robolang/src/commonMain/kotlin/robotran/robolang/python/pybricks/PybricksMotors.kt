@@ -1,7 +1,7 @@
 package robotran.robolang.python.pybricks
 
 import robotran.brick.controls.MotorPort
-import robotran.robolang.python.PythonContext
+import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.robot.speedAhead

@@ -1,8 +1,8 @@
 package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonStrength
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonStrength
 import robotran.robolang.robot.roundAsPython
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.NumberValue

@@ -1,8 +1,8 @@
 package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonPlace
-import robotran.robolang.python.PythonUses
+import robotran.robolang.python.writer.PythonPlace
+import robotran.robolang.python.writer.PythonUses
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Statement
 

@@ -4,10 +4,10 @@ import robotran.hub.model.HubButton
 import robotran.hub.model.HubDeviceKind
 import robotran.language.source.SourceRange
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonStrength
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.primary
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonStrength
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.primary
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BrickButton

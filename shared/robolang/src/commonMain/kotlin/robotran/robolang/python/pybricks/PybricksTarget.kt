@@ -2,14 +2,14 @@ package robotran.robolang.python.pybricks
 
 import robotran.robolang.check.Symbol
 import robotran.robolang.check.ValueType
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonHelper
-import robotran.robolang.python.PythonParts
-import robotran.robolang.python.PythonPlace
-import robotran.robolang.python.PythonTarget
-import robotran.robolang.python.PythonText
-import robotran.robolang.python.PythonWriter
-import robotran.robolang.python.primary
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonHelper
+import robotran.robolang.python.writer.PythonParts
+import robotran.robolang.python.writer.PythonPlace
+import robotran.robolang.python.writer.PythonTarget
+import robotran.robolang.python.writer.PythonText
+import robotran.robolang.python.writer.PythonWriter
+import robotran.robolang.python.writer.primary
 import robotran.robolang.robot.HubUses
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.BuiltIn

@@ -1,9 +1,9 @@
 package robotran.robolang.python.pybricks
 
-import robotran.robolang.python.PythonContext
-import robotran.robolang.python.PythonParts
-import robotran.robolang.python.PythonWriter
-import robotran.robolang.python.nameOfCondition
+import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.PythonParts
+import robotran.robolang.python.writer.PythonWriter
+import robotran.robolang.python.writer.nameOfCondition
 import robotran.robolang.syntax.Behaviour
 import robotran.robolang.syntax.Statement
 

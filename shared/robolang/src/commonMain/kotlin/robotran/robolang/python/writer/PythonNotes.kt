@@ -1,11 +1,11 @@
-package robotran.robolang.python
+package robotran.robolang.python.writer
 
 import robotran.language.source.SourceRange
 import robotran.robolang.messages.PythonTranslationMessages
 
 /** Collects what is lost or different: each sentence once, at the first place that it is about. */
 internal class PythonNotes(val messages: PythonTranslationMessages) {
-    private val lost = mutableListOf<PythonNote>()
+    private val lost = mutableListOf<WrittenNote>()
     private val told = LinkedHashMap<String, SourceRange>()
 
     /** How much is lost so far. */
@@ -16,7 +16,7 @@ internal class PythonNotes(val messages: PythonTranslationMessages) {
 
     /** Something is left out. */
     fun lost(range: SourceRange, message: String) {
-        lost += PythonNote(range, message, isLost = true)
+        lost += WrittenNote(range, message, isLost = true)
     }
 
     /** Something is different, or good to know. */
@@ -25,6 +25,9 @@ internal class PythonNotes(val messages: PythonTranslationMessages) {
         if (known == null || range.line < known.line) told[message] = range
     }
 
-    fun inOrder(): List<PythonNote> = (lost.distinct() + told.map { PythonNote(it.value, it.key, isLost = false) })
+    fun inOrder(): List<WrittenNote> = (lost.distinct() + told.map { WrittenNote(it.value, it.key, isLost = false) })
         .sortedWith(compareBy({ it.range.line }, { it.range.column }))
 }
+
+/** A [message] about [range]; whether it [isLost] that the Python does what is there. */
+internal data class WrittenNote(val range: SourceRange, val message: String, val isLost: Boolean)

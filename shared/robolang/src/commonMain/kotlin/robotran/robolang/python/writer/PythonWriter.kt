@@ -1,4 +1,4 @@
-package robotran.robolang.python
+package robotran.robolang.python.writer
 
 import robotran.robolang.syntax.Token
 import robotran.robolang.translate.CodeWriter

@@ -1,4 +1,4 @@
-package robotran.robolang.python
+package robotran.robolang.python.writer
 
 /** What a translation uses of modules and of its own helpers. */
 internal class PythonUses {

@@ -1,4 +1,4 @@
-package robotran.robolang.python
+package robotran.robolang.python.writer
 
 import robotran.language.source.SourceRange
 import robotran.robolang.syntax.Statement

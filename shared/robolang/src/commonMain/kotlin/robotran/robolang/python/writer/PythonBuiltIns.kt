@@ -1,4 +1,4 @@
-package robotran.robolang.python
+package robotran.robolang.python.writer
 
 import robotran.robolang.check.ValueType
 import robotran.robolang.syntax.BuiltIn
