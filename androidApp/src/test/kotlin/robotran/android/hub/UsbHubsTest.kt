@@ -13,7 +13,6 @@ import kotlinx.coroutines.withTimeout
 import org.junit.Assert.assertArrayEquals
 import org.junit.Assert.assertEquals
 import org.junit.Assert.assertFalse
-import org.junit.Assert.assertNull
 import org.junit.Assert.assertTrue
 import org.junit.Before
 import org.junit.Test
@@ -26,6 +25,7 @@ import robotran.android.tower.AndroidTowersTest.RecordedConnection
 import robotran.android.tower.usbDevice
 import robotran.android.tower.usbInterface
 import robotran.hublink.HubError
+import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubValue
@@ -58,14 +58,14 @@ class UsbHubsTest {
             HubDevice("packets", "EV3", HubWay.USB_PACKETS),
         )
         assertEquals(found, hubs.available().toSet())
-        assertEquals("packets", hubs.choose(HubWay.USB_PACKETS)?.id)
+        assertEquals("packets", (hubs.choose(HubWay.USB_PACKETS) as? ChosenHub.Chosen)?.device?.id)
     }
 
     @Test
     fun `a hub that is not allowed or unplugged is told`() = runBlocking {
         val hub = device("serial", product = 0x0009, listOf(CONTROL, DATA))
         assertEquals(OpenedHub.Failure(HubError.OutOfReach), hubs.open(SERIAL))
-        assertNull(hubs.choose(HubWay.USB_SERIAL))
+        assertEquals(ChosenHub.None, hubs.choose(HubWay.USB_SERIAL))
         plug(hub, isAllowed = false)
         assertEquals(emptyList<HubDevice>(), hubs.available())
         assertEquals(OpenedHub.Failure(HubError.NotAllowed), hubs.open(SERIAL))
