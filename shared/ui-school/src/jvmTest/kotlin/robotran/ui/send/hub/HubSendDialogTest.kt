@@ -80,10 +80,20 @@ class HubSendDialogTest {
             HubSendEvent.Stopped,
             HubSendEvent.PythonSaved,
             HubSendEvent.LineShown,
-            HubSendEvent.LineSwitched(isOn = false),
         )
         assertEquals(expected, events.toSet())
     }
+
+    @Test
+    fun `whether a program tells its lines is switched before it is sent, and when it is in the hub`() =
+        onSheet(411, 891) {
+            for (name in listOf("found", "found-low", "ready")) {
+                show(HUB_STEPS.getValue(name))
+                assertWhole(SendTags.SEND_LINE_SWITCH, name)
+                onNodeWithTag(SendTags.SEND_LINE_SWITCH).performClick()
+            }
+            assertEquals(List(3) { HubSendEvent.LineSwitched(isOn = false) }, events)
+        }
 
     @Test
     fun `a hub in the list is chosen by a touch, and hubs are looked for by each way`() = onSheet(411, 891) {
@@ -216,7 +226,6 @@ class HubSendDialogTest {
             SendTags.SEND_SHOW_MISTAKE,
             SendTags.SEND_SHOW_LINE,
             SendTags.SEND_CONFIRM,
-            SendTags.SEND_LINE_SWITCH,
             SendTags.SEND_SAVE_PYTHON,
             SendTags.SEND_START,
             SendTags.SEND_STOP,
