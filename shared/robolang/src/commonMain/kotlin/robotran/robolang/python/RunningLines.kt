@@ -2,6 +2,7 @@ package robotran.robolang.python
 
 import robotran.robolang.RobolangProgram
 import robotran.robolang.check.CheckedProgram
+import robotran.robolang.python.writer.withInner
 import robotran.robolang.syntax.Statement
 import robotran.robolang.template.fillIn
 import robotran.robolang.template.sectionsOf
