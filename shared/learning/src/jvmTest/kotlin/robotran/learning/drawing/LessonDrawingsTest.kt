@@ -44,8 +44,7 @@ class LessonDrawingsTest {
     }
 
     /** A lesson on another brick has one if it has a world of its own there; hubs have that of the brick they are like. */
-    private fun Lesson.hasOwnDrawing(plain: Lesson) =
-        this === plain || (brick.java != null && drawing != plain.drawing)
+    private fun Lesson.hasOwnDrawing(plain: Lesson) = this === plain || (brick.java != null && drawing != plain.drawing)
 
     private fun fileOf(lesson: Lesson, version: Lesson): String {
         val folder = lessonTexts.keys.map { it.substringBeforeLast('/') }

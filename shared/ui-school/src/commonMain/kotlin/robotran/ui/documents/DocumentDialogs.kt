@@ -23,7 +23,7 @@ fun DocumentDialogs(
 ) {
     when (val dialog = state.dialog) {
         null -> Unit
-        DocumentDialog.RobotChoice -> RobotChoiceDialog(onEvent)
+        is DocumentDialog.RobotChoice -> RobotChoiceDialog(dialog.board, onEvent)
         is DocumentDialog.Renaming -> RenameDialog(dialog, onEvent)
         is DocumentDialog.ProjectList -> ProjectsDialog(dialog, noticeText, onEvent)
         is DocumentDialog.SharingLink -> ShareLinkDialog(dialog, state.hasShareSheet, onEvent)

@@ -12,11 +12,7 @@ import androidx.compose.foundation.layout.heightIn
 import androidx.compose.foundation.layout.padding
 import androidx.compose.foundation.layout.width
 import androidx.compose.runtime.Composable
-import androidx.compose.runtime.getValue
-import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.remember
-import androidx.compose.runtime.saveable.rememberSaveable
-import androidx.compose.runtime.setValue
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.unit.dp
@@ -42,33 +38,36 @@ import robotran.world.geometry.Pose
 /**
  * "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. A board has
  * a second question: which buggy carries it.
+ *
+ * @param board the one whose buggy is asked for; null for the first question.
  */
 @Composable
-internal fun RobotChoiceDialog(onEvent: (DocumentEvent) -> Unit) {
-    var board by rememberSaveable { mutableStateOf<BrickKind?>(null) }
+internal fun RobotChoiceDialog(board: BrickKind?, onEvent: (DocumentEvent) -> Unit) {
     val close = { onEvent(DocumentEvent.DialogClosed) }
-    val asked = board
     Dialog(
-        if (asked == null) HubTexts.whichRobot(spoken) else HubTexts.whichBuggy(spoken),
+        if (board == null) HubTexts.whichRobot(spoken) else HubTexts.whichBuggy(spoken),
         close,
         buttons = {
-            if (asked != null) {
-                Button(ExportTexts.back(spoken), DocumentTags.ROBOT_BACK, ButtonKind.DIALOG_OTHER) { board = null }
+            if (board != null) {
+                Button(ExportTexts.back(spoken), DocumentTags.ROBOT_BACK, ButtonKind.DIALOG_OTHER) {
+                    onEvent(DocumentEvent.RobotChoiceRequested)
+                }
             }
             Button(DocumentTexts.cancel(spoken), DocumentTags.DOCUMENT_CANCEL, ButtonKind.DIALOG_OTHER, onClick = close)
         },
     ) {
-        if (asked == null) Bricks(onEvent) { board = it } else Buggies(asked, onEvent)
+        if (board == null) Bricks(onEvent) else Buggies(board, onEvent)
     }
 }
 
-/** @param onBoard is told of a board, which several buggies carry. */
 @Composable
-private fun Bricks(onEvent: (DocumentEvent) -> Unit, onBoard: (BrickKind) -> Unit) = Cards {
+private fun Bricks(onEvent: (DocumentEvent) -> Unit) = Cards {
     for (brick in BrickKind.entries) {
         val robot = ReadyRobots.defaultOf(brick)
         RobotCard(robot, HubTexts.robotWith(spoken, brick), DocumentTags.robot(brick)) {
-            if (brick.isOnBuggy) onBoard(brick) else onEvent(DocumentEvent.NewWithBrick(brick))
+            onEvent(
+                if (brick.isOnBuggy) DocumentEvent.BuggyChoiceRequested(brick) else DocumentEvent.NewWithBrick(brick),
+            )
         }
     }
 }

@@ -184,7 +184,9 @@ class ProjectMenuTest {
     }
 
     private fun ComposeUiTest.chooseBuggy(buggy: BuggyKind) {
-        onNodeWithTag(DocumentTags.robot(buggy)).assertTextContains(buggy.label, substring = true).performScrollTo().assertWidthIsAtLeast(48.dp)
+        onNodeWithTag(
+            DocumentTags.robot(buggy),
+        ).assertTextContains(buggy.label, substring = true).performScrollTo().assertWidthIsAtLeast(48.dp)
             .assertHeightIsAtLeast(48.dp).performClick()
     }
 

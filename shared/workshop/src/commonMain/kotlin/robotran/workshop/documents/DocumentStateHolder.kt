@@ -78,7 +78,8 @@ class DocumentStateHolder(
     fun handle(event: DocumentEvent) {
         when (event) {
             DocumentEvent.NewRequested -> beginNew(BuiltInWorlds.plain)
-            DocumentEvent.RobotChoiceRequested -> view.show(DocumentDialog.RobotChoice)
+            DocumentEvent.RobotChoiceRequested -> view.show(DocumentDialog.RobotChoice())
+            is DocumentEvent.BuggyChoiceRequested -> view.show(DocumentDialog.RobotChoice(event.board))
             is DocumentEvent.NewWithBrick -> beginNew(plainWith(event.brick, event.buggy))
             DocumentEvent.OpenRequested -> launch { opener.choose() }
             is DocumentEvent.FilesBrought -> launch { opener.open(event.files) }

@@ -17,6 +17,9 @@ sealed interface DocumentEvent : WorkshopEvent {
     /** Asks which robot a new project shall have. */
     data object RobotChoiceRequested : DocumentEvent
 
+    /** Asks which buggy shall carry the [board] of a new project. */
+    data class BuggyChoiceRequested(val board: BrickKind) : DocumentEvent
+
     /** Opens a new project whose robot is the penbot with a [brick], or a [buggy] that carries it. */
     data class NewWithBrick(val brick: BrickKind, val buggy: BuggyKind? = null) : DocumentEvent
 

@@ -1,6 +1,7 @@
 package robotran.workshop.state
 
 import androidx.compose.runtime.Immutable
+import robotran.brick.kind.BrickKind
 import robotran.documents.OpenFilesError
 import robotran.documents.ProjectSummary
 import robotran.projects.Project
@@ -56,8 +57,12 @@ sealed interface AutosaveError {
 
 /** A dialog about the document. */
 sealed interface DocumentDialog {
-    /** Which robot a new project shall have. */
-    data object RobotChoice : DocumentDialog
+    /**
+     * Which robot a new project shall have.
+     *
+     * @property board what shall be plugged into a buggy, which is asked for; null while the brick is asked for.
+     */
+    data class RobotChoice(val board: BrickKind? = null) : DocumentDialog
 
     /** @property name the current name of the project. */
     data class Renaming(val name: String) : DocumentDialog
