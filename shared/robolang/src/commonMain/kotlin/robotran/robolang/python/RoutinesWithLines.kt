@@ -1,9 +1,9 @@
 package robotran.robolang.python
 
+import robotran.robolang.python.writer.withInner
 import robotran.robolang.syntax.Command
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
-import robotran.robolang.python.writer.withInner
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.SyntaxTree
 import robotran.robolang.syntax.expressions
