@@ -55,7 +55,7 @@ internal class MicrobitFace(private val model: MicrobitModel) : BrickFace {
         val plugged = remember(robot) { robot.parts.firstOrNull { it.port == port.port } }
         val value = valueText(port, plugged?.kind).takeIf { port.sensor != null }
         val name = plugged?.kind?.words(spoken) ?: RunTexts.sensorNone(spoken)
-        val sensor = CommonTexts.sensor(spoken, port.port, name)
+        val sensor = CommonTexts.sensor(spoken, "${port.port}", name)
         val icon = plugged?.let { part ->
             PortItem.Sign(ICON, ICON) { ink -> drawSensorIcon(part.kind, false, ink, null) }
         }
