@@ -7,7 +7,7 @@ import { MICROPYTHON, MICROPYTHON_FOR_BOTH, mainIn, plugIn } from '../microbit.m
 import { photograph } from '../page.mjs';
 import { ends } from '../send.mjs';
 import { onPage, PHONE } from '../set-up.mjs';
-import { appears, choose, disappears, pointAtTool, press, reports, says, tap } from '../words.mjs';
+import { appears, choose, disappears, isSaid, pointAtTool, press, reports, says, tap } from '../words.mjs';
 
 const LAPTOP = { width: 1366, height: 768 };
 
@@ -67,6 +67,9 @@ test('from "which robot" to a saved file, by touch, in Spanish, with the program
     await appears(page, 'robot-microbit');
     await photograph(page, 'microbit-which-robot');
     await tap(page, 'robot-microbit');
+    await appears(page, 'buggy-maqueen');
+    await photograph(page, 'microbit-which-buggy');
+    await tap(page, 'buggy-cutebot');
     await tap(page, 'run');
     await reports(page, (now) => now.status === 'ended' && now.inkCentimetres > 70);
     await photograph(page, 'microbit-drawn');
@@ -134,7 +137,7 @@ test('a file that is cancelled, one that breaks off, and one that is whole', () 
     await photograph(page, 'microbit-laptop-sending');
     await press(page, 'send-cancel');
     await ends(page, /Cancelled/);
-    await says(page, 'send-sheet', /may have no whole program/);
+    await isSaid(page, /may have no whole program/);
     await photograph(page, 'microbit-laptop-cancelled');
     await page.evaluate(() => {
       globalThis.board.loseAfter = 400;

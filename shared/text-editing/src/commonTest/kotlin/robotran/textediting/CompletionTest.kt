@@ -92,7 +92,7 @@ class CompletionTest {
         assertEquals(listOf("light sensor on 2 facing down"), labels("robot\n  li|\nend"))
         assertEquals(listOf("sonar on 4", "sound sensor on 2"), labels("robot\n  brick nxt\n  so|\nend"))
         assertEquals(
-            listOf("rcx", "nxt", "spike", "essential", "technic", "ev3"),
+            listOf("rcx", "nxt", "spike", "essential", "technic", "ev3", "microbit"),
             labels("robot\n  brick |\nend", isExplicit = true),
         )
     }

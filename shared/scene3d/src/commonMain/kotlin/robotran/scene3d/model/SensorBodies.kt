@@ -16,9 +16,9 @@ internal class SensorBodies(
     /** Half of the width of a high sensor. */
     fun halfOf(kind: SensorKind): Double = if (kind == SensorKind.ULTRASONIC) 2.3 else 1.2
 
-    /** A small sensor near the floor, from [back] to [front]. */
-    fun low(back: Double, front: Double): Body = prism(
-        ConvexPolygon.rectangle(back, -LOW_HALF, front, LOW_HALF),
+    /** A small sensor near the floor, from [back] to [front], as wide as twice [half]. */
+    fun low(back: Double, front: Double, half: Double): Body = prism(
+        ConvexPolygon.rectangle(back, -half, front, half),
         LOWEST,
         RobotPlan3D.CHASSIS_BOTTOM,
         when (case) {

@@ -59,18 +59,19 @@ internal class SensorSeats(
     }
 
     private fun low(part: SensorPart): SeatedSensor? {
-        val half = SensorBodies.LOW_HALF
+        // Those of a buggy are chips on its board, with little more than a centimetre between their middles.
+        val half = if (robot.brick.isOnBuggy) CHIP_HALF else SensorBodies.LOW_HALF
         val isOutside = part.at.x > box.right || part.at.x < box.left
         if (isOutside) {
             val ahead = part.at.x > 0
             val back = if (ahead) maxOf(-half, box.right + GAP - part.at.x) else -half
             val front = if (ahead) half else minOf(half, box.left - GAP - part.at.x)
             if (front - back < THINNEST) return null
-            return SeatedSensor(SensorLevel.OUTSIDE, bodies.low(back, front), placeOf(part.at.x, part.at.y, 0.0))
+            return SeatedSensor(SensorLevel.OUTSIDE, bodies.low(back, front, half), placeOf(part.at.x, part.at.y, 0.0))
         }
         val x = part.at.x.coerceIn(box.left + half + GAP, box.right - half - GAP)
         if (!Box(x - half, part.at.y - half, x + half, part.at.y + half).isIn(hull)) return null
-        return SeatedSensor(SensorLevel.BELOW_CHASSIS, bodies.low(-half, half), placeOf(x, part.at.y, 0.0))
+        return SeatedSensor(SensorLevel.BELOW_CHASSIS, bodies.low(-half, half, half), placeOf(x, part.at.y, 0.0))
     }
 
     private fun high(part: SensorPart): SeatedSensor? {
@@ -137,6 +138,7 @@ internal class SensorSeats(
         private const val TURNING_BACK = -1.2
         private const val TURNING_HALF = 1.8
         private const val THINNEST = 0.4
+        private const val CHIP_HALF = 0.4
         private const val QUARTER_TURN = 90.0
     }
 }
