@@ -43,7 +43,7 @@ function boardInPage({
   const CHECKSUM = v1 ? 18 : 21;
   const INTERNAL = 2;
 
-  const board = { hex: null, main: null, starts: 0, questions: 0, pieces: 0, isPlugged: true, loseAfter, refuse };
+  const board = { hex: null, main: null, starts: 0, questions: 0, pieces: 0, isPlugged: true, loseAfter, refuse, pieceTakes };
   globalThis.board = board;
   board.print = (line) => print(`${line}\r\n`);
   const text = (words) => [...new TextEncoder().encode(words)];
@@ -209,7 +209,7 @@ function boardInPage({
     refuseIfGone();
     const bytes = [...new Uint8Array(packet.buffer ?? packet)];
     if (bytes.length !== PACKET) throw new Error(`A packet has ${bytes.length} bytes.`);
-    await pause(bytes[0] === STREAM ? pieceTakes : 0);
+    await pause(bytes[0] === STREAM ? board.pieceTakes : 0);
     refuseIfGone();
     const padded = [bytes[0], ...answer(bytes)];
     while (padded.length < PACKET) padded.push(0);

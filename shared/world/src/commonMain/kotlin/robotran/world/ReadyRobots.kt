@@ -179,7 +179,7 @@ object ReadyRobots {
         drive = BUGGY_DRIVE.copy(wheelDiameter = 3.6, track = 7.6),
         casters = listOf(Point(4.8, 0.0)),
         pen = PenMount(MotorPort.B),
-        brickAt = BrickMount(Point(1.5, 0.0)),
+        brickAt = BrickMount(Point(2.5, 0.0)),
         parts = listOf(
             lineSensor(1, Point(4.2, 0.58)),
             lineSensor(2, Point(4.2, -0.58)),
@@ -210,7 +210,7 @@ object ReadyRobots {
         chassis = Chassis(box(-2.0, 5.9, 2.6), height = 5.0, mass = 0.13, massAt = Point(1.2, 0.0)),
         drive = BUGGY_DRIVE.copy(wheelDiameter = 4.2, track = 6.2),
         casters = listOf(Point(4.9, 0.0)),
-        brickAt = BrickMount(Point(1.9, 0.0)),
+        brickAt = BrickMount(Point(2.4, 0.0)),
         parts = listOf(
             lineSensor(1, Point(3.5, 0.6)),
             lineSensor(2, Point(3.5, -0.6)),
@@ -273,7 +273,7 @@ object ReadyRobots {
         chassis = Chassis(box(-3.5, 6.5, 3.6), height = 5.0, mass = 0.25, massAt = Point(1.0, 0.0)),
         drive = BUGGY_DRIVE.copy(wheelDiameter = 5.5, wheelWidth = 1.0, track = 8.4),
         casters = listOf(Point(5.0, 0.0)),
-        brickAt = BrickMount(Point(1.5, 0.0)),
+        brickAt = BrickMount(Point(2.5, 0.0)),
         parts = listOf(
             lineSensor(1, Point(4.5, 0.6)),
             lineSensor(2, Point(4.5, -0.6)),
@@ -289,7 +289,7 @@ object ReadyRobots {
         chassis = Chassis(box(-3.0, 6.0, 3.6), height = 5.0, mass = 0.2, massAt = Point(1.0, 0.0)),
         drive = BUGGY_DRIVE.copy(wheelDiameter = 6.0, wheelWidth = 1.0, track = 9.0),
         casters = listOf(Point(5.0, 0.0)),
-        brickAt = BrickMount(Point(1.5, 0.0)),
+        brickAt = BrickMount(Point(2.5, 0.0)),
         parts = emptyList(),
         buggy = BuggyMount(BuggyKind.PLAIN, pins = BuggyPins.SERVOS.copy(pen = 0)),
         base = "plain-buggy",
