@@ -152,6 +152,8 @@ test('a file that is cancelled, one that breaks off, and one that is whole', () 
       globalThis.board.plugIn();
     });
     await press(page, 'send-again');
+    // It is connected anew, so the board is shown before anything is sent.
+    await press(page, 'send-confirm');
     await page.waitForFunction(() => globalThis.board.hex !== null);
     await ends(page, /press A/);
     assert.match(mainIn((await board(page)).hex), /from microbit import/);
