@@ -174,6 +174,7 @@ class StringsTest {
             "bit",
             "Kitronik",
             "MOVE",
+            "micro",
             "Buggy",
             "Servos",
             "logo",
