@@ -29,6 +29,7 @@ texts {
     blocks("commonTest", "robotran.robolang.documentedPrograms", "docs", "*.md", "robolang")
     blocks("commonTest", "robotran.robolang.documentedTranslations", "docs", "*.md", "java translation")
     blocks("commonTest", "robotran.robolang.documentedPython", "docs", "*.md", "python translation")
+    blocks("commonTest", "robotran.robolang.documentedBoardPrograms", "docs", "*.md", "robolang microbit")
     blocks("commonTest", "robotran.robolang.documentedBoardPython", "docs", "*.md", "python microbit")
     blocks("commonTest", "robotran.robolang.documentedGrammar", "docs", "robolang.md", "ebnf")
     constant("commonTest", "robotran.robolang.documents", "docs", "robolang.md")

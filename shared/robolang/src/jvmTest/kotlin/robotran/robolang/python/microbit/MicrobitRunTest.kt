@@ -1,6 +1,7 @@
 package robotran.robolang.python.microbit
 
 import robotran.language.Language
+import robotran.robolang.documentedBoardPrograms
 import robotran.robolang.documentedPrograms
 import robotran.robolang.examplePrograms
 import robotran.robolang.lessonPrograms
@@ -75,7 +76,7 @@ class MicrobitRunTest {
 
     private companion object {
         val messages = PythonTranslationMessages.of(Language.ENGLISH)
-        val sources = testPrograms + documentedPrograms + examplePrograms + lessonPrograms
+        val sources = testPrograms + documentedPrograms + documentedBoardPrograms + examplePrograms + lessonPrograms
 
         /** What differs and is meant to, or cannot be seen here. */
         val KNOWN = mapOf(

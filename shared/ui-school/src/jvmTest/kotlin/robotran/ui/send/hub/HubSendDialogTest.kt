@@ -92,7 +92,7 @@ class HubSendDialogTest {
                 assertWhole(SendTags.SEND_LINE_SWITCH, name)
                 onNodeWithTag(SendTags.SEND_LINE_SWITCH).performClick()
             }
-            assertEquals(List(3) { HubSendEvent.LineSwitched(isOn = false) }, events)
+            assertEquals<List<HubSendEvent>>(List(3) { HubSendEvent.LineSwitched(isOn = false) }, events)
         }
 
     @Test
