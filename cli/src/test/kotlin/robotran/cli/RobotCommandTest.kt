@@ -10,9 +10,9 @@ class RobotCommandTest : CommandTest() {
     @Test
     fun `the robots that come with Robotran have no mistakes`() {
         val files = tree.resolve("worlds").listFiles { file -> file.name.endsWith(".robot.json") }.orEmpty().sorted()
-        assertEquals(11, files.size)
+        assertEquals(19, files.size)
         assertEquals(0, check(*files.map { it.path }.toTypedArray()))
-        assertEquals(11, console.said.size)
+        assertEquals(19, console.said.size)
         assertContains(console.said.toString(), "It is the robot \"Sumo robot\" with an NXT.")
     }
 

@@ -1,5 +1,6 @@
 package robotran.cli.messages
 
+import robotran.brick.kind.BrickKind
 import robotran.cli.console.messages
 import robotran.language.Language
 import java.lang.reflect.Method
@@ -50,6 +51,7 @@ class CommandMessagesTest {
             String::class.java -> "marker$number"
             Int::class.javaPrimitiveType -> 7001 + number
             Long::class.javaPrimitiveType -> 7001L + number
+            BrickKind::class.java -> BrickKind.default
             List::class.java -> listOf("marker$number-a", "marker$number-b")
             else -> error("No argument of type $type is known.")
         }
