@@ -46,11 +46,12 @@ class CommandMessagesTest {
             if (it is List<*>) it.joinToString() else "$it"
         }
 
+    /** Numbers are below a thousand, since languages group digits in their own ways. */
     private fun argumentsOf(message: Method): List<Any> = message.parameterTypes.mapIndexed { number, type ->
         when (type) {
             String::class.java -> "marker$number"
-            Int::class.javaPrimitiveType -> 7001 + number
-            Long::class.javaPrimitiveType -> 7001L + number
+            Int::class.javaPrimitiveType -> 701 + number
+            Long::class.javaPrimitiveType -> 701L + number
             BrickKind::class.java -> BrickKind.default
             List::class.java -> listOf("marker$number-a", "marker$number-b")
             else -> error("No argument of type $type is known.")
