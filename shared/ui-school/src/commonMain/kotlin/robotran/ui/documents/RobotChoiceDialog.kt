@@ -15,6 +15,7 @@ import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
+import androidx.compose.ui.platform.LocalDensity
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
@@ -34,6 +35,7 @@ import robotran.world.ReadyRobots
 import robotran.world.RobotDescription
 import robotran.world.RobotPlacement
 import robotran.world.geometry.Pose
+import kotlin.math.max
 
 /**
  * "Which robot do you have?": a picture of the ready robot with each brick, which begins a project with it. A board has
@@ -93,7 +95,9 @@ private fun Cards(content: @Composable () -> Unit) = FlowRow(
 @Composable
 private fun RobotCard(robot: RobotDescription, name: String, tag: String, onClick: () -> Unit) {
     val colours = LocalRobotranColours.current
-    CardButton(tag, onClick, Modifier.width(CARD_WIDTH)) {
+    // The longest words of names have room in large text, too.
+    val width = CARD_WIDTH * max(LocalDensity.current.fontScale, 1f)
+    CardButton(tag, onClick, Modifier.width(width)) {
         Column {
             RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
