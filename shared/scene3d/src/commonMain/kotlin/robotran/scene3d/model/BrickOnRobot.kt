@@ -49,8 +49,8 @@ internal class BrickOnRobot(
     )
     val beacon: Body? = if (build.beacon > 0) beaconBody(palette, round, seat.middle.x) else null
 
-    /** Those of the wheels, behind the axle, unless the brick lies over them. */
-    val motors: List<Body> = if (seat.middle.x - seat.halfAlong < MOTOR_FRONT) {
+    /** Those of the wheels, behind the axle, unless the brick lies over them; a buggy has small ones below its board. */
+    val motors: List<Body> = if (robot.brick.isOnBuggy || seat.middle.x - seat.halfAlong < MOTOR_FRONT) {
         emptyList()
     } else {
         val back = maxOf(MOTOR_BACK, robot.chassis.outline.minOf { it.x } + GAP)
