@@ -38,7 +38,8 @@ class RobotPlanTest {
             for (eye in plan.eyes) {
                 val tile = Rect(eye, RobotPlan.EYE_RADIUS)
                 assertTrue(plan.sensors.none { it.box.overlaps(tile) }, "$name: $eye")
-                assertTrue(plan.brick.box.overlaps(tile), name)
+                // A board is hardly wider than a sonar: there the eyes stand beside it, on the buggy.
+                assertTrue(plan.brick.box.overlaps(tile) || robot.brick.isOnBuggy, name)
             }
         }
     }
