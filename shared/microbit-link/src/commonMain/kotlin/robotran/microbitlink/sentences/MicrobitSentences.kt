@@ -38,7 +38,7 @@ fun BoardError.sentence(language: Language): String = when (this) {
 }
 
 /** What an error number means, and what to do about it: for one that somebody has read off the board. */
-fun FlashErrorKind.sentence(language: Language): String = MicrobitTexts.refusal(language, this)
+fun FlashErrorKind.sentence(language: Language): String = MicrobitTexts.flashError(language, this)
 
 /** What the board has now. */
 fun Remains.sentence(language: Language): String = MicrobitTexts.remains(language, this)

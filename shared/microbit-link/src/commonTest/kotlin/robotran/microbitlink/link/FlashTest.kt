@@ -15,7 +15,7 @@ import robotran.microbitlink.files.MAIN_FILE
 import robotran.microbitlink.madeUp
 import robotran.microbitlink.madeUpForBoth
 import robotran.microbitlink.simulated.CableFaults
-import robotran.microbitlink.simulated.Refusal
+import robotran.microbitlink.simulated.InjectedError
 import robotran.microbitlink.value
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
@@ -92,7 +92,7 @@ class FlashTest {
     @Test
     fun `what a board refuses once is sent again`() = runTest {
         for (at in listOf(1, 7, 60)) {
-            val test = TestBoard(this, faults = CableFaults(refusal = Refusal(number = 21, at = at)))
+            val test = TestBoard(this, faults = CableFaults(injectedError = InjectedError(number = 21, at = at)))
             test.open()
             assertEquals(SendResult.Success(attempts = 2), test.link.flash(madeUpForBoth, program), "at $at")
             assertEquals(whole(MicrobitBoard.V2), test.text)
@@ -101,11 +101,12 @@ class FlashTest {
 
     @Test
     fun `what a board refuses for good is told with its number`() = runTest {
-        val lasting = TestBoard(this, faults = CableFaults(refusal = Refusal(number = 29, at = 1)))
+        val lasting = TestBoard(this, faults = CableFaults(injectedError = InjectedError(number = 29, at = 1)))
         lasting.open()
         val other = SendResult.Failure(BoardError.Refused(29, FlashErrorKind.OTHER_BOARD), Remains.PART)
         assertEquals(other, lasting.link.flash(madeUpForBoth, program))
-        val always = TestBoard(this, faults = CableFaults(refusal = Refusal(number = 17, at = 1, times = 1_000)))
+        val always =
+            TestBoard(this, faults = CableFaults(injectedError = InjectedError(number = 17, at = 1, times = 1_000)))
         always.open()
         val writing = SendResult.Failure(BoardError.Refused(17, FlashErrorKind.WRITING), Remains.PART)
         assertEquals(writing, always.link.flash(madeUpForBoth, program))
@@ -113,7 +114,12 @@ class FlashTest {
 
     @Test
     fun `the same number is the end on an old board and an error on a new one`() = runTest {
-        val old = TestBoard(this, MicrobitBoard.V1, CableFaults(refusal = Refusal(number = 16, at = 3, times = 9)))
+        val old =
+            TestBoard(
+                this,
+                MicrobitBoard.V1,
+                CableFaults(injectedError = InjectedError(number = 16, at = 3, times = 9)),
+            )
         old.open()
         // In the middle of a file, no end is the end.
         assertTrue(old.link.flash(madeUpForBoth, program) is SendResult.Failure)

@@ -11,7 +11,7 @@ import robotran.microbitlink.SendResult
 import robotran.microbitlink.files.MAIN_FILE
 import robotran.microbitlink.madeUpForBoth
 import robotran.microbitlink.simulated.CableFaults
-import robotran.microbitlink.simulated.Refusal
+import robotran.microbitlink.simulated.InjectedError
 import robotran.microbitlink.value
 import kotlin.random.Random
 import kotlin.test.Test
@@ -84,7 +84,7 @@ class SendPropertiesTest {
         longestDelay = listOf(1, 3, 20, 400, 3_000).random(random).milliseconds,
         packetsUntilUnplugged = random.nextInt(1, 150).takeIf { random.nextInt(5) == 0 },
         doesLast = random.nextBoolean(),
-        refusal = Refusal(random.nextInt(1, 40), random.nextInt(1, 80), random.nextInt(1, 4))
+        injectedError = InjectedError(random.nextInt(1, 40), random.nextInt(1, 80), random.nextInt(1, 4))
             .takeIf { random.nextInt(5) == 0 },
     )
 

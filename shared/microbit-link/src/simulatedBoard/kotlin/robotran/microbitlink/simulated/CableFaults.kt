@@ -12,7 +12,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * @param longestDelay of a packet, one way.
  * @param packetsUntilUnplugged commands before the board is unplugged; null for never.
  * @param doesLast whether the board still gets the command at which it is unplugged.
- * @param refusal what the board says to one command of a stream instead of writing.
+ * @param injectedError what the board says to one command of a stream instead of writing.
  * @param staleAnswers answers to an earlier session that are still to be read.
  */
 class CableFaults(
@@ -22,7 +22,7 @@ class CableFaults(
     private val longestDelay: Duration = 1.milliseconds,
     private val packetsUntilUnplugged: Int? = null,
     val doesLast: Boolean = false,
-    val refusal: Refusal? = null,
+    val injectedError: InjectedError? = null,
     val staleAnswers: List<ByteArray> = emptyList(),
 ) {
     private var packets = 0
@@ -38,4 +38,6 @@ class CableFaults(
 }
 
 /** The board says [number] to the command of a stream with the number [at], counted from 1, as often as [times]. */
-class Refusal(val number: Int, val at: Int, val times: Int = 1)
+class InjectedError(val number: Int, val at: Int, val times: Int = 1) {
+    fun isAt(command: Int): Boolean = command in at until at + times
+}

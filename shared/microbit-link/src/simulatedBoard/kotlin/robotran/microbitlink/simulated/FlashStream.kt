@@ -38,11 +38,11 @@ internal class FlashStream(private var before: HexMemory, private val isNewer: B
         return 0
     }
 
-    fun write(bytes: ByteArray, refusal: Refusal?): Int {
+    fun write(bytes: ByteArray, injectedError: InjectedError?): Int {
         if (state != State.OPEN) return INTERNAL
         commands++
         val number = when {
-            refusal != null && commands in refusal.at until refusal.at + refusal.times -> refusal.number
+            injectedError != null && injectedError.isAt(commands) -> injectedError.number
             else -> parse(bytes.decodeToString())
         }
         if (number != 0) state = if (number == end) State.ENDED else State.FAILED

@@ -40,7 +40,7 @@ class SimulatedBoard(
             0x89 -> byteArrayOf(1)
             0x8A -> byteArrayOf(stream.open(packet[1].toInt()).toByte())
             0x8B -> close()
-            0x8C -> byteArrayOf(stream.write(payload(packet), faults.refusal).toByte())
+            0x8C -> byteArrayOf(stream.write(payload(packet), faults.injectedError).toByte())
             else -> ByteArray(0)
         }
         return byteArrayOf(command) + answer

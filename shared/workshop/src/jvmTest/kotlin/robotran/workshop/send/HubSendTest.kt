@@ -1,9 +1,6 @@
 package robotran.workshop.send
 
 import kotlinx.coroutines.ExperimentalCoroutinesApi
-import kotlinx.coroutines.awaitCancellation
-import kotlinx.coroutines.test.TestScope
-import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
 import robotran.hublink.HubError
 import robotran.hublink.HubVersion
@@ -11,28 +8,19 @@ import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubWay
-import robotran.hublink.output.OutputReader
 import robotran.hublink.output.ProgramErrorKind
-import robotran.hublink.simulated.SimulatedHub
 import robotran.hublink.simulated.SimulatedModel
-import robotran.hublink.simulated.SimulatedProgram
 import robotran.hublink.simulated.WireFaults
 import robotran.mpycompiler.MpyCompiler
 import robotran.mpycompiler.MpyResult
-import robotran.programs.Program
-import robotran.workshop.Workshop
-import robotran.workshop.documents.MemoryFilePicker
 import robotran.workshop.event.DocumentEvent
 import robotran.workshop.event.HubSendEvent
-import robotran.workshop.event.ProgramEvent
 import robotran.workshop.event.SendEvent
 import robotran.workshop.openWorkshop
-import robotran.workshop.platform.MemoryPlatform
 import robotran.workshop.state.HubSendStep
 import kotlin.test.Test
 import kotlin.test.assertContentEquals
 import kotlin.test.assertEquals
-import kotlin.test.assertFalse
 import kotlin.test.assertIs
 import kotlin.test.assertNotNull
 import kotlin.test.assertNull
@@ -40,9 +28,7 @@ import kotlin.test.assertTrue
 
 /** From the text of a program to a simulated hub, with everything between. */
 @OptIn(ExperimentalCoroutinesApi::class)
-class HubSendTest {
-    private val files = MemoryFilePicker()
-
+internal class HubSendTest : HubSendBench() {
     @Test
     fun `a program gets from the app into a hub, starts there, prints and ends`() = onHub { workshop ->
         workshop.handle(SendEvent.Requested)
@@ -255,48 +241,6 @@ class HubSendTest {
     }
 
     @Test
-    fun `the line that runs on the hub is lit in the program`() = onHub(
-        program = SimulatedProgram {
-            it.print("${OutputReader.MARK}${lineOfMark("pen_down()")}\r\n")
-            awaitCancellation()
-        },
-    ) { workshop ->
-        sendFirst(workshop)
-        workshop.handle(HubSendEvent.Started)
-        assertEquals(2, assertIs<HubSendStep.Running>(end(workshop)).console.runningLine)
-        assertEquals(2, workshop.state.shownProgramRun.runningLine)
-        workshop.handle(HubSendEvent.Stopped)
-        end(workshop)
-        assertEquals(0, workshop.state.shownProgramRun.runningLine)
-    }
-
-    @Test
-    fun `a program does not tell its lines if the pupil does not want it`() = onHub { workshop ->
-        sendFirst(workshop)
-        val telling = checkNotNull(hub.slot).size
-        workshop.handle(HubSendEvent.LineSwitched(isOn = false))
-        assertEquals(HubSendStep.Found, end(workshop))
-        assertEquals(false, workshop.state.hubSend?.tellsLine)
-        workshop.handle(HubSendEvent.Confirmed)
-        assertTrue(assertIs<HubSendStep.Ready>(end(workshop)).bytes < telling)
-        assertFalse("at_line(" in CompilerInTest.lastSource)
-    }
-
-    @Test
-    fun `a program that has no room if it tells its lines does not`() {
-        var room = 0
-        onHub { workshop ->
-            sendFirst(workshop)
-            room = checkNotNull(hub.slot).size - 1
-        }
-        onHub(SimulatedModel(programBytes = room.toLong())) { workshop ->
-            sendFirst(workshop)
-            assertEquals(false, workshop.state.hubSend?.tellsLine)
-            assertFalse("at_line(" in CompilerInTest.lastSource)
-        }
-    }
-
-    @Test
     fun `the hub that was used last is the first one, also when the app is started again`() = onHub { workshop ->
         sendFirst(workshop)
         workshop.close()
@@ -344,62 +288,5 @@ class HubSendTest {
         val line = CompilerInTest.lastSource.lines().indexOfFirst { words in it } + 1
         return "Traceback (most recent call last):\r\n  File \"drive.py\", line $line, in <module>\r\n" +
             "OSError: [Errno 19] ENODEV: \r\n"
-    }
-
-    /** The line of the Python that was sent which tells that [statement] runs, by what stands below it. */
-    private fun lineOfMark(statement: String): Int {
-        val lines = CompilerInTest.lastSource.lines()
-        return lines.indices.single { lines[it].startsWith("at_line(") && lines[it + 1] == statement } + 1
-    }
-
-    private lateinit var platform: MemoryPlatform
-    private lateinit var hub: SimulatedHub
-    private lateinit var ports: NearHubs
-
-    private fun onHub(
-        model: SimulatedModel = SimulatedModel(),
-        program: SimulatedProgram = SimulatedProgram.printing("hello\r\n"),
-        text: String = PROGRAM,
-        ways: Set<HubWay> = setOf(HubWay.BLUETOOTH),
-        compiler: MpyCompiler = CompilerInTest,
-        check: suspend TestScope.(Workshop) -> Unit,
-    ) = runTest {
-        hub = SimulatedHub(backgroundScope, model) { program }
-        ports = NearHubs(hub, ways = ways)
-        platform = MemoryPlatform(files = files, hubs = ports, mpyCompiler = compiler)
-        val workshop = openWorkshop(platform = platform, scope = backgroundScope)
-        workshop.handle(DocumentEvent.NewWithBrick(BrickKind.SPIKE_PRIME))
-        end(workshop)
-        workshop.handle(ProgramEvent.ProgramAdded(Program.of("drive.robo", text)))
-        check(workshop)
-        workshop.close()
-    }
-
-    private fun TestScope.connectFirst(workshop: Workshop) {
-        workshop.handle(SendEvent.Requested)
-        end(workshop)
-        workshop.handle(HubSendEvent.HubChosen(MY_HUB))
-        end(workshop)
-    }
-
-    private fun TestScope.sendFirst(workshop: Workshop) {
-        connectFirst(workshop)
-        workshop.handle(HubSendEvent.Confirmed)
-        assertIs<HubSendStep.Ready>(end(workshop))
-    }
-
-    /** The step in which nothing is under way any more. */
-    private fun TestScope.end(workshop: Workshop): HubSendStep? {
-        do testScheduler.advanceTimeBy(3_000) while (workshop.state.hubSend?.step?.isBusy == true)
-        return workshop.state.hubSend?.step
-    }
-
-    private companion object {
-        const val PROGRAM = "forward 20\npen down\nbeep\n"
-        val SMALL_MESSAGES = SimulatedModel(messageBytes = 23)
-        val ENDLESS = SimulatedProgram {
-            it.print("on\r\n")
-            awaitCancellation()
-        }
     }
 }

@@ -18,7 +18,7 @@ import robotran.microbitlink.drive.MicrobitDrives
 import robotran.microbitlink.drive.NoMicrobitDrives
 import robotran.microbitlink.hex.HexMemory
 import robotran.microbitlink.simulated.CableFaults
-import robotran.microbitlink.simulated.Refusal
+import robotran.microbitlink.simulated.InjectedError
 import robotran.microbitlink.simulated.SimulatedBoard
 import robotran.programs.Program
 import robotran.workshop.documents.MemoryFilePicker
@@ -44,7 +44,7 @@ class MicrobitSendTest {
     private val store = MemoryKeyValueStore()
 
     @Test
-    fun `MicroPython is chosen once and kept, and the program is saved in it`() = onDesk(canReach = false) {
+    fun `MicroPython is chosen once and kept, and the program is saved in it`() = onSheet(canReach = false) {
         request()
         assertEquals(MicrobitSendStep.Choosing(emptySet()), end())
         assertNull(sending.state?.microPython)
@@ -65,7 +65,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `how full the board gets is told before and after MicroPython is chosen`() = onDesk {
+    fun `how full the board gets is told before and after MicroPython is chosen`() = onSheet {
         request()
         assertEquals(ProgramSize(MAIN.length, 20_150), sending.state?.size)
         choose(MicrobitBoard.V2)
@@ -74,7 +74,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `a file that is no good is told, and what was chosen before stays`() = onDesk {
+    fun `a file that is no good is told, and what was chosen before stays`() = onSheet {
         request()
         files.chosen = listOf(OpenedFile("holiday.hex", "no hex".encodeToByteArray()))
         sending.handle(MicrobitSendEvent.MicroPythonRequested)
@@ -88,7 +88,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `MicroPython for the other board is told before anything is saved or sent`() = onDesk {
+    fun `MicroPython for the other board is told before anything is saved or sent`() = onSheet {
         request()
         choose(MicrobitBoard.V1)
         val problem = ChoosingProblem.OfProgram(ImageError.OtherBoard(MicrobitBoard.V2))
@@ -99,7 +99,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `a program that is too large is told with both sizes`() = onDesk(main = "#".repeat(30_000)) {
+    fun `a program that is too large is told with both sizes`() = onSheet(main = "#".repeat(30_000)) {
         request()
         choose(MicrobitBoard.V2)
         val problem = assertIs<ChoosingProblem.OfProgram>(assertIs<MicrobitSendStep.Choosing>(end()).problem)
@@ -107,7 +107,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `the program is saved as Python, too`() = onDesk {
+    fun `the program is saved as Python, too`() = onSheet {
         request()
         files.location = "/home/ada/main.py"
         assertEquals(MicrobitSendStep.PythonSaved("main.py"), after(MicrobitSendEvent.PythonSaved))
@@ -120,7 +120,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `where MicroPython is on the board the program alone goes there, starts, and prints`() = onDesk {
+    fun `where MicroPython is on the board the program alone goes there, starts, and prints`() = onSheet {
         request()
         assertEquals(MicrobitSendStep.Found, after(MicrobitSendEvent.UsbRequested))
         assertEquals(FoundBoard(MicrobitBoard.V2), sending.state?.board)
@@ -132,7 +132,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `a board without MicroPython gets everything`() = onDesk(board = EMPTY) {
+    fun `a board without MicroPython gets everything`() = onSheet(board = EMPTY) {
         request()
         choose(MicrobitBoard.V2)
         assertEquals(MicrobitSendStep.Found, after(MicrobitSendEvent.UsbRequested))
@@ -143,14 +143,14 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `without MicroPython anywhere the pupil is told that Python does not answer`() = onDesk(board = EMPTY) {
+    fun `without MicroPython anywhere the pupil is told that Python does not answer`() = onSheet(board = EMPTY) {
         request()
         after(MicrobitSendEvent.UsbRequested)
         assertEquals(MicrobitSendStep.Failed(BoardError.NoPython), after(MicrobitSendEvent.Confirmed))
     }
 
     @Test
-    fun `the second time the same board is taken without a question`() = onDesk {
+    fun `the second time the same board is taken without a question`() = onSheet {
         send()
         sending.handle(MicrobitSendEvent.Cancelled)
         end()
@@ -162,7 +162,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `of several boards the pupil takes one`() = onDesk {
+    fun `of several boards the pupil takes one`() = onSheet {
         boards.boards = listOf(MY_BOARD, OTHER_BOARD)
         request()
         assertEquals(MicrobitSendStep.ManyBoards(boards.boards), after(MicrobitSendEvent.UsbRequested))
@@ -171,7 +171,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `whoever closes the platform's dialog is back where he was`() = onDesk {
+    fun `whoever closes the platform's dialog is back where he was`() = onSheet {
         boards.chosen = null
         request()
         val choosing = assertIs<MicrobitSendStep.Choosing>(after(MicrobitSendEvent.UsbRequested))
@@ -180,7 +180,7 @@ class MicrobitSendTest {
 
     @Test
     fun `another board than the robot's is told before anything is sent`() =
-        onDesk(board = { boardWith(MicrobitBoard.V1) }) {
+        onSheet(board = { boardWith(MicrobitBoard.V1) }) {
             request()
             after(MicrobitSendEvent.UsbRequested)
             assertEquals(FoundBoard(MicrobitBoard.V1, expected = MicrobitBoard.V2), sending.state?.board)
@@ -189,7 +189,7 @@ class MicrobitSendTest {
         }
 
     @Test
-    fun `a file that is cancelled leaves a part, which is told, and the next try is whole`() = onDesk(board = EMPTY) {
+    fun `a file that is cancelled leaves a part, which is told, and the next try is whole`() = onSheet(board = EMPTY) {
         request()
         choose(MicrobitBoard.V2)
         after(MicrobitSendEvent.UsbRequested)
@@ -203,7 +203,7 @@ class MicrobitSendTest {
 
     @Test
     fun `a board that is unplugged in the middle is told, and gets the program with the next try`() =
-        onDesk(board = EMPTY) {
+        onSheet(board = EMPTY) {
             request()
             choose(MicrobitBoard.V2)
             boards.faults = CableFaults(packetsUntilUnplugged = 12)
@@ -216,17 +216,17 @@ class MicrobitSendTest {
         }
 
     @Test
-    fun `a refused file is told with its number`() = onDesk(board = EMPTY) {
+    fun `a refused file is told with its number`() = onSheet(board = EMPTY) {
         request()
         choose(MicrobitBoard.V2)
-        boards.faults = CableFaults(refusal = Refusal(number = 25, at = 3, times = 100))
+        boards.faults = CableFaults(injectedError = InjectedError(number = 25, at = 3, times = 100))
         after(MicrobitSendEvent.UsbRequested)
         val failed = assertIs<MicrobitSendStep.Failed>(after(MicrobitSendEvent.WholeRequested))
         assertEquals(BoardError.Refused(25, FlashErrorKind.NOT_FOR_THIS_BOARD), failed.error)
     }
 
     @Test
-    fun `an error of the program is told at the pupil's line`() = onDesk {
+    fun `an error of the program is told at the pupil's line`() = onSheet {
         send()
         boards.board.python.print(
             "Traceback (most recent call last):\r\n  File \"main.py\", line 2, in <module>\r\n" +
@@ -239,14 +239,14 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `a board that is unplugged while its program runs is no mistake`() = onDesk {
+    fun `a board that is unplugged while its program runs is no mistake`() = onSheet {
         send()
         boards.port?.unplug()
         assertTrue(assertIs<MicrobitSendStep.Running>(end()).isGone)
     }
 
     @Test
-    fun `a board that another app has is told`() = onDesk {
+    fun `a board that another app has is told`() = onSheet {
         boards.failure = BoardError.Taken
         request()
         assertEquals(MicrobitSendStep.Failed(BoardError.Taken), after(MicrobitSendEvent.UsbRequested))
@@ -255,14 +255,14 @@ class MicrobitSendTest {
     @Test
     fun `the file goes straight onto a drive if there is one`() {
         val drive = PluggedDrive(DriveResult.Copied)
-        onDesk(canReach = false, drives = drive) {
+        onSheet(canReach = false, drives = drive) {
             request()
             choose(MicrobitBoard.V2)
             assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.DRIVE, MicrobitWay.SAVE)), end())
             assertEquals(MicrobitSendStep.Copied, after(MicrobitSendEvent.DriveRequested))
             assertEquals(MAIN, programsIn(checkNotNull(drive.hex))[MicrobitBoard.V2])
         }
-        onDesk(canReach = false, drives = PluggedDrive(DriveResult.Refused("The file is damaged."))) {
+        onSheet(canReach = false, drives = PluggedDrive(DriveResult.Refused("The file is damaged."))) {
             request()
             assertEquals(
                 MicrobitSendStep.NotCopied("The file is damaged."),
@@ -272,7 +272,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `the number that a board shows is explained once it is whole`() = onDesk(canReach = false) {
+    fun `the number that a board shows is explained once it is whole`() = onSheet(canReach = false) {
         request()
         choose(MicrobitBoard.V2)
         files.location = "/home/ada/square.hex"
@@ -284,7 +284,7 @@ class MicrobitSendTest {
     }
 
     @Test
-    fun `a mistake is told instead of anything that would be sent`() = onDesk(
+    fun `a mistake is told instead of anything that would be sent`() = onSheet(
         translation = MicrobitTranslation.Failure(listOf(MISTAKE)),
     ) {
         request()
@@ -293,7 +293,7 @@ class MicrobitSendTest {
         assertEquals(MISTAKE, tabs.shown)
     }
 
-    private class Desk(
+    private class SendSheet(
         val scope: TestScope,
         val boards: PluggedBoards,
         val tabs: ShownLines,
@@ -341,7 +341,7 @@ class MicrobitSendTest {
         fun saved(name: String) = files.disk.getValue("/home/ada/$name")
     }
 
-    private fun onDesk(
+    private fun onSheet(
         main: String = MAIN,
         translation: MicrobitTranslation = MicrobitTranslation.Success(main, MicrobitBoard.V2, maxBytes = 20_150) {
             it *
@@ -350,7 +350,7 @@ class MicrobitSendTest {
         board: () -> SimulatedBoard = { boardWith(MicrobitBoard.V2) },
         canReach: Boolean = true,
         drives: MicrobitDrives = NoMicrobitDrives,
-        check: suspend Desk.() -> Unit,
+        check: suspend SendSheet.() -> Unit,
     ) = runTest {
         val boards = PluggedBoards(backgroundScope, board(), canReach)
         val tabs = ShownLines()
@@ -358,7 +358,7 @@ class MicrobitSendTest {
         val programs = object : MicrobitPrograms {
             override suspend fun build(program: Program) = translation
         }
-        Desk(this, boards, tabs, files) {
+        SendSheet(this, boards, tabs, files) {
             MicrobitSendStateHolder(platform, backgroundScope, ShownProgram, tabs, programs)
         }.check()
     }

@@ -47,7 +47,7 @@ internal fun loadedRobot(text: String): RobotDescription = when (val result = re
 }
 
 /** The error message for the full robot with [new] instead of the first [old]. */
-internal fun robotRefusal(old: String, new: String): String {
+internal fun robotFileError(old: String, new: String): String {
     assertTrue(old in FULL_ROBOT, "$old is in the file")
     return assertIs<RobotFileResult.Failure>(readRobot(FULL_ROBOT.replaceFirst(old, new), Language.ENGLISH)).message
 }

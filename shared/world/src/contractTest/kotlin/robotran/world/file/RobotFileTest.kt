@@ -143,8 +143,8 @@ class RobotFileTest {
             buggy = BuggyMount(BuggyKind.PLAIN, WheelTrim(1.0, 0.98), pins),
         )
         assertEquals(full, loadedRobot(writeRobot(full)))
-        assertEquals("Line 27: buggy.pins: Pin 12 of the buggy is used twice.", robotRefusal("[0, 1]", "[0, 12]"))
-        assertTrue("belongs to the micro:bit itself" in robotRefusal("[0, 1]", "[0, 5]"))
+        assertEquals("Line 27: buggy.pins: Pin 12 of the buggy is used twice.", robotFileError("[0, 1]", "[0, 12]"))
+        assertTrue("belongs to the micro:bit itself" in robotFileError("[0, 1]", "[0, 5]"))
     }
 
     @Test
@@ -157,24 +157,24 @@ class RobotFileTest {
     fun `impossible robots are told where they are in the file`() {
         assertEquals(
             "Line 20: parts[1]: Two things are plugged into port 1.",
-            robotRefusal("\"port\": 4", "\"port\": 1"),
+            robotFileError("\"port\": 4", "\"port\": 1"),
         )
         assertEquals(
             "Line 11: wheels: Two motors are needed to drive, but left and right are both motor A.",
-            robotRefusal("\"left\": \"B\"", "\"left\": \"A\""),
+            robotFileError("\"left\": \"B\"", "\"left\": \"A\""),
         )
         assertEquals(
             "Line 12: wheels.diameter: A robot needs two wheels: give them a diameter from 2 to 10 cm.",
-            robotRefusal("\"diameter\": 4.32", "\"diameter\": 0"),
+            robotFileError("\"diameter\": 4.32", "\"diameter\": 0"),
         )
-        assertEquals("Line 9: mass must be from 0.1 to 5.", robotRefusal("\"mass\": 1.1", "\"mass\": 9"))
+        assertEquals("Line 9: mass must be from 0.1 to 5.", robotFileError("\"mass\": 1.1", "\"mass\": 9"))
         assertEquals(
             "Line 5: like: There is no ready robot called \"judo\", only \"rcx-penbot\", \"nxt-penbot\", " +
                 "\"line-follower\", \"sumo\", \"both-sides\", \"spike-penbot\", \"spike-scout\", " +
                 "\"essential-rover\", \"technic-penbot\", \"ev3-penbot\", \"nxt-pybricks-penbot\", \"cutebot\", " +
                 "\"cutebot-pro\", \"maqueen\", \"maqueen-plus\", \"tiny-bit\", \"kitronik-penbot\", " +
                 "\"plain-buggy\" and \"cutebot-v1\".",
-            robotRefusal("\"sumo\"", "\"judo\""),
+            robotFileError("\"sumo\"", "\"judo\""),
         )
         val german = assertIs<RobotFileResult.Failure>(
             readRobot(FULL_ROBOT.replace("\"massAt\": [0.6, 0]", "\"massAt\": [0.6, 1]"), Language.GERMAN),
@@ -186,13 +186,13 @@ class RobotFileTest {
     fun `files that are no robots of this version are refused`() {
         assertEquals(
             "Line 2: This is not a Robotran robot: a robot file says \"format\": \"robotran-robot\".",
-            robotRefusal("robotran-robot", "robotran-world"),
+            robotFileError("robotran-robot", "robotran-world"),
         )
         assertEquals(
             "Line 3: This robot was made by a newer Robotran (it has version 2, this Robotran reads up to 1).",
-            robotRefusal("\"version\": 1", "\"version\": 2"),
+            robotFileError("\"version\": 1", "\"version\": 2"),
         )
-        assertEquals("Line 3: version must be from 1 to 1.", robotRefusal("\"version\": 1", "\"version\": 0"))
+        assertEquals("Line 3: version must be from 1 to 1.", robotFileError("\"version\": 1", "\"version\": 0"))
     }
 
     @Test
