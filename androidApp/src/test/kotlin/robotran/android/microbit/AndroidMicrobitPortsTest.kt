@@ -85,7 +85,7 @@ class AndroidMicrobitPortsTest {
         val packet = ByteArray(64) { it.toByte() }
         assertTrue(port.send(packet))
         assertArrayEquals(packet, connection.outgoingDataStream.readNBytes(64))
-        connection.writeIncomingData(byteArrayOf(0x80.toByte(), 4))
+        connection.writeIncomingData(byteArrayOf(0x80.toByte()) + ByteArray(63))
         assertEquals(0x80.toByte(), withTimeout(PATIENCE) { port.receive() }?.first())
         port.close()
         assertFalse(port.send(packet))
