@@ -12,6 +12,7 @@ import robotran.android.usb.UsbStream
 import robotran.android.usb.endpoint
 import robotran.android.usb.interfaces
 import robotran.microbitlink.BoardError
+import robotran.microbitlink.dap.ChosenBoard
 import robotran.microbitlink.dap.DapPort
 import robotran.microbitlink.dap.MicrobitPorts
 import robotran.microbitlink.dap.MicrobitUsb
@@ -30,11 +31,11 @@ internal class AndroidMicrobitPorts(private val context: Context) : MicrobitPort
     /** Those that the user has allowed. */
     override suspend fun available(): List<PluggedBoard> = plugged().filter(::isAllowed).map(::boardOf)
 
-    override suspend fun choose(): PluggedBoard? {
-        val usb = manager ?: return null
-        val board = plugged().firstOrNull { !isAllowed(it) } ?: plugged().firstOrNull() ?: return null
+    override suspend fun choose(): ChosenBoard {
+        val usb = manager ?: return ChosenBoard.None
+        val board = plugged().firstOrNull { !isAllowed(it) } ?: plugged().firstOrNull() ?: return ChosenBoard.None
         if (!isAllowed(board)) askForPermission(context, usb, board)
-        return boardOf(board).takeIf { isAllowed(board) }
+        return if (isAllowed(board)) ChosenBoard.Chosen(boardOf(board)) else ChosenBoard.Refused(BoardError.NotAllowed)
     }
 
     override suspend fun open(board: PluggedBoard): OpenedBoard {

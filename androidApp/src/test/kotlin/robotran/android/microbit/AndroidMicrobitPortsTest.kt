@@ -26,6 +26,7 @@ import robotran.android.tower.AndroidTowersTest.RecordedConnection
 import robotran.android.tower.usbDevice
 import robotran.android.tower.usbInterface
 import robotran.microbitlink.BoardError
+import robotran.microbitlink.dap.ChosenBoard
 import robotran.microbitlink.dap.DapPort
 import robotran.microbitlink.dap.OpenedBoard
 import robotran.microbitlink.dap.PluggedBoard
@@ -48,10 +49,10 @@ class AndroidMicrobitPortsTest {
     fun `a micro bit is told from other things at the cable`() = runBlocking {
         assertTrue(boards.canReach)
         plug(usbDevice("hub", vendor = 0x0694, product = 0x0009, "hub", listOf(V2_LINE)))
-        assertNull(boards.choose())
+        assertEquals(ChosenBoard.None, boards.choose())
         plug(board(V2_LINE))
         assertEquals(listOf(BOARD), boards.available())
-        assertEquals(BOARD, boards.choose())
+        assertEquals(ChosenBoard.Chosen(BOARD), boards.choose())
     }
 
     @Test
@@ -59,7 +60,7 @@ class AndroidMicrobitPortsTest {
         shadowOf(context.packageManager).setSystemFeature(PackageManager.FEATURE_USB_HOST, false)
         assertFalse(boards.canReach)
         assertEquals(emptyList<PluggedBoard>(), boards.available())
-        assertNull(boards.choose())
+        assertEquals(ChosenBoard.None, boards.choose())
     }
 
     @Test

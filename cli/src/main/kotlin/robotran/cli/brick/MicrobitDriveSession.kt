@@ -12,7 +12,7 @@ import robotran.microbitlink.drive.MicrobitDrives
 internal class MicrobitDriveSession(private val console: Console, private val drives: MicrobitDrives) {
     /** Copies [hex] onto the drive at [path], or onto the first that is there if that is null; complains if there is none. */
     fun copy(hex: ByteArray, path: String?): ExitCode = runBlocking {
-        val drive = path?.let { MicrobitDrive(it, board = null) } ?: drives.available().firstOrNull()
+        val drive = path?.let { MicrobitDrive(it) } ?: drives.available().firstOrNull()
         if (drive == null) return@runBlocking failed(console.messages.noMicrobitDrive())
         when (val copied = drives.copy(hex, drive)) {
             DriveResult.Copied -> ExitCode.DONE.also { console.say(console.messages.onMicrobit(drive.path)) }

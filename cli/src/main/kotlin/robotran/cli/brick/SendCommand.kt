@@ -3,6 +3,7 @@ package robotran.cli.brick
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.CoreCliktCommand
 import com.github.ajalt.clikt.core.ProgramResult
+import com.github.ajalt.clikt.core.UsageError
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.multiple
 import com.github.ajalt.clikt.parameters.groups.provideDelegate
@@ -95,7 +96,9 @@ internal class SendCommand(
 
     override fun run() {
         val board = boardOf(files, brick, buggy, spoken.language)
-        if (board != null || files.any { isNamed(it, HEX) }) throw ProgramResult(sendToMicrobit(board).status)
+        val isForMicrobit = board != null || files.any { isNamed(it, HEX) }
+        requireFitting(isForMicrobit)
+        if (isForMicrobit) throw ProgramResult(sendToMicrobit(board).status)
         val hub = hubOf(files, brick, spoken.language)
         if (hub != null || files.any { it.endsWith(HUB_PROGRAM) }) throw ProgramResult(sendToHub(hub).status)
         brick?.let(::requireImages)
@@ -110,6 +113,18 @@ internal class SendCommand(
             else -> refuse(console.messages.twoFirmwares())
         }
         throw ProgramResult(code.status)
+    }
+
+    /** No option may be left out silently. */
+    private fun requireFitting(isForMicrobit: Boolean) {
+        if (!isForMicrobit && (drive != null || microPython != null)) {
+            throw UsageError("--drive and --micropython go with a micro:bit")
+        }
+        if (isForMicrobit &&
+            (port != null || slot != 1)
+        ) {
+            throw UsageError("--port and --slot do not go with a micro:bit")
+        }
     }
 
     private fun sendToHub(hub: BrickKind?): ExitCode {

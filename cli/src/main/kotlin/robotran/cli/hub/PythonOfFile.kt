@@ -2,14 +2,13 @@ package robotran.cli.hub
 
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
+import robotran.brick.kind.ProgramWay
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
 import robotran.cli.messages.CommandMessages
 import robotran.console.ExitCode
 import robotran.language.Language
-import robotran.microbit.buggy.Buggy
-import robotran.microbit.model.MicrobitModel
 import robotran.projects.penbotTarget
 import robotran.projects.target
 import robotran.robolang.messages.PythonTranslationMessages
@@ -38,7 +37,7 @@ internal sealed interface PythonOfFile {
  * @param buggy what a micro:bit is plugged into; null for the usual one, and for other bricks.
  */
 internal fun pythonOf(name: String, brick: BrickKind, language: Language, buggy: BuggyKind? = null): PythonOfFile {
-    val robots = if (buggy == null) robotsWith(brick) else listOf(robotWith(brick, buggy))
+    val robots = if (buggy == null) robotsWith(brick) else listOf(ReadyRobots.on(buggy, brick).target)
     val usual = pythonOf(name, robots.first(), language)
     if ((usual as? PythonOfFile.Success)?.lost.isNullOrEmpty()) return usual
     return robots.drop(1).asSequence().map { pythonOf(name, it, language) }
@@ -50,15 +49,6 @@ private fun robotsWith(brick: BrickKind): List<RobotTarget> {
     val usual = brick.penbotTarget
     if (usual is RobotTarget.Microbit) return listOf(usual)
     return ReadyRobots.all.values.filter { it.brick == brick }.map { it.target }
-}
-
-/** The ready robot with this [buggy], or the usual one on it. */
-private fun robotWith(brick: BrickKind, buggy: BuggyKind): RobotTarget {
-    val ready = ReadyRobots.all.values.filter { it.brick == brick }.map { it.target }
-        .firstOrNull { (it as? RobotTarget.Microbit)?.buggy?.kind == buggy }
-    if (ready != null) return ready
-    val other = Buggy.of(buggy)
-    return (brick.penbotTarget as RobotTarget.Microbit).copy(buggy = other, sensors = other.sensors)
 }
 
 private fun pythonOf(name: String, robot: RobotTarget, language: Language): PythonOfFile =
@@ -80,7 +70,7 @@ private fun pythonOf(name: String, robot: RobotTarget, language: Language): Pyth
     }
 
 /** Whether a robot with it runs Python, with Pybricks. */
-internal val BrickKind.isHub: Boolean get() = penbotTarget is RobotTarget.Hub
+internal val BrickKind.isHub: Boolean get() = programWay == ProgramWay.HUB
 
 /** Whether a robot with it is a micro:bit, which runs MicroPython. */
-internal val BrickKind.isBoard: Boolean get() = MicrobitModel.of(this) != null
+internal val BrickKind.isBoard: Boolean get() = programWay == ProgramWay.MICROBIT

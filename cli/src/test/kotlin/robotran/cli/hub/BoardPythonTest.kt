@@ -27,6 +27,10 @@ class BoardPythonTest : CommandTest() {
             console.said.removeLast().also { assertContains(it, "The numbers of this ${buggy.label}.") }
         }
         assertEquals(all.size, all.distinct().size)
+        for ((place, buggy) in BuggyKind.entries.withIndex()) {
+            assertEquals(0, run("translate", square, "--brick", "microbit-v1", "--buggy", buggy.word), buggy.word)
+            assertEquals(figuresIn(all[place]), figuresIn(console.said.last()), "the wheels are those of the buggy")
+        }
         for (brick in listOf("microbit", "microbit-v1")) {
             assertEquals(0, run("translate", square, "--brick", brick), console.complaints.joinToString())
         }
@@ -58,4 +62,8 @@ class BoardPythonTest : CommandTest() {
         assertEquals(1, run("check", program("show battery"), "--brick", "microbit"))
         assertFalse(console.complaints.isEmpty())
     }
+
+    /** How long a centimetre and a degree take. */
+    private fun figuresIn(python: String): List<String> =
+        python.lines().filter { it.startsWith("CM = ") || it.startsWith("DEG = ") }.also { assertEquals(2, it.size) }
 }

@@ -93,6 +93,18 @@ class MicrobitHexTest : CommandTest() {
     }
 
     @Test
+    fun `an option that does not fit is refused, and nothing is copied`() {
+        val drives = TestDrives(DriveResult.Copied)
+        assertEquals(
+            2,
+            run(drives, "send", square, "--brick", "microbit", "--micropython", "$microPython", "--slot", "3"),
+        )
+        assertEquals(2, run(drives, "send", "$forBoth", "--port", "/dev/ttyUSB0"))
+        assertEquals(2, run(drives, "send", square, "--brick", "spike-prime", "--drive", "/mnt/board"))
+        assertEquals(null, drives.path)
+    }
+
+    @Test
     fun `a drive that is not there, refuses or cannot be written is told`() {
         assertEquals(4, run(TestDrives(null), "send", "$microPython"))
         assertContains(console.complaints.removeLast(), "No drive of a micro:bit is there.")
@@ -106,11 +118,13 @@ class MicrobitHexTest : CommandTest() {
 
     /** @param result what the only board says; null for no board. */
     private class TestDrives(private val result: DriveResult?) : MicrobitDrives {
+        override val canWrite: Boolean get() = true
+
         var copied = ByteArray(0)
         var path = ""
 
         override suspend fun available() =
-            if (result == null) emptyList() else listOf(MicrobitDrive("/media/ada/MICROBIT", board = null))
+            if (result == null) emptyList() else listOf(MicrobitDrive("/media/ada/MICROBIT"))
 
         override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult {
             copied = hex

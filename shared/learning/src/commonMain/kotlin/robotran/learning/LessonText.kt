@@ -115,12 +115,12 @@ private fun paragraphsFor(inBlocks: Boolean, paragraphs: List<String>): List<Str
     return paragraphs.filterNot { it.startsWith(other) }.map { it.removePrefix(own).trim() }
 }
 
-/** The [paragraphs] for a pupil whose robot has a [brick]. */
+/** The [paragraphs] for a pupil whose robot has a [brick]: those of the nearest brick that has any, and those of all. */
 private fun paragraphsOn(brick: BrickKind, paragraphs: List<String>): List<String> {
-    val own = brick.marks.map(::markFor)
-    val others = BrickKind.entries.map(::markFor) - own.toSet()
+    val own = brick.marks.map(::markFor).firstOrNull { mark -> paragraphs.any { it.startsWith(mark) } }
+    val others = BrickKind.entries.map(::markFor) - setOfNotNull(own)
     return paragraphs.filterNot { text -> others.any(text::startsWith) }
-        .map { text -> own.fold(text) { left, mark -> left.removePrefix(mark) }.trim() }
+        .map { text -> (if (own == null) text else text.removePrefix(own)).trim() }
 }
 
 /** [text] with the program text between its backticks in the words of [language]. */

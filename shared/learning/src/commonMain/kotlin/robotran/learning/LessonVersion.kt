@@ -66,9 +66,12 @@ internal fun versionFor(brick: BrickKind, plain: LessonVersion, files: Map<Strin
     ) { (own(AGAIN)?.let(::worldOf) ?: plain.again)?.withFirst(PUPILS_ROBOTS.getValue(brick)) }
 }
 
-/** The bricks whose own files and paragraphs a lesson with this brick has, the nearest first: itself and one like it. */
+/** The bricks whose own files and paragraphs a lesson with this brick has, the nearest first: itself and those like it. */
 internal val BrickKind.marks: List<BrickKind>
-    get() = listOf(this, BrickKind.entries.first { it.hasMotorCounters == hasMotorCounters }).distinct()
+    get() {
+        val boards = BrickKind.entries.filter { isOnBuggy && it.isOnBuggy }
+        return (listOf(this) + boards + BrickKind.entries.first { it.hasMotorCounters == hasMotorCounters }).distinct()
+    }
 
 private fun drawingIn(files: Map<String, String>, file: String): RunDrawing? =
     files[file]?.let { readRunDrawing(it.trim()) }

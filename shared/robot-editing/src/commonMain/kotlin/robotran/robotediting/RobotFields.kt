@@ -99,11 +99,20 @@ private fun RobotDescription.wheelFields(): List<Field<RobotEdit>> = with(drive)
             change("tyre", copy(wheelWidth = it))
         },
         centimetres("robot-track", RobotTexts::track, track, RobotLimits.TRACKS) { change("track", copy(track = it)) },
-        motor("robot-left-motor", RobotTexts::leftMotor, left) { copy(drive = drive.copy(left = it)) },
-        motor("robot-right-motor", RobotTexts::rightMotor, right) { copy(drive = drive.copy(right = it)) },
+    ) + wheelMotors() + listOf(
         Field.Number("robot-gear", RobotTexts::gear, shown(gear), GEAR) { change("gear", copy(gear = it)) },
         Field.Number("robot-grip", RobotTexts::grip, tyreFriction, GRIP) { change("grip", copy(tyreFriction = it)) },
         Field.Flag("robot-reversed", RobotTexts::reversed, reversed) { change(null, copy(reversed = it)) },
+    )
+}
+
+/** Which motor drives which wheel. On a buggy its wiring says so. */
+private fun RobotDescription.wheelMotors(): List<Field<RobotEdit>> = if (brick.isOnBuggy) {
+    emptyList()
+} else {
+    listOf(
+        motor("robot-left-motor", RobotTexts::leftMotor, drive.left) { copy(drive = drive.copy(left = it)) },
+        motor("robot-right-motor", RobotTexts::rightMotor, drive.right) { copy(drive = drive.copy(right = it)) },
     )
 }
 

@@ -3,6 +3,7 @@
 package robotran.web.microbit
 
 import robotran.microbitlink.BoardError
+import robotran.microbitlink.dap.ChosenBoard
 import robotran.microbitlink.dap.DapPort
 import robotran.microbitlink.dap.MicrobitPorts
 import robotran.microbitlink.dap.MicrobitUsb
@@ -23,8 +24,14 @@ internal class WebMicrobitPorts : MicrobitPorts {
     override suspend fun available(): List<PluggedBoard> =
         usb?.getDevices()?.outcome()?.value?.toList().orEmpty().filter(::isBoard).map(::boardOf)
 
-    override suspend fun choose(): PluggedBoard? =
-        usb?.requestDevice(boardsOf(MicrobitUsb.VENDOR, MicrobitUsb.PRODUCT))?.outcome()?.value?.let(::boardOf)
+    override suspend fun choose(): ChosenBoard {
+        val asked = usb?.requestDevice(boardsOf(MicrobitUsb.VENDOR, MicrobitUsb.PRODUCT))?.outcome()
+        val error = asked?.error?.let(::errorOf)
+        return when {
+            error == BoardError.NotAllowed -> ChosenBoard.Refused(error)
+            else -> asked?.value?.let { ChosenBoard.Chosen(boardOf(it)) } ?: ChosenBoard.None
+        }
+    }
 
     override suspend fun open(board: PluggedBoard): OpenedBoard {
         val device = seen.named(board.id)?.unsafeCast<UsbDevice>() ?: return OpenedBoard.Failure(BoardError.OutOfReach)

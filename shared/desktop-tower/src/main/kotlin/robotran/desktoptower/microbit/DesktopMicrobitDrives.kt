@@ -9,6 +9,7 @@ import robotran.microbitlink.drive.MicrobitDrives
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
+import java.nio.file.InvalidPathException
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.TRUNCATE_EXISTING
@@ -29,39 +30,45 @@ class DesktopMicrobitDrives(
     private val places: () -> List<Path> = ::drivePlaces,
     private val patience: Duration = 8.seconds,
 ) : MicrobitDrives {
+    override val canWrite: Boolean get() = true
+
     override suspend fun available(): List<MicrobitDrive> = withContext(Dispatchers.IO) {
-        places().map(::DriveFiles).filter { it.isBoard }.map { MicrobitDrive(it.root.toString(), it.board) }
+        places().map(::DriveFiles).filter { it.isBoard }.map { MicrobitDrive(it.root.toString()) }
     }
 
     override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult = withContext(Dispatchers.IO) {
-        val files = DriveFiles(Path.of(drive.path))
-        val before = files.refusal
-        if (!files.root.isDirectory() ||
-            !write(hex, files.root.resolve(FILE))
-        ) {
-            return@withContext DriveResult.NotWritten
-        }
-        waitFor { !files.root.isDirectory() || files.refusal != before }
+        val files = pathOf(drive)?.let(::DriveFiles) ?: return@withContext DriveResult.NotWritten
+        val before = files.failure
+        val isWritten = files.root.isDirectory() && write(hex, files.root.resolve(FILE))
+        if (!isWritten) return@withContext DriveResult.NotWritten
+        waitFor { !files.root.isDirectory() || files.failure != before }
+        val wentAway = !files.root.isDirectory()
         waitFor { files.root.isDirectory() }
-        val refusal = files.refusal
-        if (refusal == null || refusal == before) DriveResult.Copied else DriveResult.Refused(refusal)
+        // A drive that comes back has what its board says of this file, even if that is what it said of the last one.
+        val failure = files.failure?.takeIf { wentAway || it != before }
+        if (failure == null) DriveResult.Copied else DriveResult.Refused(failure.words)
+    }
+
+    /** Null if no drive can be there on this system. */
+    private fun pathOf(drive: MicrobitDrive): Path? = try {
+        Path.of(drive.path)
+    } catch (_: InvalidPathException) {
+        null
     }
 
     /** Writes in one go: a board takes no file that comes in a changed order. False if the system cannot write. */
-    private fun write(hex: ByteArray, file: Path): Boolean = try {
-        val channel = FileChannel.open(file, CREATE, TRUNCATE_EXISTING, WRITE)
+    private fun write(hex: ByteArray, file: Path): Boolean {
         val bytes = ByteBuffer.wrap(hex)
-        try {
-            while (bytes.hasRemaining()) channel.write(bytes)
-            channel.force(true)
-            channel.close()
-        } catch (failed: IOException) {
+        return try {
+            FileChannel.open(file, CREATE, TRUNCATE_EXISTING, WRITE).use { channel ->
+                while (bytes.hasRemaining()) channel.write(bytes)
+                channel.force(true)
+            }
+            true
+        } catch (_: IOException) {
             // A drive that goes away with the last byte makes some systems complain; the board knows better.
-            if (bytes.hasRemaining()) throw failed
+            !bytes.hasRemaining()
         }
-        true
-    } catch (_: IOException) {
-        false
     }
 
     private suspend fun waitFor(isSo: () -> Boolean) {

@@ -1,10 +1,10 @@
 package robotran.desktoptower.microbit
 
 import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
-import robotran.microbitlink.MicrobitBoard
 import robotran.microbitlink.drive.DriveResult
 import robotran.microbitlink.drive.MicrobitDrive
 import java.nio.file.Path
@@ -32,24 +32,21 @@ class DesktopMicrobitDrivesTest {
     @AfterTest
     fun clear() = media.deleteRecursively()
 
-    private fun plugIn(id: String = "9906") {
+    private fun plugIn() {
         root.createDirectory()
         root.resolve(
             "DETAILS.TXT",
-        ).writeText("# DAPLink\r\nUnique ID: ${id}36020052820c\r\nInterface Version: 0257\r\n")
+        ).writeText("# DAPLink\r\nUnique ID: 990636020052820c\r\nInterface Version: 0257\r\n")
     }
 
     @Test
-    fun `a drive is a board's if its files say so, and it tells which board`() = runBlocking {
+    fun `a drive is a board's if its files say so`() = runBlocking {
         assertEquals(emptyList(), drives.available())
         plugIn()
-        assertEquals(listOf(MicrobitDrive("$root", MicrobitBoard.V2)), drives.available())
+        assertEquals(listOf(MicrobitDrive("$root")), drives.available())
         root.deleteRecursively()
-        plugIn(id = "9900")
-        assertEquals(MicrobitBoard.V1, drives.available().single().board)
-        root.deleteRecursively()
-        plugIn(id = "0240")
-        assertEquals(null, drives.available().single().board)
+        root.createDirectory()
+        assertEquals(emptyList(), drives.available())
     }
 
     @Test
@@ -65,6 +62,12 @@ class DesktopMicrobitDrivesTest {
         root.resolve("FAIL.TXT").writeText("error: An old one.\r\ntype: user\r\n")
         val drive = drives.available().single()
         assertEquals(DriveResult.Copied, drives.copy(HEX, drive))
+        for (words in listOf("An old one.", "The hex file is damaged.", "The hex file is damaged.")) {
+            assertEquals(DriveResult.Refused(words), copyRefusedWith(words, drive))
+        }
+    }
+
+    private suspend fun copyRefusedWith(words: String, drive: MicrobitDrive): DriveResult = coroutineScope {
         val patient = DesktopMicrobitDrives({ listOf(root) }, patience = 10.seconds)
         file.toFile().delete()
         val board = launch(Dispatchers.IO) {
@@ -72,11 +75,10 @@ class DesktopMicrobitDrivesTest {
             root.deleteRecursively()
             delay(300.milliseconds)
             media.resolve("new").createDirectory().resolve("FAIL.TXT")
-                .writeText("error: The hex file is damaged.\r\ntype: user\r\n")
+                .writeText("error: $words\r\ntype: user\r\n")
             media.resolve("new").toFile().renameTo(root.toFile())
         }
-        assertEquals(DriveResult.Refused("The hex file is damaged."), patient.copy(HEX, drive))
-        board.join()
+        patient.copy(HEX, drive).also { board.join() }
     }
 
     @Test

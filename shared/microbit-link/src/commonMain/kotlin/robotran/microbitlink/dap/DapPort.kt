@@ -31,8 +31,8 @@ interface MicrobitPorts {
     /** Boards that can be connected without asking the user. */
     suspend fun available(): List<PluggedBoard>
 
-    /** Asks the user for a board by a dialog of the platform; null if the user cancels it. */
-    suspend fun choose(): PluggedBoard?
+    /** Asks the user for a board by a dialog of the platform. */
+    suspend fun choose(): ChosenBoard
 
     /** Connects [board]. */
     suspend fun open(board: PluggedBoard): OpenedBoard
@@ -44,9 +44,20 @@ object NoMicrobitPorts : MicrobitPorts {
 
     override suspend fun available(): List<PluggedBoard> = emptyList()
 
-    override suspend fun choose(): PluggedBoard? = null
+    override suspend fun choose(): ChosenBoard = ChosenBoard.None
 
     override suspend fun open(board: PluggedBoard): OpenedBoard = OpenedBoard.Failure(BoardError.NotAllowed)
+}
+
+/** What came of asking the user for a board. */
+sealed interface ChosenBoard {
+    data class Chosen(val board: PluggedBoard) : ChosenBoard
+
+    /** The system lets nobody ask, or the user does not let the app. */
+    data class Refused(val error: BoardError) : ChosenBoard
+
+    /** There is none, or the user took none. */
+    data object None : ChosenBoard
 }
 
 /** The result of opening a board. */

@@ -1,9 +1,10 @@
 package robotran.microbitlink.drive
 
-import robotran.microbitlink.MicrobitBoard
-
 /** The drives as which boards at a machine show themselves, as far as the app may write to them. */
 interface MicrobitDrives {
+    /** Whether the app may write to drives at all, also to one that is plugged in later. */
+    val canWrite: Boolean
+
     /** Those that are there now. */
     suspend fun available(): List<MicrobitDrive>
 
@@ -15,9 +16,8 @@ interface MicrobitDrives {
  * The drive of a board.
  *
  * @property path where the system shows it.
- * @property board which one it is; null if the drive does not tell.
  */
-data class MicrobitDrive(val path: String, val board: MicrobitBoard?)
+data class MicrobitDrive(val path: String)
 
 /** What became of a file that was copied onto a drive. */
 sealed interface DriveResult {
@@ -33,6 +33,8 @@ sealed interface DriveResult {
 
 /** A platform that writes to no drive. */
 object NoMicrobitDrives : MicrobitDrives {
+    override val canWrite: Boolean get() = false
+
     override suspend fun available(): List<MicrobitDrive> = emptyList()
 
     override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult = DriveResult.NotWritten

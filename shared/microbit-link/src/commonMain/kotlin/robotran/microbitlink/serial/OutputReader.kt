@@ -36,7 +36,9 @@ internal class OutputReader {
         // What Python says of itself when a program has ended.
         if (BANNER.matches(text)) return
         val lines = console.lines.takeLast(BoardConsole.MAX_LINES - 1) + text
-        console = console.copy(lines = lines, error = errorWith(text) ?: console.error, hasEnded = false)
+        // A line behind the prompt is of a new run, whose program has not failed yet.
+        val error = errorWith(text) ?: console.error.takeUnless { console.hasEnded }
+        console = console.copy(lines = lines, error = error, hasEnded = false)
     }
 
     /** The error, if [text] is the last line of a traceback. */

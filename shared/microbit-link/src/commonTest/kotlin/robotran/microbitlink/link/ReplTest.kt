@@ -120,6 +120,7 @@ class ReplTest {
         test.board.python.print("MicroPython v1.18 on 2022-01-17; micro:bit v2.1.2 with nRF52833\r\n>>> again\r\n")
         delay(1.seconds)
         assertEquals("again", test.link.state.value.console.lines.last())
+        assertNull(test.link.state.value.console.error, "a new run has not failed yet")
         assertTrue(!test.link.state.value.console.hasEnded)
         test.link.clearConsole()
         assertEquals(emptyList(), test.link.state.value.console.lines)

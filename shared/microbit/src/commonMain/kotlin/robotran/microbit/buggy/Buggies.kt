@@ -163,7 +163,6 @@ internal object Buggies {
         lines = listOf(AnalogLine(2, isDarkHigh = true), AnalogLine(1, isDarkHigh = true)),
         sonar = SonarPins(trigger = 13, echo = 14),
         pen = PinServo(15),
-        hasPenHole = true,
         buzzer = 0,
     )
 

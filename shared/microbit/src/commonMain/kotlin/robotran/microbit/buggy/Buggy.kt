@@ -10,7 +10,6 @@ import robotran.microbit.program.MicrobitCall
  * @property lines its line sensors from left to right, which are on the ports from 1 on.
  * @property sonar its distance sensor, which is on the port behind; null without one.
  * @property pen its plug for a servo that moves a pen; null without one.
- * @property hasPenHole whether its maker has a hole or a holder for a pen between the wheels.
  * @property buzzer the pin of its buzzer; null without one.
  */
 data class Buggy(
@@ -19,7 +18,6 @@ data class Buggy(
     val lines: List<LineSensor>,
     val sonar: SonarPins?,
     val pen: PenServo?,
-    val hasPenHole: Boolean = false,
     val buzzer: Int? = null,
 ) {
     /** The port of the distance sensor, from 1; null without one. */

@@ -7,7 +7,6 @@ import robotran.brick.kind.BrickKind
  * 1.18 (V2) for it unless said otherwise.
  *
  * @property kind the same among all bricks.
- * @property heapBytes room for a running program and its values.
  * @property fileBytes room for its files.
  * @property hasSpeaker whether it has a loudspeaker; without one it needs a buzzer on a pin.
  * @property buttons those that it has.
@@ -16,7 +15,6 @@ import robotran.brick.kind.BrickKind
  */
 enum class MicrobitModel(
     val kind: BrickKind,
-    val heapBytes: Int,
     val fileBytes: Int,
     val hasSpeaker: Boolean,
     val buttons: List<MicrobitButton>,
@@ -25,7 +23,6 @@ enum class MicrobitModel(
 ) {
     V1(
         BrickKind.MICROBIT_V1,
-        heapBytes = 10_240,
         fileBytes = 28_672,
         hasSpeaker = false,
         buttons = listOf(MicrobitButton.A, MicrobitButton.B),
@@ -34,7 +31,6 @@ enum class MicrobitModel(
     ),
     V2(
         BrickKind.MICROBIT,
-        heapBytes = 65_536,
         fileBytes = 20_480,
         hasSpeaker = true,
         buttons = MicrobitButton.entries,
@@ -42,8 +38,6 @@ enum class MicrobitModel(
         statementMicroseconds = 20,
     ),
     ;
-
-    val hasLogo: Boolean get() = MicrobitButton.LOGO in buttons
 
     companion object {
         /** The board of this kind; null if [kind] is none. */

@@ -12,7 +12,7 @@ import robotran.uikit.*
 fun PlugInButton(missing: MissingSensors, onPlug: (MissingSensors) -> Unit, modifier: Modifier = Modifier) {
     val ports = missing.sensors.map { it.label }
     val description = ports.singleOrNull()?.let { CommonTexts.plugInPort(spoken, it) }
-        ?: CommonTexts.plugInPorts(spoken, portNames(ports))
+        ?: CommonTexts.plugInPorts(spoken, ports)
     Button(
         if (ports.size == 1) CommonTexts.plugIn(spoken) else CommonTexts.plugInSeveral(spoken),
         CommonTags.PLUG_IN,

@@ -3,7 +3,6 @@ package robotran.ui.screen
 import androidx.compose.runtime.Composable
 import robotran.editing.RobotTexts
 import robotran.ui.assignment.worldName
-import robotran.ui.common.portNames
 import robotran.ui.learning.robotTitle
 import robotran.ui.run.texts.RunTexts
 import robotran.ui.school.texts.DocumentTexts
@@ -106,7 +105,7 @@ private fun openElsewhere(notice: Notice.LastProjectOpenElsewhere): String = if 
 @Composable
 private fun pluggedIn(notice: Notice.SensorsPluggedIn): String =
     notice.ports.singleOrNull()?.let { RunTexts.pluggedIn(spoken, it) }
-        ?: RunTexts.pluggedInSeveral(spoken, portNames(notice.ports))
+        ?: RunTexts.pluggedInSeveral(spoken, notice.ports)
 
 @Composable
 private fun opened(notice: Notice.HandInOpened): String = notice.run?.let { run ->

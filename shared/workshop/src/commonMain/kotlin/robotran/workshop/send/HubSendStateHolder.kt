@@ -7,6 +7,8 @@ import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.launch
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withTimeoutOrNull
 import robotran.documents.FileKind
 import robotran.hublink.DownloadResult
@@ -48,6 +50,7 @@ internal class HubSendStateHolder(
     var state: HubSendState? by mutableStateOf(null)
         private set
 
+    private val oneAtATime = Mutex()
     private var work: Job? = null
     private var python: PythonTranslation? = null
 
@@ -80,14 +83,9 @@ internal class HubSendStateHolder(
     fun close() {
         if (state == null) return
         state = null
-        val before = work
-        work = null
-        before?.cancel()
-        scope.launch {
-            before?.join()
-            // Only now, since the work may just have connected it.
-            if (state == null) session.close()
-        }
+        work?.cancel()
+        // Behind the work, which may just have connected it.
+        scope.launch { oneAtATime.withLock { if (state == null) session.close() } }
     }
 
     private fun begin() {
@@ -131,7 +129,7 @@ internal class HubSendStateHolder(
 
     /** Compiles the translation and goes on with [next]. */
     private suspend fun compile(next: suspend () -> Unit) {
-        val python = (if (tellsLine) telling else python) ?: return build()
+        val python = (if (state?.tellsLine == true) telling else python) ?: return build()
         when (val result = orNull { programs.compile(python) }) {
             HubBuildResult.NoCompiler -> show(HubSendStep.NoCompiler)
 
@@ -200,9 +198,8 @@ internal class HubSendStateHolder(
         val link = session.link ?: return retry()
         show(HubSendStep.Sending(null))
         when (val result = link.send(program.program) { show(HubSendStep.Sending(it)) }) {
-            is DownloadResult.Failure -> if (tellsLine && result.error is HubError.TooLarge) {
-                // Without what tells the lines it may have room.
-                tellsLine = false
+            is DownloadResult.Failure -> if (state?.tellsLine == true && result.error is HubError.TooLarge) {
+                // Without what tells the lines it may have room. The next program begins with the pupil's choice again.
                 state = state?.copy(tellsLine = false)
                 compile { send() }
             } else {
@@ -298,14 +295,10 @@ internal class HubSendStateHolder(
         state = state?.copy(step = step)
     }
 
-    /** Cancels the work before, waits until it has ended, and does [next]. */
+    /** Cancels the work before, and does [next] once that has ended. */
     private fun run(next: suspend () -> Unit) {
-        val before = work
-        before?.cancel()
-        work = scope.launch {
-            before?.join()
-            next()
-        }
+        work?.cancel()
+        work = scope.launch { oneAtATime.withLock { next() } }
     }
 
     private companion object {

@@ -27,11 +27,13 @@ internal class MicroPythonStore(private val platform: Platform) {
     /** Reads what was kept, once. */
     suspend fun read() {
         if (isRead) return
+        store.read(NAME)?.let { kept ->
+            val text = kept.substringAfter('\n')
+            val file = withContext(platform.background) { MicroPythonFile.read(text) }
+            if (file is ImageResult.Success) chosen = ChosenMicroPython(kept.substringBefore('\n'), file.value)
+        }
+        // Only now: a sheet that was closed meanwhile has read nothing.
         isRead = true
-        val kept = store.read(NAME) ?: return
-        val text = kept.substringAfter('\n')
-        val file = withContext(platform.background) { MicroPythonFile.read(text) }
-        if (file is ImageResult.Success) chosen = ChosenMicroPython(kept.substringBefore('\n'), file.value)
     }
 
     /** Lets the pupil choose a file. What was chosen before stays if this one is no good. */

@@ -17,4 +17,4 @@ internal fun mistakeOf(file: MicroPythonFile, built: MicrobitTranslation.Success
 
 /** How much of a board [built] fills, with MicroPython of [file] if there is one. */
 internal fun sizeOf(file: MicroPythonFile?, built: MicrobitTranslation.Success): ProgramSize =
-    ProgramSize(built.bytes.size, file?.smallestImage?.room?.largestMain ?: built.maxBytes)
+    ProgramSize(built.bytes.size, file?.smallestImage?.room?.largestMain ?: built.maxBytes, built.memoryShare)

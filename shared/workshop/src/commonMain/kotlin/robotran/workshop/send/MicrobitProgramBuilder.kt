@@ -40,7 +40,13 @@ internal class MicrobitProgramBuilder(private val services: Services) : Microbit
         val lost = python.notes.filter { it.isLost }
         return if (lost.isEmpty()) {
             val room = checkNotNull(python.room) { "It was translated for a board." }
-            MicrobitTranslation.Success(python.python, board, room.mostBytes, python.lineMap::sourceLineOf)
+            MicrobitTranslation.Success(
+                python.python,
+                board,
+                room.mostBytes,
+                room.memoryShare,
+                python.lineMap::sourceLineOf,
+            )
         } else {
             MicrobitTranslation.Failure(lost.map { Diagnostic(Severity.ERROR, name, it.range, it.message) })
         }

@@ -15,10 +15,16 @@ internal sealed interface MicrobitTranslation {
      * @property python the program, which becomes `main.py`.
      * @property board that of the robot.
      * @property maxBytes the room that such a board usually has for a program.
+     * @property memoryShare how full the board's memory gets, from 0 to 1; 0 if its room for files is full before.
      * @property lineOf the pupil's line of a line of the Python, both from 1; null if it has none.
      */
-    class Success(val python: String, val board: MicrobitBoard, val maxBytes: Int, val lineOf: (Int) -> Int?) :
-        MicrobitTranslation {
+    class Success(
+        val python: String,
+        val board: MicrobitBoard,
+        val maxBytes: Int,
+        val memoryShare: Float = 0f,
+        val lineOf: (Int) -> Int?,
+    ) : MicrobitTranslation {
         val bytes: ByteArray get() = python.encodeToByteArray()
     }
 

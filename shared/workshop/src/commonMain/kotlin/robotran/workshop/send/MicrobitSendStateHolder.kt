@@ -6,10 +6,13 @@ import androidx.compose.runtime.setValue
 import kotlinx.coroutines.CoroutineScope
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.launch
+import kotlinx.coroutines.sync.Mutex
+import kotlinx.coroutines.sync.withLock
 import robotran.language.source.Diagnostic
 import robotran.language.source.Severity
 import robotran.language.source.SourceRange
 import robotran.microbitlink.FlashErrorKind
+import robotran.microbitlink.dap.ChosenBoard
 import robotran.microbitlink.drive.DriveResult
 import robotran.workshop.event.MicrobitSendEvent
 import robotran.workshop.platform.Platform
@@ -41,6 +44,7 @@ internal class MicrobitSendStateHolder(
     private val usb = MicrobitUsbSending(MicrobitSession(platform.microbits), ::show) { board ->
         state = state?.copy(board = board)
     }
+    private val oneAtATime = Mutex()
     private var work: Job? = null
     private var built: MicrobitTranslation.Success? = null
 
@@ -69,14 +73,9 @@ internal class MicrobitSendStateHolder(
     fun close() {
         if (state == null) return
         state = null
-        val before = work
-        work = null
-        before?.cancel()
-        scope.launch {
-            before?.join()
-            // Only now, since the work may just have connected it.
-            if (state == null) usb.close()
-        }
+        work?.cancel()
+        // Behind the work, which may just have connected it.
+        scope.launch { oneAtATime.withLock { if (state == null) usb.close() } }
     }
 
     private fun begin() {
@@ -113,15 +112,15 @@ internal class MicrobitSendStateHolder(
         val file = microPython.chosen?.file
         state = state?.copy(microPython = microPython.chosen?.found, size = sizeOf(file, built))
         val mistake = file?.let { mistakeOf(it, built) }
-        val ways = if (mistake == null) ways(hasFile = file != null) else emptySet()
+        val ways = ways(built, hasFile = file != null && mistake == null)
         show(MicrobitSendStep.Choosing(ways, problem ?: mistake?.let { ChoosingProblem.OfProgram(it) }))
     }
 
-    /** @param hasFile whether there is MicroPython; a board may have it, too. */
-    private suspend fun ways(hasFile: Boolean): Set<MicrobitWay> = buildSet {
-        if (platform.microbits.canReach) add(MicrobitWay.USB)
+    /** @param hasFile whether there is MicroPython that takes the program; a board may have another one. */
+    private fun ways(built: MicrobitTranslation.Success, hasFile: Boolean): Set<MicrobitWay> = buildSet {
+        if (platform.microbits.canReach && built.bytes.size <= built.maxBytes) add(MicrobitWay.USB)
         if (hasFile) {
-            if (platform.microbitDrives.available().isNotEmpty()) add(MicrobitWay.DRIVE)
+            if (platform.microbitDrives.canWrite) add(MicrobitWay.DRIVE)
             add(MicrobitWay.SAVE)
         }
     }
@@ -152,7 +151,9 @@ internal class MicrobitSendStateHolder(
 
     private suspend fun copyToDrive() {
         val hex = built?.let { microPython.hexWith(it) } ?: return showWays()
-        val drive = platform.microbitDrives.available().firstOrNull() ?: return showWays(ChoosingProblem.NoBoard)
+        val drives = platform.microbitDrives.available()
+        val drive = drives.singleOrNull()
+            ?: return showWays(if (drives.isEmpty()) ChoosingProblem.NoBoard else ChoosingProblem.SeveralBoards)
         show(MicrobitSendStep.Copying)
         when (val copied = platform.microbitDrives.copy(hex, drive)) {
             DriveResult.Copied -> show(MicrobitSendStep.Copied)
@@ -174,8 +175,11 @@ internal class MicrobitSendStateHolder(
 
     private suspend fun askForBoard() {
         show(MicrobitSendStep.Looking)
-        val chosen = platform.microbits.choose()
-        if (chosen != null) usb.connect(chosen, sending()) else showWays(ChoosingProblem.NoBoard)
+        when (val chosen = platform.microbits.choose()) {
+            is ChosenBoard.Chosen -> usb.connect(chosen.board, sending())
+            is ChosenBoard.Refused -> show(MicrobitSendStep.Failed(chosen.error))
+            ChosenBoard.None -> showWays(ChoosingProblem.NoBoard)
+        }
     }
 
     private suspend fun retry() {
@@ -232,14 +236,10 @@ internal class MicrobitSendStateHolder(
         state = state?.copy(step = step)
     }
 
-    /** Cancels the work before, waits until it has ended, and does [next]. */
+    /** Cancels the work before, and does [next] once that has ended. */
     private fun run(next: suspend () -> Unit) {
-        val before = work
-        before?.cancel()
-        work = scope.launch {
-            before?.join()
-            next()
-        }
+        work?.cancel()
+        work = scope.launch { oneAtATime.withLock { next() } }
     }
 
     private companion object {

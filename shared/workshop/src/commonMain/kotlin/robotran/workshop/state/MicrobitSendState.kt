@@ -32,8 +32,12 @@ data class MicrobitSendState(
  * How much of a board a program fills.
  *
  * @property maxBytes the room of the smallest board that the chosen file is for, or of the robot's.
+ * @property memoryShare how full the board's memory gets, from 0 to 1; 0 if its room for files is full before.
  */
-data class ProgramSize(val bytes: Int, val maxBytes: Int)
+data class ProgramSize(val bytes: Int, val maxBytes: Int, val memoryShare: Float = 0f) {
+    /** How full the board gets, from 0 to 1. */
+    val share: Float get() = maxOf(bytes.toFloat() / maxBytes, memoryShare).coerceIn(0f, 1f)
+}
 
 /**
  * A file with MicroPython.
@@ -173,6 +177,9 @@ sealed interface ChoosingProblem {
 
     /** No board was chosen. */
     data object NoBoard : ChoosingProblem
+
+    /** There are drives of several boards, and nothing tells which is the pupil's. */
+    data object SeveralBoards : ChoosingProblem
 }
 
 /**

@@ -110,7 +110,9 @@ interface WorkshopState {
     /** What runs on a real hub is what is shown. */
     val shownProgramRun: ShownProgramRun
         get() = ShownProgramRun.of(programs, run).let { shown ->
-            hubSend?.runningLine?.let { shown.copy(runningLine = it) } ?: shown
+            // A file or link may have brought another program meanwhile.
+            val sent = hubSend?.takeIf { it.lines == programs.draft.text.lines() }
+            sent?.runningLine?.let { shown.copy(runningLine = it) } ?: shown
         }
 
     /** What the number edited in the blocks would do, from where its robot stands; null while a program runs. */

@@ -5,6 +5,7 @@ import robotran.hublink.output.OutputReader
 import robotran.hublink.simulated.SimulatedModel
 import robotran.hublink.simulated.SimulatedProgram
 import robotran.workshop.event.HubSendEvent
+import robotran.workshop.event.SendEvent
 import robotran.workshop.state.HubSendStep
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -53,6 +54,10 @@ internal class HubRunningLineTest : HubSendBench() {
             sendFirst(workshop)
             assertEquals(false, workshop.state.hubSend?.tellsLine)
             assertFalse("at_line(" in CompilerInTest.lastSource)
+            workshop.handle(HubSendEvent.Cancelled)
+            end(workshop)
+            workshop.handle(SendEvent.Requested)
+            assertEquals(true, workshop.state.hubSend?.tellsLine, "the next program may have room")
         }
     }
 

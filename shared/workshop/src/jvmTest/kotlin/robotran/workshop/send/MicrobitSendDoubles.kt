@@ -5,6 +5,7 @@ import robotran.language.source.Diagnostic
 import robotran.microbitlink.BoardError
 import robotran.microbitlink.ImageResult
 import robotran.microbitlink.MicrobitBoard
+import robotran.microbitlink.dap.ChosenBoard
 import robotran.microbitlink.dap.MicrobitPorts
 import robotran.microbitlink.dap.OpenedBoard
 import robotran.microbitlink.dap.PluggedBoard
@@ -39,6 +40,9 @@ internal class PluggedBoards(
     /** Why boards cannot be opened. */
     var failure: BoardError? = null
 
+    /** Why nobody may be asked for a board; null if that is possible. */
+    var refused: BoardError? = null
+
     /** What goes wrong on the next connection. */
     var faults = CableFaults()
 
@@ -49,9 +53,12 @@ internal class PluggedBoards(
 
     override suspend fun available(): List<PluggedBoard> = boards
 
-    override suspend fun choose(): PluggedBoard? {
+    override suspend fun choose(): ChosenBoard {
         questions++
-        return chosen?.also { boards = listOf(it) }
+        refused?.let { return ChosenBoard.Refused(it) }
+        val board = chosen ?: return ChosenBoard.None
+        boards = listOf(board)
+        return ChosenBoard.Chosen(board)
     }
 
     override suspend fun open(board: PluggedBoard): OpenedBoard {
@@ -63,9 +70,11 @@ internal class PluggedBoards(
 
 /** The drive of a board, which says [result] to each file. */
 internal class PluggedDrive(private val result: DriveResult) : MicrobitDrives {
+    override val canWrite: Boolean get() = true
+
     var hex: ByteArray? = null
 
-    override suspend fun available() = listOf(MicrobitDrive("/media/ada/MICROBIT", MicrobitBoard.V2))
+    override suspend fun available() = listOf(MicrobitDrive("/media/ada/MICROBIT"))
 
     override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult {
         this.hex = hex

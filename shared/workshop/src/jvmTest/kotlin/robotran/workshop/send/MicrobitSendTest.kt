@@ -14,6 +14,7 @@ import robotran.microbitlink.ImageResult
 import robotran.microbitlink.MicrobitBoard
 import robotran.microbitlink.Remains
 import robotran.microbitlink.drive.DriveResult
+import robotran.microbitlink.drive.MicrobitDrive
 import robotran.microbitlink.drive.MicrobitDrives
 import robotran.microbitlink.drive.NoMicrobitDrives
 import robotran.microbitlink.hex.HexMemory
@@ -92,7 +93,8 @@ class MicrobitSendTest {
         request()
         choose(MicrobitBoard.V1)
         val problem = ChoosingProblem.OfProgram(ImageError.OtherBoard(MicrobitBoard.V2))
-        assertEquals(MicrobitSendStep.Choosing(emptySet(), problem), end())
+        // The board may have Python of its own.
+        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.USB), problem), end())
         sending.handle(MicrobitSendEvent.HexSaved)
         end()
         assertTrue(files.disk.isEmpty())
@@ -281,6 +283,46 @@ class MicrobitSendTest {
         assertNull(assertIs<MicrobitSendStep.HexSaved>(end()).number.kind)
         sending.handle(MicrobitSendEvent.NumberEntered("529"))
         assertEquals(FlashErrorKind.OTHER_BOARD, assertIs<MicrobitSendStep.HexSaved>(end()).number.kind)
+    }
+
+    @Test
+    fun `a platform that lets nobody ask for a board says so`() = onSheet {
+        boards.boards = emptyList()
+        boards.refused = BoardError.NotAllowed
+        request()
+        assertEquals(MicrobitSendStep.Failed(BoardError.NotAllowed), after(MicrobitSendEvent.UsbRequested))
+    }
+
+    @Test
+    fun `of the drives of several boards none is written`() {
+        val drives = object : MicrobitDrives {
+            override val canWrite: Boolean get() = true
+
+            override suspend fun available() =
+                listOf(MicrobitDrive("/media/ada/MICROBIT"), MicrobitDrive("/media/ada/MICROBIT1"))
+
+            override suspend fun copy(hex: ByteArray, drive: MicrobitDrive) = error("Nobody chose ${drive.path}.")
+        }
+        onSheet(canReach = false, drives = drives) {
+            request()
+            choose(MicrobitBoard.V2)
+            val shown = assertIs<MicrobitSendStep.Choosing>(after(MicrobitSendEvent.DriveRequested))
+            assertEquals(ChoosingProblem.SeveralBoards, shown.problem)
+        }
+    }
+
+    @Test
+    fun `MicroPython that was kept is read, also if the sheet was closed in the middle of that`() = onSheet {
+        request()
+        choose(MicrobitBoard.V2)
+        sending.close()
+        val again = holder()
+        again.handle(MicrobitSendEvent.Requested)
+        again.close()
+        testScheduler.advanceTimeBy(1_000)
+        again.handle(MicrobitSendEvent.Requested)
+        testScheduler.advanceTimeBy(1_000)
+        assertEquals("v2.hex", again.state?.microPython?.file)
     }
 
     @Test

@@ -11,12 +11,8 @@ import robotran.microbit.model.MicrobitModel
  * @property mostBytes the longest file that there is room for.
  */
 data class BoardRoom(val statements: Int, val mostStatements: Int?, val bytes: Int, val mostBytes: Int) {
-    /** From 0 for an empty board to 1 for a full one; above 1 it does not fit. */
-    val share: Double
-        get() = maxOf(bytes.toDouble() / mostBytes, mostStatements?.let { statements.toDouble() / it } ?: 0.0)
-
-    /** Whether the program fits in. */
-    val fits: Boolean get() = share <= 1.0
+    /** How full its memory gets, from 0; 0 as well if its files are full before. */
+    val memoryShare: Float get() = if (mostStatements == null) 0f else statements.toFloat() / mostStatements
 
     internal companion object {
         /**
@@ -26,9 +22,10 @@ data class BoardRoom(val statements: Int, val mostStatements: Int?, val bytes: I
         const val MANY_STATEMENTS_V1 = 100
         const val MOST_STATEMENTS_V1 = 250
 
-        /** The longest `main.py` that their file systems have room for beside nothing else. */
-        private const val MOST_BYTES_V1 = 28_214
-        private const val MOST_BYTES_V2 = 20_150
+        /** A file takes chunks of [CHUNK] bytes, [CHUNK_DATA] of them data, and begins with its name and length. */
+        private const val CHUNK = 128
+        private const val CHUNK_DATA = 126
+        private const val FILE_HEAD = 10
 
         /** How many calls fit inside each other: 1,800 and 7,680 bytes of stack, estimates. */
         private const val DEEPEST_CALLS_V1 = 5
@@ -37,11 +34,11 @@ data class BoardRoom(val statements: Int, val mostStatements: Int?, val bytes: I
         fun deepestCallsOn(model: MicrobitModel): Int =
             if (model == MicrobitModel.V1) DEEPEST_CALLS_V1 else DEEPEST_CALLS_V2
 
-        fun of(model: MicrobitModel, statements: Int, python: String): BoardRoom = when (model) {
-            MicrobitModel.V1 ->
-                BoardRoom(statements, MOST_STATEMENTS_V1, python.encodeToByteArray().size, MOST_BYTES_V1)
-
-            MicrobitModel.V2 -> BoardRoom(statements, null, python.encodeToByteArray().size, MOST_BYTES_V2)
+        fun of(model: MicrobitModel, statements: Int, python: String): BoardRoom {
+            val mostStatements = MOST_STATEMENTS_V1.takeIf { model == MicrobitModel.V1 }
+            // The longest main.py beside nothing else.
+            val mostBytes = model.fileBytes / CHUNK * CHUNK_DATA - FILE_HEAD
+            return BoardRoom(statements, mostStatements, python.encodeToByteArray().size, mostBytes)
         }
     }
 }

@@ -14,7 +14,6 @@ import kotlin.test.assertContains
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
 import kotlin.test.assertNotNull
-import kotlin.test.assertNull
 import kotlin.test.assertTrue
 
 /** What Python for a micro:bit looks like. */
@@ -141,12 +140,14 @@ class MicrobitShapesTest {
         assertTrue(boardPythonOf(line.repeat(101), v1).notes.any { "memory" in it.message && !it.isLost })
         val tooLong = boardPythonOf(line.repeat(251), v1)
         assertFalse(tooLong.isComplete)
-        assertFalse(assertNotNull(tooLong.room).fits)
+        assertTrue(assertNotNull(tooLong.room).memoryShare > 1f)
         assertTrue(boardPythonOf(line.repeat(251)).isComplete)
         val room = assertNotNull(boardPythonOf(line.repeat(125), v1).room)
-        assertEquals(0.5, room.share)
+        assertEquals(0.5f, room.memoryShare)
         assertEquals(boardPythonOf(line.repeat(125), v1).python.encodeToByteArray().size, room.bytes)
-        assertNull(boardPythonOf(line).room?.mostStatements)
+        assertEquals(28_214, room.mostBytes)
+        val v2 = assertNotNull(boardPythonOf(line).room)
+        assertEquals(listOf(null, 20_150, 0f), listOf(v2.mostStatements, v2.mostBytes, v2.memoryShare))
     }
 
     private companion object {

@@ -53,7 +53,7 @@ internal class MicrobitFace(private val model: MicrobitModel) : BrickFace {
     override fun input(state: BrickState, index: Int, robot: RobotDescription): PortView {
         val port = (state as MicrobitState).ports[index]
         val plugged = remember(robot) { robot.parts.firstOrNull { it.port == port.port } }
-        val value = valueText(port, plugged?.kind).takeIf { port.sensor != null }
+        val value = valueText(port, plugged?.kind)
         val name = plugged?.kind?.words(spoken) ?: RunTexts.sensorNone(spoken)
         val sensor = CommonTexts.sensor(spoken, "${port.port}", name)
         val icon = plugged?.let { part ->

@@ -56,7 +56,7 @@ internal fun microbitPictureOf(state: MicrobitSendState): MicrobitPicture = when
 private fun pictureOf(problem: ChoosingProblem?, hasMicroPython: Boolean): MicrobitPicture = when (problem) {
     is ChoosingProblem.OfFile -> pictureOf(problem.error)
     is ChoosingProblem.OfProgram -> pictureOf(problem.error)
-    ChoosingProblem.NoBoard -> MicrobitPicture.UNPLUGGED
+    ChoosingProblem.NoBoard, ChoosingProblem.SeveralBoards -> MicrobitPicture.UNPLUGGED
 
     ChoosingProblem.NotSaved, ChoosingProblem.NotKept, null ->
         if (hasMicroPython) MicrobitPicture.PROGRAM else MicrobitPicture.MICROPYTHON

@@ -85,6 +85,7 @@ private fun sentenceOf(problem: ChoosingProblem): String = when (problem) {
     ChoosingProblem.NotSaved -> MicrobitSendTexts.notSaved(spoken)
     ChoosingProblem.NotKept -> MicrobitSendTexts.notKept(spoken)
     ChoosingProblem.NoBoard -> MicrobitSendTexts.noBoard(spoken)
+    ChoosingProblem.SeveralBoards -> MicrobitSendTexts.severalBoards(spoken)
 }
 
 @Composable

@@ -68,7 +68,7 @@ private fun RoomView(size: ProgramSize) {
             TextStyles.body,
             color = colours.quiet,
         )
-        Bar { (size.bytes.toFloat() / size.maxBytes).coerceIn(0f, 1f) }
+        Bar { size.share }
     }
 }
 
