@@ -120,9 +120,7 @@ internal class SendCommand(
         if (!isForMicrobit && (drive != null || microPython != null)) {
             throw UsageError("--drive and --micropython go with a micro:bit")
         }
-        if (isForMicrobit &&
-            (port != null || slot != 1)
-        ) {
+        if (isForMicrobit && (port != AUTO || slot != 1)) {
             throw UsageError("--port and --slot do not go with a micro:bit")
         }
     }

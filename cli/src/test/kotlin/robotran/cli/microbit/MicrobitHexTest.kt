@@ -101,7 +101,7 @@ class MicrobitHexTest : CommandTest() {
         )
         assertEquals(2, run(drives, "send", "$forBoth", "--port", "/dev/ttyUSB0"))
         assertEquals(2, run(drives, "send", square, "--brick", "spike-prime", "--drive", "/mnt/board"))
-        assertEquals(null, drives.path)
+        assertEquals("", drives.path)
     }
 
     @Test
