@@ -56,11 +56,20 @@ fun RobotDescription.wholeFields(): List<Field<RobotEdit>> = listOf(
             Option(kind, { kind.label })
         },
         brick,
-    ) { kind ->
-        val usual = ReadyRobots.defaultOf(kind)
-        RobotEdit.Change(copy(brick = kind, buggy = usual.buggy, base = usual.base)).takeIf { kind != brick }
-    },
+    ) { kind -> RobotEdit.Change(withBrick(kind)).takeIf { kind != brick } },
 ) + buggyFields().take(1)
+
+/** The same robot with another brick. On a buggy another micro:bit changes nothing else; its wiring says where motors are. */
+private fun RobotDescription.withBrick(kind: BrickKind): RobotDescription {
+    if (kind.isOnBuggy && buggy != null) return copy(brick = kind)
+    val usual = ReadyRobots.defaultOf(kind)
+    val changed = copy(brick = kind, buggy = usual.buggy, base = usual.base)
+    if (!kind.isOnBuggy) return changed
+    return changed.copy(
+        drive = drive.copy(left = usual.drive.left, right = usual.drive.right),
+        pen = if (pen == null) null else usual.pen,
+    )
+}
 
 /** How far ahead of the pen an element is, and how far to its left. */
 internal fun RobotDescription.placeFields(element: RobotElement): List<Field<RobotEdit>> {

@@ -1,11 +1,13 @@
 package robotran.robotediting
 
+import robotran.brick.controls.MotorPort
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
 import robotran.brick.kind.PlainDrive
 import robotran.brick.kind.WheelTrim
 import robotran.editing.Field
 import robotran.language.Language
+import robotran.world.PenMount
 import robotran.world.ReadyRobots
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -116,6 +118,25 @@ class RobotFieldsTest {
     }
 
     @Test
+    fun `another micro-bit stays on its buggy, and what was measured stays, too`() {
+        val measured = RobotEditing.of(ReadyRobots.MAQUEEN).typed(WAY, 60.0).typed(SIDE, 4.0)
+        val older = measured.withBrick(BrickKind.MICROBIT_V1)
+        assertEquals(measured.robot.copy(brick = BrickKind.MICROBIT_V1), older.robot)
+        assertEquals(measured.number(WAY).value, older.number(WAY).value)
+    }
+
+    @Test
+    fun `a robot whose motors are on ports of a hub gets those of a buggy with a micro-bit`() {
+        val hub = ReadyRobots.SPIKE_PENBOT.let {
+            it.copy(drive = it.drive.copy(left = MotorPort.E, right = MotorPort.F), pen = PenMount(MotorPort.D))
+        }
+        val buggy = RobotEditing.of(hub).withBrick(BrickKind.MICROBIT)
+        assertEquals(ReadyRobots.CUTEBOT.buggy, buggy.robot.buggy)
+        assertEquals(listOf(MotorPort.A, MotorPort.C), buggy.robot.drive.let { listOf(it.left, it.right) })
+        assertEquals(PenMount(MotorPort.B), buggy.robot.pen)
+    }
+
+    @Test
     fun `motors that run for a time are not measured`() {
         assertTrue(RobotEditing.of(ReadyRobots.RCX_PENBOT).fieldsOf(RobotElement.Wheels).none { it.tag == WAY })
     }
@@ -131,6 +152,12 @@ class RobotFieldsTest {
 
     private fun RobotEditing.chosen(tag: String, value: Any?): RobotEditing =
         after(checkNotNull(choice(tag).with(value, Language.ENGLISH)))
+
+    @Suppress("UNCHECKED_CAST")
+    private fun RobotEditing.withBrick(kind: BrickKind): RobotEditing {
+        val bricks = robot.wholeFields().single { it.tag == "robot-brick" } as Field.Choice<Any?, RobotEdit>
+        return after(checkNotNull(bricks.with(kind, Language.ENGLISH)))
+    }
 
     private fun RobotEditing.typed(tag: String, value: Double) = after(checkNotNull(number(tag).with(value)))
 

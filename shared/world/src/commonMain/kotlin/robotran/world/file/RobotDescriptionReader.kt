@@ -4,6 +4,7 @@ import robotran.brick.kind.BrickKind
 import robotran.brick.sensors.SensorKind
 import robotran.json.JsonCursor
 import robotran.world.BrickMount
+import robotran.world.BuggyMount
 import robotran.world.BumperPart
 import robotran.world.Chassis
 import robotran.world.Drive
@@ -48,8 +49,7 @@ internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = fals
         ),
         parts =
             cursor.optional("parts")?.items(0..RobotLimits.MAXIMUM_PARTS)?.map { readPart(it).rounded() } ?: like.parts,
-        buggy =
-            cursor.optional("buggy")?.let { readBuggy(it, brick.isOnBuggy) } ?: like.buggy.takeIf { brick.isOnBuggy },
+        buggy = cursor.optional("buggy")?.let { readBuggy(it, brick.isOnBuggy) } ?: usualBuggy(brick, like),
         base = base?.base,
         unknown = unknownOf(cursor),
     )
@@ -60,6 +60,10 @@ internal fun readDescription(cursor: JsonCursor, mayBeImpossible: Boolean = fals
     errors.firstOrNull()?.let { error -> placeOf(error, cursor).refuseInSentence { error.sentence(it) } }
     return robot
 }
+
+/** The buggy of a robot whose file names none: each micro:bit is on one, also if the robot is [like] one without. */
+private fun usualBuggy(brick: BrickKind, like: RobotDescription): BuggyMount? =
+    if (brick.isOnBuggy) like.buggy ?: ReadyRobots.defaultOf(brick).buggy else null
 
 /** The ready robot whose name is at [cursor]. */
 internal fun readyRobot(cursor: JsonCursor): RobotDescription {

@@ -143,6 +143,11 @@ class RobotFileTest {
             buggy = BuggyMount(BuggyKind.PLAIN, WheelTrim(1.0, 0.98), pins),
         )
         assertEquals(full, loadedRobot(writeRobot(full)))
+        val likeAnRcx = """{"format": "robotran-robot", "version": 1, "title": "L", "like": "sumo", """ +
+            """"brick": "microbit", "parts": []}"""
+        val onUsualBuggy = loadedRobot(likeAnRcx)
+        assertEquals(ReadyRobots.CUTEBOT.buggy, onUsualBuggy.buggy)
+        assertEquals(onUsualBuggy, loadedRobot(writeRobot(onUsualBuggy)))
         assertEquals("Line 27: buggy.pins: Pin 12 of the buggy is used twice.", robotFileError("[0, 1]", "[0, 12]"))
         assertTrue("belongs to the micro:bit itself" in robotFileError("[0, 1]", "[0, 5]"))
     }
