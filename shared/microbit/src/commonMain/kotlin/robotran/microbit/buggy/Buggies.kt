@@ -177,6 +177,7 @@ internal object Buggies {
         lines = pins.lines.map { PinLine(it, darkIs = if (pins.isDarkOne) 1 else 0) },
         sonar = pins.trigger?.let { SonarPins(it, pins.echo ?: it) },
         pen = pins.pen?.let(::PinServo),
+        usesPin0 = 0 in pins.all,
     )
 
     private fun frame(vararg bytes: FrameByte) = Frame(bytes.toList())

@@ -11,6 +11,7 @@ import robotran.brick.kind.BrickKind
  * @property hasSpeaker whether it has a loudspeaker; without one it needs a buzzer on a pin.
  * @property buttons those that it has.
  * @property hasMicrophone whether it hears how loud it is.
+ * @property hasOnePulsePeriod whether the pulses on all pins have one period, so that a tone changes that of servos.
  * @property statementMicroseconds about how long a statement takes (estimate).
  */
 enum class MicrobitModel(
@@ -19,6 +20,7 @@ enum class MicrobitModel(
     val hasSpeaker: Boolean,
     val buttons: List<MicrobitButton>,
     val hasMicrophone: Boolean,
+    val hasOnePulsePeriod: Boolean,
     val statementMicroseconds: Int,
 ) {
     V1(
@@ -27,6 +29,7 @@ enum class MicrobitModel(
         hasSpeaker = false,
         buttons = listOf(MicrobitButton.A, MicrobitButton.B),
         hasMicrophone = false,
+        hasOnePulsePeriod = true,
         statementMicroseconds = 100,
     ),
     V2(
@@ -35,6 +38,7 @@ enum class MicrobitModel(
         hasSpeaker = true,
         buttons = MicrobitButton.entries,
         hasMicrophone = true,
+        hasOnePulsePeriod = false,
         statementMicroseconds = 20,
     ),
     ;

@@ -134,6 +134,9 @@ sealed interface RobotTarget {
         val sensors: Map<Int, MicrobitSensor> = buggy.sensors,
     ) : RobotTarget {
         override val kind: BrickKind get() = model.kind
+
+        /** Whether its programs play tones; otherwise they are silent, for a tone would move something on the buggy. */
+        val playsTones: Boolean get() = buggy.bearsTones(model, pen != null)
     }
 }
 

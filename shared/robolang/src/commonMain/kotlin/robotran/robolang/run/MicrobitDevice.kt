@@ -146,8 +146,9 @@ internal class MicrobitDevice(
 
     override fun clearScreen(sourceLine: Int) = make(MicrobitCall.of(MicrobitNative.DISPLAY_CLEAR), sourceLine)
 
-    private fun tone(hertz: Int, milliseconds: Int, sourceLine: Int) =
-        make(MicrobitCall.of(MicrobitNative.MUSIC_PITCH, hertz, milliseconds), sourceLine)
+    private fun tone(hertz: Int, milliseconds: Int, sourceLine: Int) {
+        if (robot.playsTones) make(MicrobitCall.of(MicrobitNative.MUSIC_PITCH, hertz, milliseconds), sourceLine)
+    }
 
     /** Drives the robot ahead with both 1, whichever way its motors turn for that. */
     private fun go(left: Int, right: Int, sourceLine: Int) {

@@ -128,7 +128,7 @@ internal class MicrobitPorts(
         /** Half the angle of the beam of an HC-SR04, degrees. */
         const val BEAM = 12.5
 
-        /** Pings may be no closer, or old echoes count. */
+        /** So that what a program hears, at most every 60 ms, is never old. */
         const val SONAR_MILLISECONDS = 20
         const val OWN_MILLISECONDS = 10
 

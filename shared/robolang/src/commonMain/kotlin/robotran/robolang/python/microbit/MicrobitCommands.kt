@@ -29,6 +29,7 @@ internal class MicrobitCommands(
     private val messages = notes.messages
     private val numbers = MicrobitNumbers(context, ranges)
     private val durations = Durations(robot)
+    private val sounds = MicrobitSounds(robot, context, state, numbers)
     private val hasPen = robot.pen != null && robot.buggy.pen != null
 
     fun linesOf(command: Command): List<String> = when (command) {
@@ -43,9 +44,9 @@ internal class MicrobitCommands(
         is Command.Wait -> waiting(numbers.milliseconds(command.duration, command.unit, durations))
         is Command.WaitUntil -> waitUntil(command)
         is Command.ResetTimer -> listOf("${state.timer()} = ${uses.import("microbit", "running_time")}()")
-        is Command.Beep -> tone(command, MicrobitFigures.BEEP_HERTZ, MicrobitFigures.BEEP_MILLISECONDS)
-        is Command.Buzz -> tone(command, MicrobitFigures.BUZZ_HERTZ, MicrobitFigures.BUZZ_MILLISECONDS)
-        is Command.Play -> play(command)
+        is Command.Beep -> sounds.tone(command, MicrobitFigures.BEEP_HERTZ, MicrobitFigures.BEEP_MILLISECONDS)
+        is Command.Buzz -> sounds.tone(command, MicrobitFigures.BUZZ_HERTZ, MicrobitFigures.BUZZ_MILLISECONDS)
+        is Command.Play -> sounds.play(command, ::waiting)
         is Command.Show -> show(command, expressions.text(command.value), isLong(command.value))
         is Command.ShowText -> show(command, pythonString(command.text), command.text.length > 1)
         is Command.ClearScreen -> listOf("${uses.import("microbit", "display")}.clear()")
@@ -186,28 +187,6 @@ internal class MicrobitCommands(
     private fun waitUntil(command: Command.WaitUntil): List<String> {
         val loop = listOf("while ${expressions.opposite(command.condition)}:", "    ${pause()}")
         return if (context.isReacting) loop + "${uses.use(MicrobitHelper.LOOK)}()" else loop
-    }
-
-    private fun tone(command: Command, hertz: Int, milliseconds: Int): List<String> {
-        sounds(command)
-        return listOf("${uses.module("music")}.pitch($hertz, $milliseconds, ${state.pin}wait=False)")
-    }
-
-    private fun sounds(command: Command) {
-        if (!robot.model.hasSpeaker && robot.buggy.buzzer == null) notes.tell(command.range, messages.noBuzzer())
-        state.makesSounds = true
-    }
-
-    private fun play(command: Command.Play): List<String> {
-        sounds(command)
-        val hertz = numbers.whole(command.frequency)
-        val time = numbers.ofTone(command.duration, durations)
-        if (time == "0") return emptyList()
-        val isSimple = time.toIntOrNull() != null && !context.isReacting
-        if (isSimple) return listOf("${uses.module("music")}.pitch($hertz, $time, ${state.pin}".trimEnd(',', ' ') + ")")
-        uses.use(if (context.isReacting) MicrobitHelper.WAIT else MicrobitHelper.PLAY)
-        if (!context.isReacting) uses.import("microbit", "sleep")
-        return listOf("${uses.use(MicrobitHelper.PLAY)}($hertz, $time)")
     }
 
     private fun show(command: Command, text: String, isLong: Boolean): List<String> {

@@ -43,6 +43,7 @@ internal val allBuggies: Map<String, RobotTarget.Microbit> =
         "bridge" to bridgeBuggy,
         "cutebot-trimmed" to trimmedCutebot,
         "cutebot-v1" to buggyRobot(BuggyKind.CUTEBOT, MicrobitModel.V1),
+        "kitronik-move-v1" to buggyRobot(BuggyKind.KITRONIK_MOVE, MicrobitModel.V1),
         "cutebot-reversed" to cutebot.copy(isReversed = true),
     )
 

@@ -1,6 +1,8 @@
 package robotran.robolang.python.microbit
 
 import robotran.brick.kind.BuggyKind
+import robotran.brick.kind.BuggyPins
+import robotran.brick.kind.PlainDrive
 import robotran.language.Language
 import robotran.microbit.model.MicrobitModel
 import robotran.robolang.documentedPrograms
@@ -130,6 +132,30 @@ class MicrobitShapesTest {
         for (notes in all) assertEquals(notes.distinct(), notes)
         assertEquals(listOf(4), all.map { it.size }.distinct())
         assertEquals(Language.entries.size, all.distinct().size)
+    }
+
+    @Test
+    fun `a V1 makes no tone that would move a servo or a motor on pin 0`() {
+        val source = "function high()\n  show 7\n  return 440\nend\nbeep\nplay high() for 0.5 seconds\npen down"
+        val motorOnSound = BuggyPins(PlainDrive.BRIDGE, listOf(0, 8), listOf(16, 14))
+        val silent = listOf(
+            buggyRobot(BuggyKind.KITRONIK_MOVE, MicrobitModel.V1),
+            buggyRobot(BuggyKind.PLAIN, MicrobitModel.V1),
+            buggyRobot(BuggyKind.PLAIN, MicrobitModel.V1, motorOnSound),
+        )
+        for (robot in silent) {
+            val translation = boardPythonOf(source, robot)
+            assertFalse("music" in translation.python, translation.python)
+            assertContains(translation.python, "    high()\n    sleep(500)")
+            assertTrue(translation.notes.any { it.range.line == 5 && "no sound" in it.message })
+        }
+        val loud = listOf(
+            buggyRobot(BuggyKind.CUTEBOT, MicrobitModel.V1),
+            buggyRobot(BuggyKind.KITRONIK_MOVE, MicrobitModel.V1).copy(pen = null),
+            buggyRobot(BuggyKind.PLAIN, pins = motorOnSound),
+            buggyRobot(BuggyKind.KITRONIK_MOVE),
+        )
+        for (robot in loud) assertContains(boardPythonOf(source, robot).python, "music.pitch(880")
     }
 
     @Test
