@@ -10,10 +10,15 @@ import robotran.microbitlink.drive.MicrobitDrives
 
 /** Copies files onto the drive of the micro:bit that the user means. */
 internal class MicrobitDriveSession(private val console: Console, private val drives: MicrobitDrives) {
-    /** Copies [hex] onto the drive at [path], or onto the first that is there if that is null; complains if there is none. */
+    /**
+     * Copies [hex] onto the drive at [path], or onto the only one that is there if that is null; complains if there is none,
+     * or more than one: a board that is not meant would lose its program.
+     */
     fun copy(hex: ByteArray, path: String?): ExitCode = runBlocking {
-        val drive = path?.let { MicrobitDrive(it) } ?: drives.available().firstOrNull()
-        if (drive == null) return@runBlocking failed(console.messages.noMicrobitDrive())
+        val found = path?.let { listOf(MicrobitDrive(it)) } ?: drives.available()
+        if (found.isEmpty()) return@runBlocking failed(console.messages.noMicrobitDrive())
+        val drive = found.singleOrNull()
+            ?: return@runBlocking failed(console.messages.severalMicrobitDrives(found.map { it.path }))
         when (val copied = drives.copy(hex, drive)) {
             DriveResult.Copied -> ExitCode.DONE.also { console.say(console.messages.onMicrobit(drive.path)) }
             is DriveResult.Refused -> failed(console.messages.microbitRefuses(copied.words))

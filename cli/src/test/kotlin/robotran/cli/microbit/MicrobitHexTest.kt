@@ -116,15 +116,27 @@ class MicrobitHexTest : CommandTest() {
         assertEquals(2, run(TestDrives(DriveResult.Copied), "send", "$cut"))
     }
 
-    /** @param result what the only board says; null for no board. */
-    private class TestDrives(private val result: DriveResult?) : MicrobitDrives {
+    @Test
+    fun `of several boards none is written to before the user has said which`() {
+        val drives = TestDrives(DriveResult.Copied, listOf("/media/ada/MICROBIT", "/media/ada/MICROBIT1"))
+        assertEquals(4, run(drives, "send", "$microPython"))
+        assertContains(console.complaints.removeLast(), "/media/ada/MICROBIT and /media/ada/MICROBIT1")
+        assertEquals("", drives.path)
+        assertEquals(0, run(drives, "send", "$microPython", "--drive", "/media/ada/MICROBIT1"))
+        assertEquals("/media/ada/MICROBIT1", drives.path)
+    }
+
+    /** @param result what the boards say; null for no board. */
+    private class TestDrives(
+        private val result: DriveResult?,
+        private val paths: List<String> = listOf("/media/ada/MICROBIT"),
+    ) : MicrobitDrives {
         override val canWrite: Boolean get() = true
 
         var copied = ByteArray(0)
         var path = ""
 
-        override suspend fun available() =
-            if (result == null) emptyList() else listOf(MicrobitDrive("/media/ada/MICROBIT"))
+        override suspend fun available() = if (result == null) emptyList() else paths.map(::MicrobitDrive)
 
         override suspend fun copy(hex: ByteArray, drive: MicrobitDrive): DriveResult {
             copied = hex
