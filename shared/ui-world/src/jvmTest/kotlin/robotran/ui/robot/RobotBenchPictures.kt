@@ -79,6 +79,25 @@ class RobotBenchPictures {
         }
     }
 
+    @Test
+    fun `the wheels and the pins of a buggy can be photographed`() {
+        val looks = mapOf(
+            "light" to Settings(),
+            "dark" to Settings(theme = AppTheme.DARK, language = Language.SPANISH),
+            "large" to Settings(textScale = 2f),
+        )
+        for ((name, width, height) in SCREENS) {
+            for ((look, settings) in looks) {
+                photograph(width, height, settings, "bench-$name-$look-buggy-wheels") {
+                    make(RobotEdit.Replace(ReadyRobots.CUTEBOT), RobotEdit.Choose(RobotElement.Wheels))
+                }
+                photograph(width, height, settings, "bench-$name-$look-buggy-pins") {
+                    make(RobotEdit.Replace(ReadyRobots.PLAIN_BUGGY), RobotEdit.Choose(RobotElement.Brick))
+                }
+            }
+        }
+    }
+
     private fun Workshop.impossible() = make(
         RobotEdit.Replace(ReadyRobots.NXT_PENBOT),
         RobotEdit.Choose(RobotElement.Part(1)),

@@ -45,7 +45,7 @@ class HubSendPictures {
 private fun photograph(state: HubSendState, screen: Screen, settings: Settings): Image = onEventThread {
     val scene = sceneOf(screen.width, screen.height) {
         InLanguage(settings.language) {
-            RobotranTheme(dark = false, settings) {
+            RobotranTheme(dark = settings.theme == AppTheme.DARK, settings) {
                 Box(
                     Modifier.fillMaxSize().background(LocalRobotranColours.current.desk).padding(16.dp),
                     Alignment.Center,

@@ -55,7 +55,7 @@ class MicrobitSendPictures {
 private fun photograph(state: MicrobitSendState, screen: Screen, settings: Settings): Image = onEventThread {
     val scene = sceneOf(screen.width, screen.height) {
         InLanguage(settings.language) {
-            RobotranTheme(dark = false, settings) {
+            RobotranTheme(dark = settings.theme == AppTheme.DARK, settings) {
                 Box(
                     Modifier.fillMaxSize().background(LocalRobotranColours.current.desk).padding(16.dp),
                     Alignment.Center,
