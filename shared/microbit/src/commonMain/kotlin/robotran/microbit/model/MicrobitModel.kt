@@ -8,6 +8,7 @@ import robotran.brick.kind.BrickKind
  *
  * @property kind the same among all bricks.
  * @property fileBytes room for its files.
+ * @property heapBytes memory for programs and what they keep.
  * @property hasSpeaker whether it has a loudspeaker; without one it needs a buzzer on a pin.
  * @property buttons those that it has.
  * @property hasMicrophone whether it hears how loud it is.
@@ -17,6 +18,7 @@ import robotran.brick.kind.BrickKind
 enum class MicrobitModel(
     val kind: BrickKind,
     val fileBytes: Int,
+    val heapBytes: Int,
     val hasSpeaker: Boolean,
     val buttons: List<MicrobitButton>,
     val hasMicrophone: Boolean,
@@ -26,6 +28,7 @@ enum class MicrobitModel(
     V1(
         BrickKind.MICROBIT_V1,
         fileBytes = 28_672,
+        heapBytes = 10_240,
         hasSpeaker = false,
         buttons = listOf(MicrobitButton.A, MicrobitButton.B),
         hasMicrophone = false,
@@ -35,6 +38,7 @@ enum class MicrobitModel(
     V2(
         BrickKind.MICROBIT,
         fileBytes = 20_480,
+        heapBytes = 65_536,
         hasSpeaker = true,
         buttons = MicrobitButton.entries,
         hasMicrophone = true,

@@ -4,6 +4,7 @@ import robotran.robolang.RobolangProgram
 import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.python.microbit.BoardRoom
 import robotran.robolang.python.microbit.MicrobitTarget
+import robotran.robolang.python.microbit.noteOfSize
 import robotran.robolang.python.pybricks.PybricksTarget
 import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.python.writer.PythonFile
@@ -37,8 +38,10 @@ fun translateToPython(
     robot: RobotTarget.Microbit,
     messages: PythonTranslationMessages,
 ): PythonTranslation = translateToPython(program, messages) { MicrobitTarget(robot, it) }.let {
-    val room = BoardRoom.of(robot.model, allStatements(program.checked.tree).size, it.python)
-    PythonTranslation(it.fileName, it.python, it.lineMap, it.notes, room)
+    val statements = allStatements(program.checked.tree)
+    val room = BoardRoom.of(robot.model, statements.size, it.python)
+    val notes = it.notes + listOfNotNull(noteOfSize(robot.model, statements, room, messages))
+    PythonTranslation(it.fileName, it.python, it.lineMap, notes.sortedBy { note -> note.range.line }, room)
 }
 
 /** Translates [program] for the robot that it was compiled for; null if that runs no Python. Never throws. */

@@ -6,21 +6,37 @@ import robotran.microbit.model.MicrobitModel
  * How full a board gets with a program.
  *
  * @property statements how many statements of Robolang it has.
- * @property mostStatements how many the memory of the board takes, more or less; null if its files are full before.
+ * @property memoryBytes how much memory the board needs to start it, more or less.
+ * @property heapBytes how much memory the board has.
  * @property bytes the length of its Python, in UTF-8.
  * @property mostBytes the longest file that there is room for.
  */
-data class BoardRoom(val statements: Int, val mostStatements: Int?, val bytes: Int, val mostBytes: Int) {
-    /** How full its memory gets, from 0; 0 as well if its files are full before. */
-    val memoryShare: Float get() = if (mostStatements == null) 0f else statements.toFloat() / mostStatements
+data class BoardRoom(
+    val statements: Int,
+    val memoryBytes: Int,
+    val heapBytes: Int,
+    val bytes: Int,
+    val mostBytes: Int,
+) {
+    /** How full its memory gets, from 0; above 1 the program may not start. */
+    val memoryShare: Float get() = memoryBytes.toFloat() / heapBytes
 
     internal companion object {
-        /**
-         * From how many statements a V1 may run out of memory, and from how many it will: the parse tree of one file
-         * fills its 10 kB. Measured with a build of MicroPython for the PC and twice the heap, so 30 % either way.
-         */
+        /** Above so many statements a V1 may run out of memory, and will, whatever they are. */
         const val MANY_STATEMENTS_V1 = 100
         const val MOST_STATEMENTS_V1 = 250
+
+        /** The same by [memoryShare], whose figures are 30 % off at most. */
+        const val MUCH_MEMORY = 0.8f
+        const val MOST_MEMORY = 1.5f
+
+        /**
+         * What a file takes while MicroPython reads it, mostly for its parse tree: so much, and so much for each byte but
+         * for spaces at the beginning of a line, comments and empty lines. Measured with MicroPython 1.28 for the PC, halved
+         * because its words have 64 bits, for programs of 10 to 600 statements: within 5 % (docs/python.md).
+         */
+        private const val MEMORY_AT_LEAST = 500
+        private const val MEMORY_PER_BYTE = 3.4
 
         /** A file takes chunks of [CHUNK] bytes, [CHUNK_DATA] of them data, and begins with its name and length. */
         private const val CHUNK = 128
@@ -35,10 +51,11 @@ data class BoardRoom(val statements: Int, val mostStatements: Int?, val bytes: I
             if (model == MicrobitModel.V1) DEEPEST_CALLS_V1 else DEEPEST_CALLS_V2
 
         fun of(model: MicrobitModel, statements: Int, python: String): BoardRoom {
-            val mostStatements = MOST_STATEMENTS_V1.takeIf { model == MicrobitModel.V1 }
             // The longest main.py beside nothing else.
             val mostBytes = model.fileBytes / CHUNK * CHUNK_DATA - FILE_HEAD
-            return BoardRoom(statements, mostStatements, python.encodeToByteArray().size, mostBytes)
+            val read = python.lineSequence().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }
+            val memory = MEMORY_AT_LEAST + (read.sumOf { it.length + 1 } * MEMORY_PER_BYTE).toInt()
+            return BoardRoom(statements, memory, model.heapBytes, python.encodeToByteArray().size, mostBytes)
         }
     }
 }

@@ -1,37 +1,48 @@
 package robotran.robolang.python.microbit
 
 import robotran.microbit.model.MicrobitModel
+import robotran.robolang.messages.PythonTranslationMessages
+import robotran.robolang.python.PythonNote
 import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.python.writer.withInner
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
 import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
-import robotran.robolang.syntax.allStatements
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.withParts
 
-/** Tells whether a program is too large for its board, or calls itself deeper than that can. */
-internal class MicrobitSizeNotes(private val robot: RobotTarget.Microbit, private val context: PythonContext) {
+/** What to say of a program of these [statements] that fills a V1 as [room] says; null if it fits, and on a V2. */
+internal fun noteOfSize(
+    model: MicrobitModel,
+    statements: List<Statement>,
+    room: BoardRoom,
+    messages: PythonTranslationMessages,
+): PythonNote? {
+    if (model != MicrobitModel.V1) return null
+
+    /** The first statement for which there is no room any more; null if there is room for all. */
+    fun firstBeyond(most: Int, share: Float): Statement? {
+        val room = minOf(most, (statements.size * share / room.memoryShare).toInt())
+        return statements.getOrNull(room)
+    }
+    firstBeyond(BoardRoom.MOST_STATEMENTS_V1, BoardRoom.MOST_MEMORY)?.let {
+        return PythonNote(it.range, messages.tooLongForV1(), isLost = true)
+    }
+    return firstBeyond(BoardRoom.MANY_STATEMENTS_V1, BoardRoom.MUCH_MEMORY)?.let {
+        PythonNote(it.range, messages.longForV1(), isLost = false)
+    }
+}
+
+/** Tells whether a program calls itself deeper than its board can. */
+internal class DeepCallNotes(private val robot: RobotTarget.Microbit, private val context: PythonContext) {
     private val tree = context.tree
     private val notes = context.notes
     private val messages = notes.messages
 
     fun tell() {
-        tellSize()
         val routine = tree.routines.firstOrNull { callsItself(it) } ?: return
         notes.tell(routine.range, messages.deepCalls("${BoardRoom.deepestCallsOn(robot.model)}"))
-    }
-
-    private fun tellSize() {
-        if (robot.model != MicrobitModel.V1) return
-        val statements = allStatements(tree)
-        val most = statements.getOrNull(BoardRoom.MOST_STATEMENTS_V1)
-        val many = statements.getOrNull(BoardRoom.MANY_STATEMENTS_V1)
-        when {
-            most != null -> notes.lost(most.range, messages.tooLongForV1("${BoardRoom.MOST_STATEMENTS_V1}"))
-            many != null -> notes.tell(many.range, messages.longForV1("${BoardRoom.MANY_STATEMENTS_V1}"))
-        }
     }
 
     private fun callsItself(routine: Routine): Boolean {

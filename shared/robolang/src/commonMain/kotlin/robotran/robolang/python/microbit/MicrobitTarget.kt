@@ -63,7 +63,7 @@ internal class MicrobitTarget(private val robot: RobotTarget.Microbit, private v
 
     override fun variablesChangedBy(statement: Statement): List<String> = state.changedBy(statement)
 
-    override fun tell(tree: SyntaxTree) = MicrobitSizeNotes(robot, context).tell()
+    override fun tell(tree: SyntaxTree) = DeepCallNotes(robot, context).tell()
 
     override fun checkpoint(): () -> Unit {
         val used = uses.copy()

@@ -161,19 +161,34 @@ class MicrobitShapesTest {
     @Test
     fun `a V1 has room for small programs only`() {
         val v1 = buggyRobot(BuggyKind.CUTEBOT, MicrobitModel.V1)
-        val line = "beep\n"
-        assertFalse(boardPythonOf(line.repeat(100), v1).notes.any { "memory" in it.message })
-        assertTrue(boardPythonOf(line.repeat(101), v1).notes.any { "memory" in it.message && !it.isLost })
-        val tooLong = boardPythonOf(line.repeat(251), v1)
-        assertFalse(tooLong.isComplete)
-        assertTrue(assertNotNull(tooLong.room).memoryShare > 1f)
+
+        fun notesOf(text: String) = boardPythonOf(text, v1).notes.filter { "memory" in it.message }
+        val line = "forward 10\n"
+        assertEquals(emptyList(), notesOf(line.repeat(100)))
+        assertFalse(notesOf(line.repeat(101)).single().isLost)
+        val long = notesOf("beep\n".repeat(101)).single()
+        assertFalse(long.isLost)
+        assertTrue(long.range.line in 50..80, "${long.range}")
+        val tooLong = notesOf(line.repeat(251)).single()
+        assertTrue(tooLong.isLost)
+        assertTrue(tooLong.range.line in 150..251, "${tooLong.range}")
+        assertTrue(assertNotNull(boardPythonOf(line.repeat(251), v1).room).memoryShare > 1f)
         assertTrue(boardPythonOf(line.repeat(251)).isComplete)
-        val room = assertNotNull(boardPythonOf(line.repeat(125), v1).room)
-        assertEquals(0.5f, room.memoryShare)
-        assertEquals(boardPythonOf(line.repeat(125), v1).python.encodeToByteArray().size, room.bytes)
+    }
+
+    @Test
+    fun `how full a board gets is what MicroPython needed, comments not counted`() {
+        val v1 = buggyRobot(BuggyKind.CUTEBOT, MicrobitModel.V1)
+        val room = assertNotNull(boardPythonOf("forward 10\n", v1).room)
+        val commented = assertNotNull(boardPythonOf("// Ahead, a little way.\n\nforward 10\n", v1).room)
+        assertEquals(room.memoryBytes, commented.memoryBytes)
+        assertTrue(commented.bytes > room.bytes)
+        assertEquals(10_240, room.heapBytes)
         assertEquals(28_214, room.mostBytes)
-        val v2 = assertNotNull(boardPythonOf(line).room)
-        assertEquals(listOf(null, 20_150, 0f), listOf(v2.mostStatements, v2.mostBytes, v2.memoryShare))
+        val v2 = assertNotNull(boardPythonOf("forward 10\n").room)
+        assertEquals(listOf(65_536, 20_150), listOf(v2.heapBytes, v2.mostBytes))
+        assertEquals(room.memoryBytes, v2.memoryBytes)
+        assertTrue(v2.memoryShare < 0.1f && room.memoryShare in 0.2f..0.5f, "${v2.memoryShare} ${room.memoryShare}")
     }
 
     private companion object {
