@@ -1,4 +1,4 @@
-package robotran.ui.brick
+package robotran.ui.brick.plug
 
 import androidx.compose.ui.geometry.Rect
 import robotran.ui.brick.front.FrontPlan
