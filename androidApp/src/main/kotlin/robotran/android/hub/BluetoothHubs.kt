@@ -17,8 +17,8 @@ import kotlinx.coroutines.withTimeoutOrNull
 import robotran.hublink.HubError
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.HubUuids
-import robotran.hublink.connection.HubWay
 import robotran.hublink.connection.OpenedHub
 import java.util.UUID
 import kotlin.time.Duration
@@ -67,7 +67,7 @@ internal class BluetoothHubs(private val context: Context, private val permissio
                 override fun onScanResult(type: Int, result: ScanResult) {
                     val address = result.device.address
                     val name = result.scanRecord?.deviceName ?: seen[address]?.name.orEmpty()
-                    seen[address] = HubDevice(address, name, HubWay.BLUETOOTH)
+                    seen[address] = HubDevice(address, name, HubTransport.BLUETOOTH)
                     first.complete(Unit)
                 }
             }

@@ -15,7 +15,7 @@ import robotran.hublink.HubError
 import robotran.hublink.HubKind
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.connection.PacketHub
 import robotran.hublink.connection.SerialHub
@@ -31,9 +31,9 @@ internal class UsbHubs(private val context: Context) {
     /** Those that the user has allowed. */
     fun available(): List<HubDevice> = plugged().filter(::isAllowed).mapNotNull(::deviceOf)
 
-    suspend fun choose(way: HubWay): HubDevice? {
+    suspend fun choose(transport: HubTransport): HubDevice? {
         val usb = manager ?: return null
-        val hub = plugged().firstOrNull { deviceOf(it)?.way == way } ?: return null
+        val hub = plugged().firstOrNull { deviceOf(it)?.transport == transport } ?: return null
         if (!isAllowed(hub)) askForPermission(context, usb, hub)
         return deviceOf(hub).takeIf { isAllowed(hub) }
     }
@@ -42,7 +42,8 @@ internal class UsbHubs(private val context: Context) {
         val hub = plugged().firstOrNull { it.deviceName == device.id } ?: return OpenedHub.Failure(HubError.OutOfReach)
         if (!isAllowed(hub)) return OpenedHub.Failure(HubError.NotAllowed)
         val connection = manager?.openDevice(hub) ?: return OpenedHub.Failure(HubError.Taken)
-        val opened = if (device.way == HubWay.USB_PACKETS) packets(connection, hub) else serial(connection, hub)
+        val isPackets = device.transport == HubTransport.USB_PACKETS
+        val opened = if (isPackets) packets(connection, hub) else serial(connection, hub)
         if (opened == null) connection.close()
         return opened?.let { OpenedHub.Success(it) } ?: OpenedHub.Failure(HubError.Taken)
     }
@@ -92,12 +93,12 @@ internal class UsbHubs(private val context: Context) {
     private fun isAllowed(hub: UsbDevice) = manager?.hasPermission(hub) == true
 
     private fun deviceOf(hub: UsbDevice): HubDevice? {
-        val way = when {
-            hub.interfaces().any(::takesPackets) -> HubWay.USB_PACKETS
-            hub.interfaces().any(::isSerial) -> HubWay.USB_SERIAL
+        val transport = when {
+            hub.interfaces().any(::takesPackets) -> HubTransport.USB_PACKETS
+            hub.interfaces().any(::isSerial) -> HubTransport.USB_SERIAL
             else -> return null
         }
-        return HubDevice(hub.deviceName, HubKind.ofUsbProduct(hub.productId)?.productName.orEmpty(), way)
+        return HubDevice(hub.deviceName, HubKind.ofUsbProduct(hub.productId)?.productName.orEmpty(), transport)
     }
 
     private companion object {

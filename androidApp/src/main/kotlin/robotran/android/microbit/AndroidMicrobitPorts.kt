@@ -31,11 +31,17 @@ internal class AndroidMicrobitPorts(private val context: Context) : MicrobitPort
     /** Those that the user has allowed. */
     override suspend fun available(): List<PluggedBoard> = plugged().filter(::isAllowed).map(::boardOf)
 
+    /** Asks whether the app may use each board that is plugged in; which one is meant, the app asks itself. */
     override suspend fun choose(): ChosenBoard {
         val usb = manager ?: return ChosenBoard.None
-        val board = plugged().firstOrNull { !isAllowed(it) } ?: plugged().firstOrNull() ?: return ChosenBoard.None
-        if (!isAllowed(board)) askForPermission(context, usb, board)
-        return if (isAllowed(board)) ChosenBoard.Chosen(boardOf(board)) else ChosenBoard.Refused(BoardError.NotAllowed)
+        for (board in plugged().filterNot(::isAllowed)) askForPermission(context, usb, board)
+        val boards = available()
+        return when {
+            boards.size > 1 -> ChosenBoard.Several(boards)
+            boards.isNotEmpty() -> ChosenBoard.Chosen(boards.single())
+            plugged().isEmpty() -> ChosenBoard.None
+            else -> ChosenBoard.Refused(BoardError.NotAllowed)
+        }
     }
 
     override suspend fun open(board: PluggedBoard): OpenedBoard {

@@ -31,9 +31,9 @@ import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.CommandAnswer
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.connection.HubDevice
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.HubUuids
 import robotran.hublink.connection.HubValue
-import robotran.hublink.connection.HubWay
 import robotran.hublink.connection.OpenedHub
 import java.util.UUID
 
@@ -57,14 +57,14 @@ class BluetoothHubsTest {
     @Test
     fun `a device without Bluetooth reaches no hub`() {
         shadowOf(context.packageManager).setSystemFeature(PackageManager.FEATURE_BLUETOOTH_LE, false)
-        assertEquals(emptySet<HubWay>(), ports.ways)
+        assertEquals(emptySet<HubTransport>(), ports.transports)
     }
 
     @Test
     fun `without the permissions nothing is looked for and nothing opened`() = runBlocking {
-        assertEquals(setOf(HubWay.BLUETOOTH), ports.ways)
+        assertEquals(setOf(HubTransport.BLUETOOTH), ports.transports)
         assertEquals(emptyList<HubDevice>(), ports.available())
-        assertEquals(ChosenHub.Refused(HubError.BluetoothNotAllowed), ports.choose(HubWay.BLUETOOTH))
+        assertEquals(ChosenHub.Refused(HubError.BluetoothNotAllowed), ports.choose(HubTransport.BLUETOOTH))
         assertEquals(OpenedHub.Failure(HubError.BluetoothNotAllowed), ports.open(HUB))
     }
 
@@ -85,7 +85,7 @@ class BluetoothHubsTest {
     fun `with Bluetooth off a hub is out of reach`() = runBlocking {
         allow()
         shadowOf(adapter).setEnabled(false)
-        assertEquals(ChosenHub.None, ports.choose(HubWay.BLUETOOTH))
+        assertEquals(ChosenHub.None, ports.choose(HubTransport.BLUETOOTH))
         assertEquals(OpenedHub.Failure(HubError.OutOfReach), ports.open(HUB))
     }
 
@@ -149,7 +149,7 @@ class BluetoothHubsTest {
     }
 
     private suspend fun whileLooking(happens: () -> Unit): HubDevice? = runBlocking {
-        val chosen = async { ports.choose(HubWay.BLUETOOTH) }
+        val chosen = async { ports.choose(HubTransport.BLUETOOTH) }
         yield()
         happens()
         shadowOf(Looper.getMainLooper()).idle()
@@ -183,6 +183,6 @@ class BluetoothHubsTest {
     private companion object {
         const val ADDRESS = "00:11:22:33:44:55"
         const val WRITABLE = BluetoothGattCharacteristic.PERMISSION_WRITE
-        val HUB = HubDevice(ADDRESS, "Ada", HubWay.BLUETOOTH)
+        val HUB = HubDevice(ADDRESS, "Ada", HubTransport.BLUETOOTH)
     }
 }

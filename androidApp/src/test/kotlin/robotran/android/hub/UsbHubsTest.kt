@@ -28,8 +28,8 @@ import robotran.hublink.HubError
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubConnection
 import robotran.hublink.connection.HubDevice
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.HubValue
-import robotran.hublink.connection.HubWay
 import robotran.hublink.connection.OpenedHub
 import kotlin.time.Duration.Companion.seconds
 
@@ -49,23 +49,23 @@ class UsbHubsTest {
 
     @Test
     fun `hubs are told from the tower and from other things, and by their firmware`() = runBlocking {
-        assertEquals(setOf(HubWay.USB_SERIAL, HubWay.USB_PACKETS), hubs.ways)
+        assertEquals(setOf(HubTransport.USB_SERIAL, HubTransport.USB_PACKETS), hubs.transports)
         plug(device("tower", product = 0x0001, listOf(PACKETS)))
         plug(device("serial", product = 0x0009, listOf(CONTROL, DATA)))
         plug(device("packets", product = 0x0005, listOf(PACKETS)))
         val found = setOf(
-            HubDevice("serial", "SPIKE Prime", HubWay.USB_SERIAL),
-            HubDevice("packets", "EV3", HubWay.USB_PACKETS),
+            HubDevice("serial", "SPIKE Prime", HubTransport.USB_SERIAL),
+            HubDevice("packets", "EV3", HubTransport.USB_PACKETS),
         )
         assertEquals(found, hubs.available().toSet())
-        assertEquals("packets", (hubs.choose(HubWay.USB_PACKETS) as? ChosenHub.Chosen)?.device?.id)
+        assertEquals("packets", (hubs.choose(HubTransport.USB_PACKETS) as? ChosenHub.Chosen)?.device?.id)
     }
 
     @Test
     fun `a hub that is not allowed or unplugged is told`() = runBlocking {
         val hub = device("serial", product = 0x0009, listOf(CONTROL, DATA))
         assertEquals(OpenedHub.Failure(HubError.OutOfReach), hubs.open(SERIAL))
-        assertEquals(ChosenHub.None, hubs.choose(HubWay.USB_SERIAL))
+        assertEquals(ChosenHub.None, hubs.choose(HubTransport.USB_SERIAL))
         plug(hub, isAllowed = false)
         assertEquals(emptyList<HubDevice>(), hubs.available())
         assertEquals(OpenedHub.Failure(HubError.NotAllowed), hubs.open(SERIAL))
@@ -90,7 +90,7 @@ class UsbHubsTest {
     @Test
     fun `values of a hub with packets are read by control transfers, and its events are heard`() = runBlocking {
         plug(device("packets", product = 0x0005, listOf(PACKETS)))
-        val connection = (hubs.open(HubDevice("packets", "", HubWay.USB_PACKETS)) as OpenedHub.Success).connection
+        val connection = (hubs.open(HubDevice("packets", "", HubTransport.USB_PACKETS)) as OpenedHub.Success).connection
         assertEquals(20, connection.read(HubValue.FIRMWARE)?.size)
         assertEquals(listOf("claim", "A1 1 ${0x2A26}"), RecordedConnection.calls)
         val event =
@@ -118,7 +118,7 @@ class UsbHubsTest {
         shadowOf(manager).addOrUpdateUsbDevice(device, isAllowed)
 
     private companion object {
-        val SERIAL = HubDevice("serial", "SPIKE Prime", HubWay.USB_SERIAL)
+        val SERIAL = HubDevice("serial", "SPIKE Prime", HubTransport.USB_SERIAL)
         val CONTROL = usbInterface(0, UsbConstants.USB_CLASS_COMM, subclass = 2, endpoints = null)
         val DATA = line(1, UsbConstants.USB_CLASS_CDC_DATA)
         val PACKETS = line(0, UsbConstants.USB_CLASS_VENDOR_SPEC, subclass = 0xC5, protocol = 0xF5)

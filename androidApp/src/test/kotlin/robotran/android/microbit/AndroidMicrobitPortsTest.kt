@@ -56,6 +56,13 @@ class AndroidMicrobitPortsTest {
     }
 
     @Test
+    fun `of several boards the app asks for one`() = runBlocking {
+        plug(board(V2_LINE))
+        plug(board(V1_LINE, id = OTHER.id))
+        assertEquals(setOf(BOARD, OTHER), (boards.choose() as ChosenBoard.Several).boards.toSet())
+    }
+
+    @Test
     fun `a device that is no host reaches none`() = runBlocking {
         shadowOf(context.packageManager).setSystemFeature(PackageManager.FEATURE_USB_HOST, false)
         assertFalse(boards.canReach)
@@ -136,7 +143,9 @@ class AndroidMicrobitPortsTest {
             packetSize = 64,
         )
 
-        fun board(vararg lines: UsbInterface) =
-            usbDevice(BOARD.id, vendor = 0x0D28, product = 0x0204, BOARD.name, lines.toList())
+        val OTHER = BOARD.copy(id = "other")
+
+        fun board(vararg lines: UsbInterface, id: String = BOARD.id) =
+            usbDevice(id, vendor = 0x0D28, product = 0x0204, BOARD.name, lines.toList())
     }
 }

@@ -2,7 +2,7 @@ package robotran.cli.hub
 
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
-import robotran.brick.kind.ProgramWay
+import robotran.brick.kind.ProgramUpload
 import robotran.cli.input.RobolangFile
 import robotran.cli.input.lineOf
 import robotran.cli.input.readRobolangFile
@@ -70,7 +70,7 @@ private fun pythonOf(name: String, robot: RobotTarget, language: Language): Pyth
     }
 
 /** Whether a robot with it runs Python, with Pybricks. */
-internal val BrickKind.isHub: Boolean get() = programWay == ProgramWay.HUB
+internal val BrickKind.isHub: Boolean get() = programUpload == ProgramUpload.HUB
 
 /** Whether a robot with it is a micro:bit, which runs MicroPython. */
-internal val BrickKind.isBoard: Boolean get() = programWay == ProgramWay.MICROBIT
+internal val BrickKind.isBoard: Boolean get() = programUpload == ProgramUpload.MICROBIT

@@ -109,10 +109,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         if (kit != null && targetOf(programs.single()) != TargetLanguage.JAVA) {
             throw UsageError("--kit goes with Java only")
         }
-        if (programs.any { (hubOf(it) != null) != (targetOf(it) == TargetLanguage.PYTHON) }) {
+        if (programs.any { (pythonBrickOf(it) != null) != (targetOf(it) == TargetLanguage.PYTHON) }) {
             throw UsageError("--to python and a hub, such as --brick spike-prime or microbit, go together")
         }
-        if (buggy != null && programs.any { hubOf(it)?.isBoard != true }) {
+        if (buggy != null && programs.any { pythonBrickOf(it)?.isBoard != true }) {
             throw UsageError("--buggy goes with --brick microbit or microbit-v1")
         }
         throw ProgramResult(programs.maxOf { translate(it).status })
@@ -149,10 +149,10 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         return ExitCode.BAD_INPUT
     }
 
-    private fun hubOf(program: String): BrickKind? = pythonBrickOf(listOf(program), brick, spoken.language)
+    private fun pythonBrickOf(program: String): BrickKind? = pythonBrickOf(listOf(program), brick, spoken.language)
 
     private fun targetOf(program: String): TargetLanguage = language ?: when {
-        hubOf(program) != null -> TargetLanguage.PYTHON
+        pythonBrickOf(program) != null -> TargetLanguage.PYTHON
         FIRMWARE_ENDINGS.any { isNamed(program, it) } -> TargetLanguage.LASM
         else -> TargetLanguage.JAVA
     }
@@ -161,7 +161,7 @@ internal class TranslateCommand(private val console: Console) : CoreCliktCommand
         TargetLanguage.JAVA -> translateToJava(program)
         TargetLanguage.NQC -> translateToNqc(program)
         TargetLanguage.LASM -> translateToLasm(program)
-        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(hubOf(program)))
+        TargetLanguage.PYTHON -> translateToPython(program, checkNotNull(pythonBrickOf(program)))
     }
 
     private fun translateToPython(program: String, hub: BrickKind): ExitCode =

@@ -10,7 +10,7 @@ import robotran.hublink.HubError
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.program.HubProgram
 import robotran.hublink.simulated.SimulatedBluetooth
@@ -115,14 +115,14 @@ class SendToHubTest : CommandTest() {
     }
 
     private class TestHubs(private val opened: OpenedHub?) : HubPorts {
-        override val ways = setOf(HubWay.USB_SERIAL)
+        override val transports = setOf(HubTransport.USB_SERIAL)
 
         override suspend fun available() = if (opened == null) emptyList() else listOf(named("COM9"))
 
-        override suspend fun choose(way: HubWay) = ChosenHub.of(available().firstOrNull())
+        override suspend fun choose(transport: HubTransport) = ChosenHub.of(available().firstOrNull())
 
         override suspend fun open(device: HubDevice) = opened ?: OpenedHub.Failure(HubError.OutOfReach)
 
-        fun named(name: String) = HubDevice(name, name, HubWay.USB_SERIAL)
+        fun named(name: String) = HubDevice(name, name, HubTransport.USB_SERIAL)
     }
 }

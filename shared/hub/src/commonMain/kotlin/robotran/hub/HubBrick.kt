@@ -22,6 +22,7 @@ import robotran.hub.model.HubPort
 import robotran.hub.program.Hub
 import robotran.hub.program.HubProgram
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import robotran.hub.shell.HubShell
 import robotran.hub.state.HubState
 
@@ -111,7 +112,8 @@ class HubBrick(val model: HubModel, programs: List<BrickProgram?>, messages: Hub
     }
 
     /** Plugs a sensor into [port], or takes it out. */
-    fun plugSensor(port: HubPort, kind: HubDeviceKind?) = hardware.inputs.plug(port, kind)
+    fun plugSensor(port: HubPort, kind: HubDeviceKind?, mode: LightMode = LightMode.REFLECTION) =
+        hardware.inputs.plug(port, kind, mode)
 
     /** Sets how far the motor at [port] has turned since the beginning of time, clockwise positive. */
     fun setMotorDegrees(port: MotorPort, degrees: Double) {

@@ -19,6 +19,7 @@ import robotran.hub.program.HubCall
 import robotran.hub.program.HubError
 import robotran.hub.program.HubNative
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import kotlin.test.Test
 import kotlin.test.assertEquals
 import kotlin.test.assertFalse
@@ -148,6 +149,21 @@ class HubBrickTest {
         assertEquals(HubError.NO_DEVICE, bench.make(HubPort.E))
         assertEquals(CallOutcome.WRONG_ARGUMENTS, brick.log.entries.last().outcome)
         assertEquals("0 device Motor E ; refused: OSError: [Errno 19] ENODEV ; 7", brick.log.entries.last().text)
+    }
+
+    @Test
+    fun `a port shows the brightness that the program asked for last`() {
+        brick.plugMotor(MotorPort.D, null)
+        brick.plugSensor(HubPort.D, HubDeviceKind.COLOR_SENSOR, LightMode.AMBIENT)
+        brick.measure(HubPort.D, HubReading.Light(1024, 1024, 1024, ambient = 30))
+
+        fun shown() = brick.state.ports[3].value
+        assertEquals(30, shown())
+        assertEquals(100, bench.hub.brightness(HubPort.D, LightMode.REFLECTION))
+        assertEquals(100, shown())
+        assertEquals(30, bench.hub.brightness(HubPort.D, LightMode.AMBIENT))
+        assertEquals(30, shown())
+        assertEquals(null, bench.hub.brightness(HubPort.E, LightMode.AMBIENT))
     }
 
     @Test

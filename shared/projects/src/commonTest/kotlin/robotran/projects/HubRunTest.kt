@@ -2,7 +2,8 @@ package robotran.projects
 
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
-import robotran.brick.kind.ProgramWay
+import robotran.brick.kind.ProgramUpload
+import robotran.brick.sensors.SensorKind
 import robotran.brick.state.RunState
 import robotran.language.Language
 import robotran.robolang.RobolangResult
@@ -53,6 +54,9 @@ class HubRunTest {
     private fun shown(session: Session): Int =
         calls(session).last { "display number" in it }.substringAfterLast(' ').toInt()
 
+    /** What the sheet and the charts show of the sensor on port D. */
+    private fun plate(session: Session): Int? = session.state.brick.inputs[3].measured(SensorKind.COLOUR)
+
     @Test
     fun `a SPIKE penbot draws a square with the calls of its Python`() = runTest {
         val session =
@@ -76,7 +80,7 @@ class HubRunTest {
 
     @Test
     fun `every hub drives as far and turns as much as its program says`() = runTest {
-        for (kind in BrickKind.entries.filter { it.programWay == ProgramWay.HUB }) {
+        for (kind in BrickKind.entries.filter { it.programUpload == ProgramUpload.HUB }) {
             val robot = ReadyRobots.defaultOf(kind)
             val session = run(robot, "forward 20\nturn right 90\nstart forward\nwait 0.5 seconds\nstop\n")
             val start = session.world.robots.first().start
@@ -123,7 +127,13 @@ class HubRunTest {
         val start = BuiltInWorlds.plainFor(robot.brick).robots.first().start
         val radians = start.heading * PI / 180
         val lamp = Lamp(Point(start.x + 30 * cos(radians), start.y + 30 * sin(radians)))
-        assertTrue(shown(run(ahead, header("forward") + "show light\n", lamp)) > dark + 10)
+        val lit = run(ahead, header("forward") + "show light\n", lamp)
+        assertTrue(shown(lit) > dark + 10)
+        assertEquals(shown(lit), plate(lit))
+        // Without a header Python asks for the light of the sensor's own lamp, wherever it looks.
+        val own = run(ahead, "show light\n", lamp)
+        assertEquals(shown(own), plate(own))
+        assertTrue(plate(own) != plate(lit))
         // Downwards it tells how bright the paper is in its own light.
         assertEquals(shown(run(robot, header("down") + "show light\n")), shown(run(robot, "show light\n")))
     }

@@ -2,7 +2,7 @@ package robotran.workshop
 
 import androidx.compose.runtime.derivedStateOf
 import androidx.compose.runtime.getValue
-import robotran.brick.kind.ProgramWay
+import robotran.brick.kind.ProgramUpload
 import robotran.workshop.state.WorkshopState
 
 /** The states of the [rooms], and what needs those of several. */
@@ -17,7 +17,7 @@ internal class RoomStates(private val rooms: Rooms, override val hasPage: Boolea
     override val document by derivedStateOf {
         rooms.document.state.copy(
             hasGoals = run.world.goals.isNotEmpty(),
-            canSend = programs.brick.programWay != ProgramWay.NONE,
+            canSend = programs.brick.programUpload != ProgramUpload.NONE,
             hasFirmwareImage = programs.program.isForLegoFirmware,
         )
     }

@@ -8,8 +8,8 @@ import robotran.hublink.HubKind
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.HubUuids
-import robotran.hublink.connection.HubWay
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.connection.PacketHub
 import robotran.hublink.connection.SerialHub
@@ -33,10 +33,10 @@ internal class WebHubPorts : HubPorts {
     private val seen = SeenDevices()
     private var chosenByBluetooth: BluetoothDevice? = null
 
-    override val ways: Set<HubWay> = buildSet {
-        if (bluetooth != null) add(HubWay.BLUETOOTH)
-        if (serial != null) add(HubWay.USB_SERIAL)
-        if (usb != null) add(HubWay.USB_PACKETS)
+    override val transports: Set<HubTransport> = buildSet {
+        if (bluetooth != null) add(HubTransport.BLUETOOTH)
+        if (serial != null) add(HubTransport.USB_SERIAL)
+        if (usb != null) add(HubTransport.USB_PACKETS)
     }
 
     override suspend fun available(): List<HubDevice> = buildList {
@@ -45,15 +45,15 @@ internal class WebHubPorts : HubPorts {
         usb?.getDevices()?.outcome()?.value?.toList()?.filter(::isHub)?.forEach { add(deviceOf(it)) }
     }
 
-    override suspend fun choose(way: HubWay): ChosenHub = when (way) {
-        HubWay.BLUETOOTH -> chosen(bluetooth?.requestDevice(HUBS)?.outcome(), HubError.BluetoothNotAllowed) {
+    override suspend fun choose(transport: HubTransport): ChosenHub = when (transport) {
+        HubTransport.BLUETOOTH -> chosen(bluetooth?.requestDevice(HUBS)?.outcome(), HubError.BluetoothNotAllowed) {
             chosenByBluetooth = it
             deviceOf(it)
         }
 
-        HubWay.USB_SERIAL -> chosen(serial?.requestPort(serialHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
+        HubTransport.USB_SERIAL -> chosen(serial?.requestPort(serialHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
 
-        HubWay.USB_PACKETS -> chosen(usb?.requestDevice(usbHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
+        HubTransport.USB_PACKETS -> chosen(usb?.requestDevice(usbHubs())?.outcome(), HubError.NotAllowed, ::deviceOf)
     }
 
     /** A dialog that was cancelled, or found nothing, ends with a NotFoundError; a policy that forbids it otherwise. */
@@ -68,10 +68,10 @@ internal class WebHubPorts : HubPorts {
 
     override suspend fun open(device: HubDevice): OpenedHub {
         val found = seen.named(device.id) ?: return OpenedHub.Failure(HubError.OutOfReach)
-        return when (device.way) {
-            HubWay.BLUETOOTH -> BluetoothHub.open(found.unsafeCast())
-            HubWay.USB_SERIAL -> openSerial(found.unsafeCast())
-            HubWay.USB_PACKETS -> openUsb(found.unsafeCast())
+        return when (device.transport) {
+            HubTransport.BLUETOOTH -> BluetoothHub.open(found.unsafeCast())
+            HubTransport.USB_SERIAL -> openSerial(found.unsafeCast())
+            HubTransport.USB_PACKETS -> openUsb(found.unsafeCast())
         }
     }
 
@@ -117,16 +117,16 @@ internal class WebHubPorts : HubPorts {
         device.vendorId == HubKind.USB_VENDOR && HubKind.ofUsbProduct(device.productId) != null
 
     private fun deviceOf(device: BluetoothDevice) =
-        HubDevice(seen.idOf(device), device.name.orEmpty(), HubWay.BLUETOOTH)
+        HubDevice(seen.idOf(device), device.name.orEmpty(), HubTransport.BLUETOOTH)
 
     private fun deviceOf(port: SerialPort): HubDevice {
         val kind = port.getInfo().usbProductId?.let(HubKind::ofUsbProduct)
-        return HubDevice(seen.idOf(port), kind?.productName.orEmpty(), HubWay.USB_SERIAL)
+        return HubDevice(seen.idOf(port), kind?.productName.orEmpty(), HubTransport.USB_SERIAL)
     }
 
     private fun deviceOf(device: UsbDevice): HubDevice {
         val name = device.productName ?: HubKind.ofUsbProduct(device.productId)?.productName
-        return HubDevice(seen.idOf(device), name.orEmpty(), HubWay.USB_PACKETS)
+        return HubDevice(seen.idOf(device), name.orEmpty(), HubTransport.USB_PACKETS)
     }
 
     private companion object {

@@ -33,7 +33,7 @@ import robotran.brick.sensors.SensorKind
  * @property callGroups the subjects of the calls in its log.
  * @property java what runs programs in Java on it; null if nothing does.
  * @property hasLegoFirmware whether programs for LEGO's own firmware run on it.
- * @property programWay how programs get to a real one.
+ * @property programUpload how programs get to a real one.
  * @property takesAn whether English says "an" before its [label], as in "an RCX".
  */
 enum class BrickKind(
@@ -59,7 +59,7 @@ enum class BrickKind(
     val callGroups: List<CallGroup>,
     val java: JavaPlatform?,
     val hasLegoFirmware: Boolean,
-    val programWay: ProgramWay,
+    val programUpload: ProgramUpload,
     private val takesAn: Boolean = false,
 ) {
     /** LEGO's brick of 1998, with leJOS. */
@@ -86,7 +86,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + listOf(CallGroup.INFRARED, CallGroup.TIMER, CallGroup.UNKNOWN),
         java = JavaPlatform.LEJOS,
         hasLegoFirmware = true,
-        programWay = ProgramWay.TOWER,
+        programUpload = ProgramUpload.TOWER,
         takesAn = true,
     ),
 
@@ -114,7 +114,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + listOf(CallGroup.BLUETOOTH, CallGroup.SYSTEM),
         java = JavaPlatform.NXJ,
         hasLegoFirmware = false,
-        programWay = ProgramWay.NONE,
+        programUpload = ProgramUpload.NONE,
         takesAn = true,
     ),
 
@@ -220,7 +220,7 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + CallGroup.SYSTEM,
         java = null,
         hasLegoFirmware = false,
-        ProgramWay.HUB,
+        ProgramUpload.HUB,
         takesAn,
     )
 
@@ -248,11 +248,11 @@ enum class BrickKind(
         callGroups = CallGroup.COMMON + CallGroup.SYSTEM,
         java = null,
         hasLegoFirmware = false,
-        ProgramWay.MICROBIT,
+        ProgramUpload.MICROBIT,
     )
 
     /** Whether it is a micro:bit, which drives as the buggy does that it is plugged into. */
-    val isOnBuggy: Boolean get() = programWay == ProgramWay.MICROBIT
+    val isOnBuggy: Boolean get() = programUpload == ProgramUpload.MICROBIT
 
     /** What it is called on the command line. */
     val word: String get() = name.lowercase().replace('_', '-')

@@ -10,7 +10,7 @@ import robotran.hublink.HubKind
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.connection.SerialHub
 import java.nio.file.Files
@@ -23,7 +23,7 @@ import kotlin.time.Duration.Companion.milliseconds
  * Bluetooth need a browser.
  */
 class DesktopHubPorts : HubPorts {
-    override val ways: Set<HubWay> = setOf(HubWay.USB_SERIAL)
+    override val transports: Set<HubTransport> = setOf(HubTransport.USB_SERIAL)
 
     override suspend fun available(): List<HubDevice> = withContext(Dispatchers.IO) {
         SerialPort.getCommPorts()
@@ -31,10 +31,15 @@ class DesktopHubPorts : HubPorts {
             // macOS has two files for each port; the one for incoming calls waits for a carrier.
             .filterNot { isMac && it.systemPortName.startsWith("tty.") }
             .sortedBy { it.systemPortName }
-            .map { HubDevice(idOf(it), nameOf(it), HubWay.USB_SERIAL) }
+            .map { HubDevice(idOf(it), nameOf(it), HubTransport.USB_SERIAL) }
     }
 
-    override suspend fun choose(way: HubWay): ChosenHub = ChosenHub.of(available().firstOrNull { it.way == way })
+    override suspend fun choose(transport: HubTransport): ChosenHub = ChosenHub.of(
+        available().firstOrNull {
+            it.transport ==
+                transport
+        },
+    )
 
     /** Opens any serial port of the machine, also one that [available] does not list. */
     override suspend fun open(device: HubDevice): OpenedHub = withContext(Dispatchers.IO) {
@@ -50,7 +55,7 @@ class DesktopHubPorts : HubPorts {
     /** The hub that a user names: `COM3`, `/dev/ttyACM0` or `ttyACM0`. */
     fun named(name: String): HubDevice {
         val isShort = !isWindows && !name.startsWith("/")
-        return HubDevice(if (isShort) "/dev/$name" else name, name, HubWay.USB_SERIAL)
+        return HubDevice(if (isShort) "/dev/$name" else name, name, HubTransport.USB_SERIAL)
     }
 
     private fun openOnce(path: String): OpenedHub {

@@ -18,7 +18,7 @@ import robotran.hublink.HubError
 import robotran.hublink.HubKind
 import robotran.hublink.HubResult
 import robotran.hublink.HubVersion
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.hub.HubLink
 import robotran.hublink.program.HubProgram
@@ -100,6 +100,6 @@ class DesktopHubPortsTest {
     fun `a port that does not exist is out of reach`() = runBlocking {
         assertEquals(OpenedHub.Failure(HubError.OutOfReach), ports.open(ports.named("no-such-port")))
         assertEquals("/dev/ttyACM0", ports.named("ttyACM0").id)
-        assertEquals(HubWay.USB_SERIAL, ports.named("ttyACM0").way)
+        assertEquals(HubTransport.USB_SERIAL, ports.named("ttyACM0").transport)
     }
 }

@@ -3,7 +3,7 @@ package robotran.hublink.connection
 import robotran.hublink.HubError
 
 /** How a hub is reached. */
-enum class HubWay {
+enum class HubTransport {
     BLUETOOTH,
 
     /** The serial port of firmware 4.1 (profile 1.6). */
@@ -19,12 +19,12 @@ enum class HubWay {
  * @property id what [HubPorts.open] needs to find it. It is only valid for the platform that gave it.
  * @property name what the system shows for it; may be empty.
  */
-data class HubDevice(val id: String, val name: String, val way: HubWay)
+data class HubDevice(val id: String, val name: String, val transport: HubTransport)
 
 /** The hubs of a machine, as far as its platform lets the app reach them. */
 interface HubPorts {
-    /** The ways that are open here; empty where the platform allows none, such as on an iPad. */
-    val ways: Set<HubWay>
+    /** The transports that the platform has; empty where the platform allows none, such as on an iPad. */
+    val transports: Set<HubTransport>
 
     /** Hubs that can be connected without asking the user. */
     suspend fun available(): List<HubDevice>
@@ -33,7 +33,7 @@ interface HubPorts {
      * Asks the user for a hub by a dialog of the platform. Browsers show the dialog only within a few seconds of a click.
      * Platforms without such a dialog return the first available hub.
      */
-    suspend fun choose(way: HubWay): ChosenHub
+    suspend fun choose(transport: HubTransport): ChosenHub
 
     /** Connects [device]. */
     suspend fun open(device: HubDevice): OpenedHub
@@ -57,11 +57,11 @@ sealed interface ChosenHub {
 
 /** A platform that reaches no hub. */
 object NoHubPorts : HubPorts {
-    override val ways: Set<HubWay> get() = emptySet()
+    override val transports: Set<HubTransport> get() = emptySet()
 
     override suspend fun available(): List<HubDevice> = emptyList()
 
-    override suspend fun choose(way: HubWay): ChosenHub = ChosenHub.None
+    override suspend fun choose(transport: HubTransport): ChosenHub = ChosenHub.None
 
     override suspend fun open(device: HubDevice): OpenedHub = OpenedHub.Failure(HubError.NotAllowed)
 }

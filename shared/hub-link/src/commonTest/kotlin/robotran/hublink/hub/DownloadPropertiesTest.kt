@@ -8,7 +8,7 @@ import kotlinx.coroutines.test.runTest
 import robotran.hublink.DownloadResult
 import robotran.hublink.HubResult
 import robotran.hublink.Remains
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.mpyOf
 import robotran.hublink.program.HubProgram
 import robotran.hublink.simulated.SimulatedProgram
@@ -37,8 +37,16 @@ class DownloadPropertiesTest {
 
     private suspend fun TestScope.check(seed: Int) {
         val random = Random(seed)
-        val way = HubWay.entries.random(random)
-        val test = TestHub(this, way, faults = faults(random, way), program = SimulatedProgram { awaitCancellation() })
+        val transport = HubTransport.entries.random(random)
+        val test =
+            TestHub(
+                this,
+                transport,
+                faults = faults(random, transport),
+                program = SimulatedProgram {
+                    awaitCancellation()
+                },
+            )
         test.hub.slot = old
         if (test.link.open() is HubResult.Failure) return
         if (random.nextInt(4) == 0) test.hub.pressButton()
@@ -56,13 +64,13 @@ class DownloadPropertiesTest {
         when (val end = result) {
             is DownloadResult.Success -> {
                 complete++
-                assertContentEquals(program.bytes, held, "seed $seed, $way: not what was sent")
+                assertContentEquals(program.bytes, held, "seed $seed, $transport: not what was sent")
             }
 
             is DownloadResult.Failure -> {
                 failed++
-                if (end.remains == Remains.AS_BEFORE) assertContentEquals(old, held, "seed $seed, $way: $end")
-                if (end.remains == Remains.NO_PROGRAM) assertNull(held, "seed $seed, $way: $end")
+                if (end.remains == Remains.AS_BEFORE) assertContentEquals(old, held, "seed $seed, $transport: $end")
+                if (end.remains == Remains.NO_PROGRAM) assertNull(held, "seed $seed, $transport: $end")
             }
 
             null -> Unit
@@ -71,7 +79,7 @@ class DownloadPropertiesTest {
         delay(5_000.milliseconds)
         val later = test.hub.slot
         val isWhole = later == null || later.contentEquals(old) || later.contentEquals(program.bytes)
-        assertTrue(isWhole, "seed $seed, $way: half a program")
+        assertTrue(isWhole, "seed $seed, $transport: half a program")
         test.link.close()
     }
 
@@ -84,10 +92,10 @@ class DownloadPropertiesTest {
         }
     }
 
-    private fun faults(random: Random, way: HubWay) = WireFaults(
+    private fun faults(random: Random, transport: HubTransport) = WireFaults(
         Random(random.nextInt()),
         // Bluetooth repeats by itself, so it loses nothing.
-        losses = if (way == HubWay.BLUETOOTH) 0.0 else listOf(0.0, 0.01, 0.05, 0.2).random(random),
+        losses = if (transport == HubTransport.BLUETOOTH) 0.0 else listOf(0.0, 0.01, 0.05, 0.2).random(random),
         longestDelay = listOf(1, 30, 120, 400, 1_500).random(random).milliseconds,
         messagesUntilDisconnect = random.nextInt(1, 80).takeIf { random.nextInt(3) == 0 },
         doesLast = random.nextBoolean(),

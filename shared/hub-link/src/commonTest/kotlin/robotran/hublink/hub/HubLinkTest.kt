@@ -12,7 +12,7 @@ import robotran.hublink.HubResult
 import robotran.hublink.HubVersion
 import robotran.hublink.Remains
 import robotran.hublink.bytesOf
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.hexOf
 import robotran.hublink.mpyOf
 import robotran.hublink.output.OutputReader
@@ -36,29 +36,45 @@ class HubLinkTest {
     private val endless = SimulatedProgram { awaitCancellation() }
 
     @Test
-    fun `a hub tells what it is on every way`() = runTest {
-        for (way in HubWay.entries) {
-            val hub = TestHub(this, way).open()
-            assertEquals("Pybricks Hub", hub.name, "$way")
-            assertEquals(if (way == HubWay.USB_PACKETS) HubKind.EV3 else HubKind.SPIKE_PRIME, hub.kind, "$way")
-            assertTrue(hub.firmware >= HubVersion(4, 0), "$way")
-            assertEquals(52_300, hub.programRoom, "$way")
+    fun `a hub tells what it is on every transport`() = runTest {
+        for (transport in HubTransport.entries) {
+            val hub = TestHub(this, transport).open()
+            assertEquals("Pybricks Hub", hub.name, "$transport")
+            assertEquals(
+                if (transport ==
+                    HubTransport.USB_PACKETS
+                ) {
+                    HubKind.EV3
+                } else {
+                    HubKind.SPIKE_PRIME
+                },
+                hub.kind,
+                "$transport",
+            )
+            assertTrue(hub.firmware >= HubVersion(4, 0), "$transport")
+            assertEquals(52_300, hub.programRoom, "$transport")
         }
     }
 
     @Test
-    fun `a program is sent and started and heard on every way`() = runTest {
-        for (way in HubWay.entries) {
-            val test = TestHub(this, way)
+    fun `a program is sent and started and heard on every transport`() = runTest {
+        for (transport in HubTransport.entries) {
+            val test = TestHub(this, transport)
             test.open()
             val reports = mutableListOf<DownloadProgress>()
-            assertEquals(DownloadResult.Success(365, attempts = 1), test.link.send(square) { reports += it }, "$way")
-            assertContentEquals(square.bytes, test.hub.slot, "$way")
+            assertEquals(
+                DownloadResult.Success(365, attempts = 1),
+                test.link.send(square) {
+                    reports += it
+                },
+                "$transport",
+            )
+            assertContentEquals(square.bytes, test.hub.slot, "$transport")
             assertEquals(0, reports.first().confirmedBytes)
             assertEquals(DownloadProgress(365, 365, 1), reports.last())
-            assertEquals(HubResult.Success(Unit), test.link.start(), "$way")
+            assertEquals(HubResult.Success(Unit), test.link.start(), "$transport")
             delay(1.seconds)
-            assertEquals(listOf("hello"), test.link.state.value.console.lines, "$way")
+            assertEquals(listOf("hello"), test.link.state.value.console.lines, "$transport")
         }
     }
 
@@ -66,7 +82,7 @@ class HubLinkTest {
     fun `every profile from 1_2 on is spoken`() = runTest {
         for (minor in 2..7) {
             val model = SimulatedModel(profile = HubVersion(1, minor), slots = if (minor < 4) 0 else 5)
-            val test = TestHub(this, HubWay.BLUETOOTH, model, program = endless)
+            val test = TestHub(this, HubTransport.BLUETOOTH, model, program = endless)
             assertEquals(minor == 7, test.open().isNewerThanKnown)
             assertIs<DownloadResult.Success>(test.link.send(square), "1.$minor")
             assertEquals(HubResult.Success(Unit), test.link.start(), "1.$minor")
@@ -92,14 +108,14 @@ class HubLinkTest {
 
     @Test
     fun `a program that runs is stopped before another one is sent`() = runTest {
-        for (way in HubWay.entries) {
-            val test = TestHub(this, way, program = endless)
+        for (transport in HubTransport.entries) {
+            val test = TestHub(this, transport, program = endless)
             test.open()
             test.link.send(square)
             test.link.start()
             delay(1.seconds)
             assertTrue(test.hub.isProgramRunning)
-            assertIs<DownloadResult.Success>(test.link.send(HubProgram(mpyOf("hello.py"))), "$way")
+            assertIs<DownloadResult.Success>(test.link.send(HubProgram(mpyOf("hello.py"))), "$transport")
             assertTrue(!test.hub.isProgramRunning)
             assertContentEquals(HubProgram(mpyOf("hello.py")).bytes, test.hub.slot)
         }
@@ -168,7 +184,7 @@ class HubLinkTest {
         assertEquals(HubResult.Failure(HubError.TooOld(HubVersion(3, 1))), old.link.open())
         val withoutModules = TestHub(this, model = SimulatedModel(flags = 1))
         assertEquals(HubResult.Failure(HubError.TooOld(HubVersion(4, 0, 1))), withoutModules.link.open())
-        val lego = TestHub(this, HubWay.USB_SERIAL, faults = WireFaults(losses = 1.0))
+        val lego = TestHub(this, HubTransport.USB_SERIAL, faults = WireFaults(losses = 1.0))
         assertEquals(HubResult.Failure(HubError.LegoFirmware), lego.link.open())
     }
 
@@ -198,31 +214,35 @@ class HubLinkTest {
                 "Traceback (most recent call last):\r\n  File \"p.py\", line 2, in <module>\r\nIndexError: x\r\n",
             )
         }
-        for (way in HubWay.entries) {
-            val test = TestHub(this, way, program = failing)
+        for (transport in HubTransport.entries) {
+            val test = TestHub(this, transport, program = failing)
             test.open()
             test.link.send(square)
             test.link.start(SourceMap("p.py", listOf("a", "b"), mapOf(2 to 9)))
             delay(500.milliseconds)
-            assertEquals(9, test.link.state.value.console.runningLine, "$way")
+            assertEquals(9, test.link.state.value.console.runningLine, "$transport")
             delay(1.seconds)
-            assertEquals(9, test.link.state.value.console.error?.line, "$way")
-            assertEquals("grüße", test.link.state.value.console.lines.first(), "$way")
-            assertTrue(!test.link.state.value.isProgramRunning, "$way")
+            assertEquals(9, test.link.state.value.console.error?.line, "$transport")
+            assertEquals("grüße", test.link.state.value.console.lines.first(), "$transport")
+            assertTrue(!test.link.state.value.isProgramRunning, "$transport")
         }
     }
 
     @Test
     fun `a lost connection is told at once and everything after says so`() = runTest {
-        for (way in HubWay.entries) {
-            val test = TestHub(this, way)
+        for (transport in HubTransport.entries) {
+            val test = TestHub(this, transport)
             test.open()
             test.disconnect()
             delay(100.milliseconds)
-            assertTrue(test.link.state.value.isGone, "$way")
-            assertEquals(HubError.OutOfReach, assertIs<DownloadResult.Failure>(test.link.send(square)).error, "$way")
-            assertEquals(HubResult.Failure(HubError.OutOfReach), test.link.start(), "$way")
-            assertEquals(HubResult.Failure(HubError.OutOfReach), test.link.stop(), "$way")
+            assertTrue(test.link.state.value.isGone, "$transport")
+            assertEquals(
+                HubError.OutOfReach,
+                assertIs<DownloadResult.Failure>(test.link.send(square)).error,
+                "$transport",
+            )
+            assertEquals(HubResult.Failure(HubError.OutOfReach), test.link.start(), "$transport")
+            assertEquals(HubResult.Failure(HubError.OutOfReach), test.link.stop(), "$transport")
             test.link.close()
         }
     }
@@ -236,16 +256,16 @@ class HubLinkTest {
 
     @Test
     fun `a download that was cancelled leaves nothing and the next one succeeds`() = runTest {
-        for (way in HubWay.entries) {
-            val test = TestHub(this, way)
+        for (transport in HubTransport.entries) {
+            val test = TestHub(this, transport)
             test.open()
             val sending = launch { test.link.send(square) }
             delay(70.milliseconds)
             sending.cancel()
             sending.join()
             assertTrue(!test.link.state.value.isSending)
-            assertIs<DownloadResult.Success>(test.link.send(square), "$way")
-            assertContentEquals(square.bytes, test.hub.slot, "$way")
+            assertIs<DownloadResult.Success>(test.link.send(square), "$transport")
+            assertContentEquals(square.bytes, test.hub.slot, "$transport")
         }
     }
 }

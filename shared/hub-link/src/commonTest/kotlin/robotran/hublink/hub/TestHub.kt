@@ -5,7 +5,7 @@ import robotran.hublink.HubDescription
 import robotran.hublink.HubResult
 import robotran.hublink.HubVersion
 import robotran.hublink.connection.HubConnection
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.PacketHub
 import robotran.hublink.connection.SerialHub
 import robotran.hublink.mpyOf
@@ -22,8 +22,8 @@ import kotlin.test.assertIs
 /** A simulated hub at the end of a simulated wire, and what talks to it. */
 internal class TestHub(
     scope: TestScope,
-    way: HubWay = HubWay.BLUETOOTH,
-    model: SimulatedModel = modelFor(way),
+    transport: HubTransport = HubTransport.BLUETOOTH,
+    model: SimulatedModel = modelFor(transport),
     faults: WireFaults = WireFaults(),
     program: SimulatedProgram = SimulatedProgram.printing("hello\r\n"),
 ) {
@@ -35,18 +35,18 @@ internal class TestHub(
     val connection: HubConnection
 
     init {
-        when (way) {
-            HubWay.BLUETOOTH -> SimulatedBluetooth(hub, faults).let {
+        when (transport) {
+            HubTransport.BLUETOOTH -> SimulatedBluetooth(hub, faults).let {
                 connection = it
                 disconnect = it::disconnect
             }
 
-            HubWay.USB_SERIAL -> SimulatedSerialPort(scope.backgroundScope, hub, faults).let {
+            HubTransport.USB_SERIAL -> SimulatedSerialPort(scope.backgroundScope, hub, faults).let {
                 connection = SerialHub(it)
                 disconnect = it::unplug
             }
 
-            HubWay.USB_PACKETS -> SimulatedPacketPort(scope.backgroundScope, hub, faults).let {
+            HubTransport.USB_PACKETS -> SimulatedPacketPort(scope.backgroundScope, hub, faults).let {
                 connection = PacketHub(it)
                 disconnect = it::unplug
             }
@@ -58,10 +58,14 @@ internal class TestHub(
     suspend fun open(): HubDescription = assertIs<HubResult.Success<HubDescription>>(link.open()).value
 
     companion object {
-        fun modelFor(way: HubWay): SimulatedModel = when (way) {
-            HubWay.BLUETOOTH -> SimulatedModel(messageBytes = 23)
-            HubWay.USB_SERIAL -> SimulatedModel(profile = HubVersion(1, 6), firmware = "4.1.0b2", messageBytes = 60)
-            HubWay.USB_PACKETS -> SimulatedModel(pnpKind = 0xE2, messageBytes = 64)
+        fun modelFor(transport: HubTransport): SimulatedModel = when (transport) {
+            HubTransport.BLUETOOTH -> SimulatedModel(messageBytes = 23)
+            HubTransport.USB_SERIAL -> SimulatedModel(
+                profile = HubVersion(1, 6),
+                firmware = "4.1.0b2",
+                messageBytes = 60,
+            )
+            HubTransport.USB_PACKETS -> SimulatedModel(pnpKind = 0xE2, messageBytes = 64)
         }
     }
 }

@@ -7,6 +7,7 @@ import robotran.hub.model.HubDeviceKind
 import robotran.hub.model.HubModel
 import robotran.hub.model.HubPort
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import robotran.hub.state.HubInput
 
 /** The ports for sensors: what is plugged in, what a program has made of it, and what it measures. */
@@ -14,6 +15,8 @@ internal class HubInputs(private val model: HubModel) {
     private val plugged = mutableMapOf<HubPort, HubDeviceKind>()
     private val readings = mutableMapOf<HubPort, HubReading>()
     private val made = mutableMapOf<HubPort, HubDeviceKind>()
+    private val atFirst = mutableMapOf<HubPort, LightMode>()
+    private val asked = mutableMapOf<HubPort, LightMode>()
     private val colors = mutableMapOf<HubPort, List<HubColor>>()
 
     /** The ports as a state shows them; the same objects until something changes. */
@@ -24,7 +27,9 @@ internal class HubInputs(private val model: HubModel) {
     var expected: List<ExpectedSensor> = emptyList()
         private set
 
-    fun plug(port: HubPort, kind: HubDeviceKind?) {
+    /** Plugs in a sensor; [mode] is what a sensor of light shows until a program asks it. */
+    fun plug(port: HubPort, kind: HubDeviceKind?, mode: LightMode) {
+        atFirst[port] = mode
         if (kind == null) plugged.remove(port) else plugged[port] = kind
         if (kind == null) readings.remove(port)
         update(port)
@@ -40,6 +45,15 @@ internal class HubInputs(private val model: HubModel) {
     }
 
     fun reading(port: HubPort): HubReading? = readings[port].takeIf { port in plugged }
+
+    fun brightness(port: HubPort, mode: LightMode): Int? {
+        val light = reading(port) as? HubReading.Light ?: return null
+        if (asked[port] != mode) {
+            asked[port] = mode
+            update(port)
+        }
+        return light.brightness(mode)
+    }
 
     fun isMade(port: HubPort): Boolean = port in made
 
@@ -74,14 +88,19 @@ internal class HubInputs(private val model: HubModel) {
         before.forEach(::update)
     }
 
+    /** A program starts: what the last one asked for was shown until now, also after its end. */
     fun startRun() {
         expected = emptyList()
+        val before = asked.keys.toList()
+        asked.clear()
+        before.forEach(::update)
     }
 
     private fun update(port: HubPort) {
         val index = model.sensorPorts.indexOf(port)
         if (index < 0) return
-        val now = HubInput(index + 1, port, plugged[port], readings[port], port in made)
+        val mode = asked[port] ?: atFirst[port] ?: LightMode.REFLECTION
+        val now = HubInput(index + 1, port, plugged[port], readings[port], port in made, mode)
         if (states[index] != now) states = states.toMutableList().also { it[index] = now }
     }
 

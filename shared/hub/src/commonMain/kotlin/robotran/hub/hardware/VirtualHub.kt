@@ -12,6 +12,7 @@ import robotran.hub.program.HubError
 import robotran.hub.program.HubMotorView
 import robotran.hub.program.HubNative
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 
 /** The hub as programs see it: performs a call and adds it to the log. */
 internal class VirtualHub(private val hardware: HubHardware) : Hub {
@@ -36,6 +37,8 @@ internal class VirtualHub(private val hardware: HubHardware) : Hub {
     override fun motor(port: HubPort): HubMotorView? = hardware.motor(port)?.takeIf { it.isMade }
 
     override fun sensor(port: HubPort): HubReading? = hardware.inputs.reading(port)
+
+    override fun brightness(port: HubPort, mode: LightMode): Int? = hardware.inputs.brightness(port, mode)
 
     override fun color(port: HubPort): HubColor = hardware.inputs.color(port)
 

@@ -34,6 +34,12 @@ interface Hub {
     /** What the sensor at [port] measures; null if nothing is plugged in there. */
     fun sensor(port: HubPort): HubReading?
 
+    /**
+     * The brightness that the colour or light sensor at [port] measures, 0..100 percent; null if there is none. The hub's
+     * state shows that of the [mode] that a program asked for last.
+     */
+    fun brightness(port: HubPort, mode: LightMode): Int?
+
     /** The colour that the sensor at [port] sees, one of those that it is to tell apart. */
     fun color(port: HubPort): HubColor
 

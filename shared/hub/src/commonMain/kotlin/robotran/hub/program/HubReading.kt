@@ -11,6 +11,9 @@ sealed interface HubReading {
     data class Light(val red: Int, val green: Int, val blue: Int, val ambient: Int = 0) : HubReading {
         /** 0..100 percent. */
         val reflection: Int get() = (red + green + blue) * PERCENT / BRIGHTEST_SUM
+
+        /** What the sensor tells in [mode], 0..100 percent. */
+        fun brightness(mode: LightMode): Int = if (mode == LightMode.AMBIENT) ambient else reflection
     }
 
     /** An ultrasonic sensor; [FAR] and its like stand for nothing ahead. */

@@ -31,7 +31,7 @@ interface MicrobitPorts {
     /** Boards that can be connected without asking the user. */
     suspend fun available(): List<PluggedBoard>
 
-    /** Asks the user for a board by a dialog of the platform. */
+    /** Asks the user for a board by a dialog of the platform; one without such a dialog tells of [ChosenBoard.Several]. */
     suspend fun choose(): ChosenBoard
 
     /** Connects [board]. */
@@ -52,6 +52,9 @@ object NoMicrobitPorts : MicrobitPorts {
 /** What came of asking the user for a board. */
 sealed interface ChosenBoard {
     data class Chosen(val board: PluggedBoard) : ChosenBoard
+
+    /** The platform has no dialog that asks which of these is meant. */
+    data class Several(val boards: List<PluggedBoard>) : ChosenBoard
 
     /** The system lets nobody ask, or the user does not let the app. */
     data class Refused(val error: BoardError) : ChosenBoard

@@ -22,9 +22,9 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
     private val base get() = calls.hub.driveBase
     private var move = 0
 
-    /** Which way the base drives since its command of that number, and each motor. */
-    private var way = Way(0, 0, NEVER)
-    private val ways = mutableMapOf<MotorPort, Way>()
+    /** The direction of the base since its command of that number, and of each motor. */
+    private var direction = Direction(0, 0, NEVER)
+    private val directions = mutableMapOf<MotorPort, Direction>()
 
     /** Drives ahead or back by [ahead] 1 or -1, or turns to the right or left by [turn]. */
     fun start(ahead: Int, turn: Int, sourceLine: Int) {
@@ -35,7 +35,7 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
             val speed = speedOf(robot.left)
             val straight = ahead * robot.speedAhead(speed)
             calls.of(HubNative.DRIVE_BASE_DRIVE, sourceLine, straight, turn * robot.turnRate(speed))
-            way = Way(ahead, turn, base?.commands ?: NEVER)
+            direction = Direction(ahead, turn, base?.commands ?: NEVER)
         }
     }
 
@@ -66,7 +66,7 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
             if (side != PowerSide.LEFT) runOn(robot.right, sourceLine)
         } else {
             calls.of(HubNative.DRIVE_BASE_SETTINGS, sourceLine, robot.speedAhead(speed), robot.turnRate(speed))
-            if (base?.commands == way.command) start(way.ahead, way.turn, sourceLine)
+            if (base?.commands == direction.command) start(direction.ahead, direction.turn, sourceLine)
         }
     }
 
@@ -77,13 +77,13 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
 
     /** A motor that turns goes on with its new speed: a hub takes no other for what it does already. */
     private fun runOn(motor: MotorPort, sourceLine: Int) {
-        val way = ways[motor] ?: return
-        if (commandsOf(motor) == way.command) run(motor, way.ahead, sourceLine)
+        val direction = directions[motor] ?: return
+        if (commandsOf(motor) == direction.command) run(motor, direction.ahead, sourceLine)
     }
 
     fun run(motor: MotorPort, sign: Int, sourceLine: Int) {
         calls.on(HubNative.MOTOR_RUN, motor, sourceLine, sign * speedOf(motor))
-        ways[motor] = Way(sign, 0, commandsOf(motor))
+        directions[motor] = Direction(sign, 0, commandsOf(motor))
     }
 
     private fun commandsOf(motor: MotorPort): Int = calls.hub.motor(HubPort.of(motor))?.commands ?: NEVER
@@ -96,7 +96,7 @@ internal class HubDrive(private val robot: RobotTarget.Hub, private val uses: Hu
     }
 
     /** [ahead] or to the right, 1 or -1, since the command of this number. */
-    private class Way(val ahead: Int, val turn: Int, val command: Int)
+    private class Direction(val ahead: Int, val turn: Int, val command: Int)
 
     private companion object {
         const val NEVER = -1

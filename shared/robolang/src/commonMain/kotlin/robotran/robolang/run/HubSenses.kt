@@ -4,6 +4,7 @@ import robotran.brick.controls.MotorPort
 import robotran.hub.model.HubPort
 import robotran.hub.program.Hub
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import robotran.robolang.robot.HubFigures
 import robotran.robolang.robot.HubUses
 import robotran.robolang.syntax.BrickButton
@@ -12,6 +13,8 @@ import robotran.robolang.syntax.Sense
 
 /** Reads the sensors of a robot with a hub: the words of the language mean the first sensor of their kind. */
 internal class HubSenses(private val hub: Hub, private val uses: HubUses) : RobotSenses {
+    private val mode = if (uses.looksAhead) LightMode.AMBIENT else LightMode.REFLECTION
+
     /** What the sensor at [port], from 1, measures. */
     private fun reading(port: Int): HubReading? = portOf(port)?.let(hub::sensor)
 
@@ -22,11 +25,11 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
     /** [port] is that of the left bumper on other bricks, or of the right one. */
     override fun isPressed(port: Int): Boolean = isTouched(read(if (port == 1) Sense.LeftBumper else Sense.RightBumper))
 
-    override fun light(port: Int): Int = (read(Sense.Light) as? HubReading.Light)?.let(::brightness) ?: 0
+    override fun light(port: Int): Int = uses.portOf(Sense.Light)?.let(::brightness) ?: 0
 
     override fun value(port: Int): Int = when (val reading = reading(port)) {
         null -> 0
-        is HubReading.Light -> brightness(reading)
+        is HubReading.Light -> brightness(port)
         is HubReading.Distance -> centimetres(reading)
         is HubReading.Force -> if (isTouched(reading)) 1 else 0
         is HubReading.Sound -> reading.intensity
@@ -54,8 +57,7 @@ internal class HubSenses(private val hub: Hub, private val uses: HubUses) : Robo
 
     override fun turned(motor: MotorPort): Int = hub.motor(HubPort.of(motor))?.angle ?: 0
 
-    private fun brightness(reading: HubReading.Light): Int =
-        if (uses.looksAhead) reading.ambient else reading.reflection
+    private fun brightness(port: Int): Int = portOf(port)?.let { hub.brightness(it, mode) } ?: 0
 
     private fun isTouched(reading: HubReading?) = (reading as? HubReading.Force)?.isTouched == true
 

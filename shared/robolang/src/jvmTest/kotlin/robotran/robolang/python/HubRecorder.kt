@@ -13,6 +13,7 @@ import robotran.hub.program.HubError
 import robotran.hub.program.HubMotorView
 import robotran.hub.program.HubNative
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import kotlin.math.abs
 
 /**
@@ -75,6 +76,9 @@ internal class HubRecorder(override val model: HubModel) : Hub {
         val first = if (port == HubPort.E || port == HubPort.S1) 1500 else 2700
         return HubReading.Force(if (milliseconds % 4000 in first..<first + 300) 50 else 0)
     }
+
+    override fun brightness(port: HubPort, mode: LightMode): Int? =
+        (sensor(port) as? HubReading.Light)?.brightness(mode)
 
     override fun color(port: HubPort): HubColor = COLORS[(milliseconds / 700 % 6).toInt()]
 

@@ -6,6 +6,7 @@ import robotran.brick.controls.MotorState
 import robotran.brick.sensors.SensorKind
 import robotran.hub.HubBrick
 import robotran.hub.program.HubReading
+import robotran.hub.program.LightMode
 import robotran.nxt.hardware.Clock
 import robotran.simulation.noise.NoiseStreams
 import robotran.simulation.noise.NxtRealism
@@ -104,7 +105,8 @@ internal class HubPorts(
     private fun plugIn(part: RobotPart, index: Int): HubSensor? {
         val kind = robot.deviceOf(part) ?: return null
         val port = model.sensorPorts[index]
-        brick.plugSensor(port, kind)
+        val looksAhead = part is SensorPart && !SensorPlace(machine, part, facing).looksDown
+        brick.plugSensor(port, kind, if (looksAhead) LightMode.AMBIENT else LightMode.REFLECTION)
         val read = when (part) {
             is BumperPart -> machine.bumper(part).let { bumper -> { force(bumper.isClosed) } }
             is FingerTouchPart -> ({ force(pressed[index]) })

@@ -5,7 +5,7 @@ import androidx.compose.foundation.layout.fillMaxSize
 import androidx.compose.runtime.Composable
 import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
-import robotran.brick.kind.ProgramWay
+import robotran.brick.kind.ProgramUpload
 import robotran.brick.program.ProgramFailure
 import robotran.language.source.SourceSpan
 import robotran.programs.Program
@@ -87,7 +87,17 @@ private fun Tools(file: OpenFile, state: ProgramsState, matches: List<SourceSpan
         state,
         { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
         { onEvent(BlockEvent.ViewChosen(it)) },
-        { onEvent(if (state.brick.programWay == ProgramWay.NONE) DocumentEvent.KitRequested else SendEvent.Requested) },
+        {
+            onEvent(
+                if (state.brick.programUpload ==
+                    ProgramUpload.NONE
+                ) {
+                    DocumentEvent.KitRequested
+                } else {
+                    SendEvent.Requested
+                },
+            )
+        },
         { onEvent(ProgramEvent.WordsChosen(it)) },
         { onEvent(SettingsEvent.WordsChosen(it)) },
         file::perform,

@@ -101,13 +101,21 @@ private fun RobotCard(robot: RobotDescription, name: String, tag: String, onClic
         Column {
             RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
-                name,
+                breakable(name),
                 Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
                 style = TextStyles.label,
             )
         }
     }
 }
+
+/**
+ * [name] with a place for a line's end before a colon that begins a word, as in "Kitronik :MOVE Motor": the rules of Unicode
+ * allow none there, so a narrow line would end within the word.
+ */
+private fun breakable(name: String): String = name.replace(" :", " $ZERO_WIDTH_SPACE:")
+
+private const val ZERO_WIDTH_SPACE = '\u200B'
 
 /** The [robot], looking up. */
 @Composable

@@ -1,15 +1,15 @@
 package robotran.workshop.event
 
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 
 /** A user action while a program is sent to a real hub. */
 sealed interface HubSendEvent : SchoolEvent {
     /** Sends the shown program. */
     data object Requested : HubSendEvent
 
-    /** Asks the platform for a hub by [way]. Browsers allow it only as the direct result of a click. */
-    data class WayRequested(val way: HubWay) : HubSendEvent
+    /** Asks the platform for a hub by [transport]. Browsers allow it only as the direct result of a click. */
+    data class TransportRequested(val transport: HubTransport) : HubSendEvent
 
     data class HubChosen(val device: HubDevice) : HubSendEvent
 

@@ -3,7 +3,7 @@ package robotran.workshop.school
 import androidx.compose.runtime.getValue
 import androidx.compose.runtime.mutableStateOf
 import androidx.compose.runtime.setValue
-import robotran.brick.kind.ProgramWay
+import robotran.brick.kind.ProgramUpload
 import robotran.simulation.physics.PhysicsEngine
 import robotran.workshop.assignment.AssignmentStateHolder
 import robotran.workshop.course.CourseStateHolder
@@ -85,10 +85,10 @@ internal class SchoolRoom<Projects>(
         }
     }
 
-    private fun requestSending() = when (services.current.shownRobot.description.brick.programWay) {
-        ProgramWay.HUB -> hubSend.handle(HubSendEvent.Requested)
-        ProgramWay.MICROBIT -> requestMicrobit()
-        ProgramWay.TOWER, ProgramWay.NONE -> send.handle(SendEvent.Requested)
+    private fun requestSending() = when (services.current.shownRobot.description.brick.programUpload) {
+        ProgramUpload.HUB -> hubSend.handle(HubSendEvent.Requested)
+        ProgramUpload.MICROBIT -> requestMicrobit()
+        ProgramUpload.TOWER, ProgramUpload.NONE -> send.handle(SendEvent.Requested)
     }
 
     private fun requestMicrobit() {

@@ -1,13 +1,13 @@
 package robotran.workshop.send
 
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.workshop.platform.KeyValueStore
 
 /** Remembers which hub was used last on this machine, also when the app is started again. */
 internal class HubMemory(private val store: KeyValueStore) {
     suspend fun remember(device: HubDevice) {
-        store.write(NAME, listOf(device.way.name, device.id, device.name).joinToString("\n"))
+        store.write(NAME, listOf(device.transport.name, device.id, device.name).joinToString("\n"))
     }
 
     /**
@@ -17,8 +17,8 @@ internal class HubMemory(private val store: KeyValueStore) {
     suspend fun lastOf(devices: List<HubDevice>): HubDevice? {
         val parts = store.read(NAME)?.split('\n', limit = PARTS) ?: return null
         if (parts.size < PARTS) return null
-        val (way, id, name) = parts
-        val alike = devices.filter { it.way == HubWay.entries.find { known -> known.name == way } }
+        val (transport, id, name) = parts
+        val alike = devices.filter { it.transport == HubTransport.entries.find { known -> known.name == transport } }
         return alike.find { it.id == id } ?: alike.singleOrNull { it.name == name && name.isNotEmpty() }
     }
 

@@ -5,56 +5,28 @@ import robotran.hublink.output.OutputReader
 import robotran.hublink.output.SourceMap
 import robotran.hublink.program.HubProgram
 import robotran.language.source.Diagnostic
-import robotran.language.source.Severity
 import robotran.mpycompiler.MpyResult
 import robotran.programs.Program
-import robotran.programs.ProgramCompiler
-import robotran.programs.ProgramResult
-import robotran.programs.support
-import robotran.projects.target
-import robotran.robolang.RobolangProgram
-import robotran.robolang.RobolangResult
-import robotran.robolang.compileRobolang
-import robotran.robolang.messages.PythonTranslationMessages
-import robotran.robolang.messages.RobolangMessages
 import robotran.robolang.python.PythonTranslation
-import robotran.robolang.python.translateToPython
 import robotran.robolang.python.withRunningLines
 import robotran.robolang.robot.RobotTarget
-import robotran.robolang.support.RobolangSupport
 import robotran.workshop.service.Services
 
 /** Makes of a pupil's program for the shown robot what its hub runs. */
 internal class HubProgramBuilder(private val services: Services) {
-    private val language get() = services.preferences.language
+    private val builder = PythonBuilder(services)
 
     /** Translates [program] to Python. What a hub cannot do is a mistake. */
     suspend fun translate(program: Program): HubTranslation {
-        val target = services.current.shownRobot.description.target as? RobotTarget.Hub
-        if (target == null || program.language.support != RobolangSupport) return refuse(program)
-        return when (val read = compileRobolang(program.name, program.text, target, RobolangMessages.of(language))) {
-            is RobolangResult.Failure -> HubTranslation.Failure(read.diagnostics)
-            is RobolangResult.Success ->
-                checked(read.program, translateToPython(read.program, target, PythonTranslationMessages.of(language)))
-        }
-    }
+        if (builder.target !is RobotTarget.Hub) return HubTranslation.NotForHubs
+        return when (val built = builder.build(program)) {
+            is PythonBuild.Failure -> HubTranslation.Failure(built.diagnostics)
 
-    private fun checked(program: RobolangProgram, python: PythonTranslation): HubTranslation {
-        val name = program.name
-        val lost = python.notes.filter { it.isLost }
-        return if (lost.isEmpty()) {
-            HubTranslation.Success(python, withRunningLines(program, python, OutputReader.MARK))
-        } else {
-            HubTranslation.Failure(lost.map { Diagnostic(Severity.ERROR, name, it.range, it.message) })
-        }
-    }
+            is PythonBuild.Success ->
+                HubTranslation.Success(built.python, withRunningLines(built.program, built.python, OutputReader.MARK))
 
-    /** A program in another language has a mistake that says so. */
-    private suspend fun refuse(program: Program): HubTranslation {
-        val compiler = ProgramCompiler(services.current.shownRobot.description.target, language = language)
-        val result = compiler.compileOrThrow(program)
-        return (result as? ProgramResult.Failure)?.let { HubTranslation.Failure(it.diagnostics) }
-            ?: HubTranslation.NotForHubs
+            PythonBuild.NoPython -> HubTranslation.NotForHubs
+        }
     }
 
     suspend fun compile(translation: PythonTranslation): HubBuildResult {

@@ -17,7 +17,7 @@ import robotran.hublink.HubResult
 import robotran.hublink.Remains
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.hub.HubLink
 import robotran.hublink.hub.HubState
 import robotran.hublink.output.HubConsole
@@ -65,7 +65,7 @@ internal class HubSendStateHolder(
         if (event != HubSendEvent.Requested && state == null) return
         when (event) {
             HubSendEvent.Requested -> if (state == null) begin()
-            is HubSendEvent.WayRequested -> run { ask(event.way) }
+            is HubSendEvent.TransportRequested -> run { ask(event.transport) }
             is HubSendEvent.HubChosen -> run { connect(event.device) }
             HubSendEvent.OtherHubRequested -> run { lookForHubs(findsAlone = false) }
             HubSendEvent.Confirmed -> run { send() }
@@ -109,7 +109,7 @@ internal class HubSendStateHolder(
             is HubTranslation.Success -> {
                 python = translated.python
                 telling = translated.telling
-                if (platform.hubs.ways.isEmpty()) {
+                if (platform.hubs.transports.isEmpty()) {
                     show(HubSendStep.NoWay())
                 } else {
                     compile { lookForHubs(findsAlone = true) }
@@ -162,7 +162,7 @@ internal class HubSendStateHolder(
         show(HubSendStep.Looking)
         val devices = platform.hubs.available()
         // Over Bluetooth, the only hub may be that of another pupil.
-        val alone = devices.singleOrNull()?.takeIf { it.way != HubWay.BLUETOOTH }
+        val alone = devices.singleOrNull()?.takeIf { it.transport != HubTransport.BLUETOOTH }
         if (findsAlone && alone != null) return connect(alone)
         choose(devices)
     }
@@ -170,12 +170,12 @@ internal class HubSendStateHolder(
     /** Shows [devices], the one that was used last first. */
     private suspend fun choose(devices: List<HubDevice>, isMissing: Boolean = false) {
         val last = memory.lastOf(devices)
-        show(HubSendStep.Choosing(listOfNotNull(last) + (devices - setOfNotNull(last)), ways(), isMissing, last))
+        show(HubSendStep.Choosing(listOfNotNull(last) + (devices - setOfNotNull(last)), transports(), isMissing, last))
     }
 
-    private suspend fun ask(way: HubWay) {
+    private suspend fun ask(transport: HubTransport) {
         show(HubSendStep.Looking)
-        when (val chosen = platform.hubs.choose(way)) {
+        when (val chosen = platform.hubs.choose(transport)) {
             is ChosenHub.Chosen -> connect(chosen.device)
             is ChosenHub.Refused -> fail(chosen.error)
             ChosenHub.None -> platform.hubs.available().let { choose(it, isMissing = it.isEmpty()) }
@@ -289,7 +289,7 @@ internal class HubSendStateHolder(
         if (state?.step is HubSendStep.Sending) run { show(HubSendStep.Cancelled) } else close()
     }
 
-    private fun ways() = HubWay.entries.filter { it in platform.hubs.ways }
+    private fun transports() = HubTransport.entries.filter { it in platform.hubs.transports }
 
     private fun show(step: HubSendStep) {
         state = state?.copy(step = step)

@@ -21,7 +21,7 @@ import robotran.workshop.service.ProgramTabs
 import robotran.workshop.state.ChoosingProblem
 import robotran.workshop.state.MicrobitSendState
 import robotran.workshop.state.MicrobitSendStep
-import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.MicrobitTransfer
 import robotran.workshop.state.ShownNumber
 import kotlin.coroutines.cancellation.CancellationException
 
@@ -62,7 +62,7 @@ internal class MicrobitSendStateHolder(
             MicrobitSendEvent.Confirmed -> run { usb.send(sending()) }
             MicrobitSendEvent.WholeRequested -> run { usb.sendWhole(sending()) }
             MicrobitSendEvent.Retried -> run { retry() }
-            MicrobitSendEvent.BackRequested -> run { showWays() }
+            MicrobitSendEvent.BackRequested -> run { showTransfers() }
             is MicrobitSendEvent.NumberEntered -> enterNumber(event.text)
             MicrobitSendEvent.LineShown -> showLine()
             MicrobitSendEvent.Cancelled -> cancel()
@@ -93,7 +93,7 @@ internal class MicrobitSendStateHolder(
             is MicrobitTranslation.Success -> {
                 built = result
                 microPython.read()
-                showWays()
+                showTransfers()
             }
         }
     }
@@ -107,33 +107,33 @@ internal class MicrobitSendStateHolder(
         null
     }
 
-    private suspend fun showWays(problem: ChoosingProblem? = null) {
+    private suspend fun showTransfers(problem: ChoosingProblem? = null) {
         val built = built ?: return build()
         val file = microPython.chosen?.file
         state = state?.copy(microPython = microPython.chosen?.found, size = sizeOf(file, built))
         val mistake = file?.let { mistakeOf(it, built) }
-        val ways = ways(built, hasFile = file != null && mistake == null)
-        show(MicrobitSendStep.Choosing(ways, problem ?: mistake?.let { ChoosingProblem.OfProgram(it) }))
+        val transfers = transfers(built, hasFile = file != null && mistake == null)
+        show(MicrobitSendStep.Choosing(transfers, problem ?: mistake?.let { ChoosingProblem.OfProgram(it) }))
     }
 
     /** @param hasFile whether there is MicroPython that takes the program; a board may have another one. */
-    private fun ways(built: MicrobitTranslation.Success, hasFile: Boolean): Set<MicrobitWay> = buildSet {
-        if (platform.microbits.canReach && built.bytes.size <= built.maxBytes) add(MicrobitWay.USB)
+    private fun transfers(built: MicrobitTranslation.Success, hasFile: Boolean): Set<MicrobitTransfer> = buildSet {
+        if (platform.microbits.canReach && built.bytes.size <= built.maxBytes) add(MicrobitTransfer.USB)
         if (hasFile) {
-            if (platform.microbitDrives.canWrite) add(MicrobitWay.DRIVE)
-            add(MicrobitWay.SAVE)
+            if (platform.microbitDrives.canWrite) add(MicrobitTransfer.DRIVE)
+            add(MicrobitTransfer.SAVE)
         }
     }
 
     private suspend fun chooseMicroPython() = when (val result = microPython.choose()) {
         ChoosingResult.Cancelled -> Unit
-        is ChoosingResult.Failure -> showWays(ChoosingProblem.OfFile(result.file, result.error))
-        is ChoosingResult.Success -> showWays(ChoosingProblem.NotKept.takeIf { !result.isKept })
+        is ChoosingResult.Failure -> showTransfers(ChoosingProblem.OfFile(result.file, result.error))
+        is ChoosingResult.Success -> showTransfers(ChoosingProblem.NotKept.takeIf { !result.isKept })
     }
 
     private suspend fun saveHex() {
         val built = built ?: return
-        val hex = microPython.hexWith(built) ?: return showWays()
+        val hex = microPython.hexWith(built) ?: return showTransfers()
         val saved = platform.saveHex(current.shownProgram.name, hex)
         show(saved) { MicrobitSendStep.HexSaved(it) }
     }
@@ -145,15 +145,15 @@ internal class MicrobitSendStateHolder(
 
     private suspend fun show(saved: SavedFile, next: (String) -> MicrobitSendStep) = when (saved) {
         is SavedFile.Success -> show(next(saved.name))
-        SavedFile.Failure -> showWays(ChoosingProblem.NotSaved)
+        SavedFile.Failure -> showTransfers(ChoosingProblem.NotSaved)
         SavedFile.Cancelled -> Unit
     }
 
     private suspend fun copyToDrive() {
-        val hex = built?.let { microPython.hexWith(it) } ?: return showWays()
+        val hex = built?.let { microPython.hexWith(it) } ?: return showTransfers()
         val drives = platform.microbitDrives.available()
         val drive = drives.singleOrNull()
-            ?: return showWays(if (drives.isEmpty()) ChoosingProblem.NoBoard else ChoosingProblem.SeveralBoards)
+            ?: return showTransfers(if (drives.isEmpty()) ChoosingProblem.NoBoard else ChoosingProblem.SeveralBoards)
         show(MicrobitSendStep.Copying)
         when (val copied = platform.microbitDrives.copy(hex, drive)) {
             DriveResult.Copied -> show(MicrobitSendStep.Copied)
@@ -177,8 +177,9 @@ internal class MicrobitSendStateHolder(
         show(MicrobitSendStep.Looking)
         when (val chosen = platform.microbits.choose()) {
             is ChosenBoard.Chosen -> usb.connect(chosen.board, sending())
+            is ChosenBoard.Several -> show(MicrobitSendStep.ManyBoards(chosen.boards))
             is ChosenBoard.Refused -> show(MicrobitSendStep.Failed(chosen.error))
-            ChosenBoard.None -> showWays(ChoosingProblem.NoBoard)
+            ChosenBoard.None -> showTransfers(ChoosingProblem.NoBoard)
         }
     }
 

@@ -5,7 +5,7 @@ import robotran.hublink.DownloadProgress
 import robotran.hublink.HubError
 import robotran.hublink.Remains
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.output.HubConsole
 import robotran.language.source.Diagnostic
 
@@ -88,13 +88,13 @@ sealed interface HubSendStep {
      * The pupil chooses a hub.
      *
      * @property devices the hubs that can be connected at once.
-     * @property ways the ways by which the platform can be asked for one.
+     * @property transports the transports by which the platform can be asked for one.
      * @property isMissing whether the last question ended without a hub.
      * @property last the one of the [devices] that was used last on this machine; null if it is not there.
      */
     data class Choosing(
         val devices: List<HubDevice>,
-        val ways: List<HubWay>,
+        val transports: List<HubTransport>,
         val isMissing: Boolean = false,
         val last: HubDevice? = null,
     ) : HubSendStep

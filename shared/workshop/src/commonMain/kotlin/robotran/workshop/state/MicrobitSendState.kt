@@ -77,10 +77,10 @@ sealed interface MicrobitSendStep {
     /**
      * The pupil chooses MicroPython, and how the program gets onto the board.
      *
-     * @property ways what can be done here.
+     * @property transfers what can be done here.
      * @property problem why what was tried last did not work; null if nothing was.
      */
-    data class Choosing(val ways: Set<MicrobitWay>, val problem: ChoosingProblem? = null) : MicrobitSendStep
+    data class Choosing(val transfers: Set<MicrobitTransfer>, val problem: ChoosingProblem? = null) : MicrobitSendStep
 
     /** The platform looks for a board, or shows its dialog for that. */
     data object Looking : MicrobitSendStep {
@@ -150,7 +150,7 @@ sealed interface MicrobitSendStep {
 }
 
 /** How a program gets onto a board. */
-enum class MicrobitWay {
+enum class MicrobitTransfer {
     /** By USB, from the app itself. */
     USB,
 

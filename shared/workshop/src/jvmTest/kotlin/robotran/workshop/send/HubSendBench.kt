@@ -5,7 +5,7 @@ import kotlinx.coroutines.awaitCancellation
 import kotlinx.coroutines.test.TestScope
 import kotlinx.coroutines.test.runTest
 import robotran.brick.kind.BrickKind
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.simulated.SimulatedHub
 import robotran.hublink.simulated.SimulatedModel
 import robotran.hublink.simulated.SimulatedProgram
@@ -34,12 +34,12 @@ internal abstract class HubSendBench {
         model: SimulatedModel = SimulatedModel(),
         program: SimulatedProgram = SimulatedProgram.printing("hello\r\n"),
         text: String = PROGRAM,
-        ways: Set<HubWay> = setOf(HubWay.BLUETOOTH),
+        transports: Set<HubTransport> = setOf(HubTransport.BLUETOOTH),
         compiler: MpyCompiler = CompilerInTest,
         check: suspend TestScope.(Workshop) -> Unit,
     ) = runTest {
         hub = SimulatedHub(backgroundScope, model) { program }
-        ports = NearHubs(hub, ways = ways)
+        ports = NearHubs(hub, transports = transports)
         platform = MemoryPlatform(files = files, hubs = ports, mpyCompiler = compiler)
         val workshop = openWorkshop(platform = platform, scope = backgroundScope)
         workshop.handle(DocumentEvent.NewWithBrick(BrickKind.SPIKE_PRIME))

@@ -5,7 +5,7 @@ import robotran.hublink.HubError
 import robotran.hublink.connection.ChosenHub
 import robotran.hublink.connection.HubDevice
 import robotran.hublink.connection.HubPorts
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.connection.OpenedHub
 import robotran.hublink.simulated.SimulatedBluetooth
 import robotran.hublink.simulated.SimulatedHub
@@ -14,14 +14,14 @@ import robotran.mpycompiler.JvmMpyCompiler
 import robotran.mpycompiler.MpyCompiler
 import robotran.mpycompiler.MpyResult
 
-internal val MY_HUB = HubDevice("mine", "Ada", HubWay.BLUETOOTH)
-internal val OTHER_HUB = HubDevice("other", "Grace", HubWay.BLUETOOTH)
+internal val MY_HUB = HubDevice("mine", "Ada", HubTransport.BLUETOOTH)
+internal val OTHER_HUB = HubDevice("other", "Grace", HubTransport.BLUETOOTH)
 
 /** A machine with Bluetooth near [hub]. */
 internal class NearHubs(
     private val hub: SimulatedHub,
     var devices: List<HubDevice> = listOf(MY_HUB),
-    override val ways: Set<HubWay> = setOf(HubWay.BLUETOOTH),
+    override val transports: Set<HubTransport> = setOf(HubTransport.BLUETOOTH),
 ) : HubPorts {
     /** What the platform's dialog returns. */
     var chosen: ChosenHub = ChosenHub.Chosen(MY_HUB)
@@ -37,7 +37,7 @@ internal class NearHubs(
 
     override suspend fun available(): List<HubDevice> = devices
 
-    override suspend fun choose(way: HubWay): ChosenHub = chosen
+    override suspend fun choose(transport: HubTransport): ChosenHub = chosen
 
     override suspend fun open(device: HubDevice): OpenedHub {
         opened += device

@@ -7,7 +7,7 @@ import robotran.hublink.HubVersion
 import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
 import robotran.hublink.connection.ChosenHub
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.output.ProgramErrorKind
 import robotran.hublink.simulated.SimulatedModel
 import robotran.hublink.simulated.WireFaults
@@ -32,7 +32,7 @@ internal class HubSendTest : HubSendBench() {
     @Test
     fun `a program gets from the app into a hub, starts there, prints and ends`() = onHub { workshop ->
         workshop.handle(SendEvent.Requested)
-        assertEquals(HubSendStep.Choosing(listOf(MY_HUB), listOf(HubWay.BLUETOOTH)), end(workshop))
+        assertEquals(HubSendStep.Choosing(listOf(MY_HUB), listOf(HubTransport.BLUETOOTH)), end(workshop))
         workshop.handle(HubSendEvent.HubChosen(MY_HUB))
         assertEquals(HubSendStep.Found, end(workshop))
         val found = assertNotNull(workshop.state.hubSend?.hub)
@@ -59,7 +59,7 @@ internal class HubSendTest : HubSendBench() {
 
     @Test
     fun `the only hub at a cable is taken without asking`() = onHub { workshop ->
-        val cable = MY_HUB.copy(way = HubWay.USB_SERIAL)
+        val cable = MY_HUB.copy(transport = HubTransport.USB_SERIAL)
         ports.devices = listOf(cable)
         workshop.handle(SendEvent.Requested)
         assertEquals(HubSendStep.Found, end(workshop))
@@ -170,8 +170,8 @@ internal class HubSendTest : HubSendBench() {
         assertEquals(HubSendStep.Failed(notSeen), workshop.state.hubSend?.step)
         ports.chosen = ChosenHub.None
         ports.devices = emptyList()
-        workshop.handle(HubSendEvent.WayRequested(HubWay.BLUETOOTH))
-        val choosing = HubSendStep.Choosing(emptyList(), listOf(HubWay.BLUETOOTH), isMissing = true)
+        workshop.handle(HubSendEvent.TransportRequested(HubTransport.BLUETOOTH))
+        val choosing = HubSendStep.Choosing(emptyList(), listOf(HubTransport.BLUETOOTH), isMissing = true)
         assertEquals(choosing, end(workshop))
     }
 
@@ -222,7 +222,7 @@ internal class HubSendTest : HubSendBench() {
     }
 
     @Test
-    fun `where no hub can be reached the program is saved as Python`() = onHub(ways = emptySet()) { workshop ->
+    fun `where no hub can be reached the program is saved as Python`() = onHub(transports = emptySet()) { workshop ->
         workshop.handle(SendEvent.Requested)
         assertEquals(HubSendStep.NoWay(), end(workshop))
         files.location = "/home/ada/drive.py"
@@ -255,7 +255,9 @@ internal class HubSendTest : HubSendBench() {
         again.close()
         ports.devices = listOf(OTHER_HUB, MY_HUB.copy(id = "another"))
         assertEquals("another", HubMemory(platform.store).lastOf(ports.devices)?.id)
-        assertNull(HubMemory(platform.store).lastOf(listOf(MY_HUB.copy(way = HubWay.USB_SERIAL), OTHER_HUB)))
+        assertNull(
+            HubMemory(platform.store).lastOf(listOf(MY_HUB.copy(transport = HubTransport.USB_SERIAL), OTHER_HUB)),
+        )
     }
 
     @Test
@@ -263,7 +265,7 @@ internal class HubSendTest : HubSendBench() {
         ports.chosen = ChosenHub.Refused(HubError.BluetoothNotAllowed)
         workshop.handle(SendEvent.Requested)
         end(workshop)
-        workshop.handle(HubSendEvent.WayRequested(HubWay.BLUETOOTH))
+        workshop.handle(HubSendEvent.TransportRequested(HubTransport.BLUETOOTH))
         assertEquals(HubSendStep.Failed(HubError.BluetoothNotAllowed), end(workshop))
     }
 

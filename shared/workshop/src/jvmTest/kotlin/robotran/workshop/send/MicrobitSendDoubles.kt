@@ -37,6 +37,9 @@ internal class PluggedBoards(
     /** What the platform's dialog returns. */
     var chosen: PluggedBoard? = MY_BOARD
 
+    /** Those that are plugged in where the platform has no dialog. */
+    var several = emptyList<PluggedBoard>()
+
     /** Why boards cannot be opened. */
     var failure: BoardError? = null
 
@@ -56,6 +59,7 @@ internal class PluggedBoards(
     override suspend fun choose(): ChosenBoard {
         questions++
         refused?.let { return ChosenBoard.Refused(it) }
+        if (several.isNotEmpty()) return ChosenBoard.Several(several)
         val board = chosen ?: return ChosenBoard.None
         boards = listOf(board)
         return ChosenBoard.Chosen(board)

@@ -29,7 +29,7 @@ import robotran.workshop.platform.OpenedFile
 import robotran.workshop.state.ChoosingProblem
 import robotran.workshop.state.FoundBoard
 import robotran.workshop.state.MicrobitSendStep
-import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.MicrobitTransfer
 import robotran.workshop.state.ProgramSize
 import kotlin.test.Test
 import kotlin.test.assertEquals
@@ -50,7 +50,7 @@ class MicrobitSendTest {
         assertEquals(MicrobitSendStep.Choosing(emptySet()), end())
         assertNull(sending.state?.microPython)
         choose(MicrobitBoard.V2)
-        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.SAVE)), end())
+        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitTransfer.SAVE)), end())
         val found = assertNotNull(sending.state?.microPython)
         assertEquals("v2.hex" to mapOf(MicrobitBoard.V2 to "2.1.2"), found.file to found.versions)
         files.location = "/home/ada/square.hex"
@@ -62,7 +62,7 @@ class MicrobitSendTest {
         next.handle(MicrobitSendEvent.Requested)
         testScheduler.advanceTimeBy(1_000)
         assertEquals(found, next.state?.microPython)
-        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.SAVE)), next.state?.step)
+        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitTransfer.SAVE)), next.state?.step)
     }
 
     @Test
@@ -94,7 +94,7 @@ class MicrobitSendTest {
         choose(MicrobitBoard.V1)
         val problem = ChoosingProblem.OfProgram(ImageError.OtherBoard(MicrobitBoard.V2))
         // The board may have Python of its own.
-        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.USB), problem), end())
+        assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitTransfer.USB), problem), end())
         sending.handle(MicrobitSendEvent.HexSaved)
         end()
         assertTrue(files.disk.isEmpty())
@@ -170,6 +170,16 @@ class MicrobitSendTest {
         assertEquals(MicrobitSendStep.ManyBoards(boards.boards), after(MicrobitSendEvent.UsbRequested))
         assertEquals(MicrobitSendStep.Found, after(MicrobitSendEvent.BoardChosen(OTHER_BOARD)))
         assertEquals(listOf(OTHER_BOARD), boards.opened)
+    }
+
+    @Test
+    fun `where the platform has no dialog the app asks for another board`() = onSheet {
+        request()
+        assertEquals(MicrobitSendStep.Found, after(MicrobitSendEvent.UsbRequested))
+        boards.several = listOf(MY_BOARD, OTHER_BOARD)
+        assertEquals(MicrobitSendStep.ManyBoards(boards.several), after(MicrobitSendEvent.OtherBoardRequested))
+        assertEquals(MicrobitSendStep.Found, after(MicrobitSendEvent.BoardChosen(OTHER_BOARD)))
+        assertEquals(listOf(MY_BOARD, OTHER_BOARD), boards.opened)
     }
 
     @Test
@@ -260,7 +270,7 @@ class MicrobitSendTest {
         onSheet(canReach = false, drives = drive) {
             request()
             choose(MicrobitBoard.V2)
-            assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitWay.DRIVE, MicrobitWay.SAVE)), end())
+            assertEquals(MicrobitSendStep.Choosing(setOf(MicrobitTransfer.DRIVE, MicrobitTransfer.SAVE)), end())
             assertEquals(MicrobitSendStep.Copied, after(MicrobitSendEvent.DriveRequested))
             assertEquals(MAIN, programsIn(checkNotNull(drive.hex))[MicrobitBoard.V2])
         }

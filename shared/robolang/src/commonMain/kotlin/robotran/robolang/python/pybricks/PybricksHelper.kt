@@ -41,14 +41,14 @@ internal enum class PybricksHelper(
     override val names: List<String> get() = others + called
 
     /** Its Python for [robot]; in tasks if [isReacting]. */
-    fun textFor(robot: RobotTarget.Hub, isReacting: Boolean, ways: PybricksWays): String {
+    fun textFor(robot: RobotTarget.Hub, isReacting: Boolean, directions: PybricksDirections): String {
         val text = (if (robot.model.hasScreen) SECTIONS["$name, screen"] else null) ?: SECTIONS.getValue(name)
         val values = mapOf(
             "ASYNC" to if (isReacting) "async " else "",
             "AWAIT" to if (isReacting) "await " else "",
             "SPEED" to within(robot, robot.wheelSpeed(STEP), robot.fastestAhead),
             "RATE" to within(robot, STEP * robot.wheelDiameter / robot.track, robot.fastestTurn),
-            "DRIVE_ON" to driveOn(ways),
+            "DRIVE_ON" to driveOn(directions),
         )
         return text.fillIn(values).trimEnd()
     }
@@ -61,14 +61,14 @@ internal enum class PybricksHelper(
     }
 
     /** How the robot goes on with a new power. */
-    private fun driveOn(ways: PybricksWays): String {
-        val only = ways.onlyOfBase
+    private fun driveOn(directions: PybricksDirections): String {
+        val only = directions.onlyOfBase
         val (condition, speeds) = when {
-            !ways.driveOn -> return ""
+            !directions.driveOn -> return ""
 
             only == null ->
-                "(${PybricksWays.AHEAD} or ${PybricksWays.TURN}) and " to
-                    "${PybricksWays.AHEAD} * speed, ${PybricksWays.TURN} * turn_rate"
+                "(${PybricksDirections.AHEAD} or ${PybricksDirections.TURN}) and " to
+                    "${PybricksDirections.AHEAD} * speed, ${PybricksDirections.TURN} * turn_rate"
 
             else -> "" to "${times(only.first, "speed")}, ${times(only.second, "turn_rate")}"
         }

@@ -27,7 +27,7 @@ internal class PybricksMotors(
     private val numbers = PybricksNumbers(context)
     private val left = robot.left
     private val right = robot.right
-    private val ways = speeds.ways
+    private val directions = speeds.directions
     private var usesSpeed = false
     private var usesRate = false
 
@@ -45,12 +45,12 @@ internal class PybricksMotors(
                     "$TURN_RATE = $turning  # Degrees a second.".takeIf { usesRate },
                 ) + (speeds.variables - speeds.setFirst).map { "$it = $first" }
             }
-            return figures + speeds.wayVariables.map { "$it = 0" }
+            return figures + speeds.directionVariables.map { "$it = 0" }
         }
 
     /** The names that it uses. */
     val names: Set<String>
-        get() = (speeds.variables + speeds.wayVariables).toSet() +
+        get() = (speeds.variables + speeds.directionVariables).toSet() +
             listOfNotNull(SPEED.takeIf { usesSpeed }, TURN_RATE.takeIf { usesRate })
 
     /** Drives [ahead] (1 or -1), or turns to the right (1) or left (-1), as [command] says. */
@@ -62,15 +62,15 @@ internal class PybricksMotors(
         return memory + "${devices.base()}.drive($speed, $rate)"
     }
 
-    /** What a [command] that drives both wheels does first, so that new powers take effect; neither way if it ends by itself. */
+    /** What a [command] that drives both wheels does first, so that new powers take effect; nothing if it ends itself. */
     fun remembered(command: Command, ahead: Int = 0, turn: Int = 0): List<String> = when {
-        !ways.drives(command) -> emptyList()
-        speeds.areVariables -> ways.remember(ahead, turn)
+        !directions.drives(command) -> emptyList()
+        speeds.areVariables -> directions.remember(ahead, turn)
         else -> remembered(left, ahead + turn) + remembered(right, ahead - turn)
     }
 
-    private fun remembered(motor: MotorPort, way: Int): List<String> = listOfNotNull(
-        ways.variableOf(motor)?.takeIf { it in speeds.wayVariables }?.let { "$it = $way" },
+    private fun remembered(motor: MotorPort, direction: Int): List<String> = listOfNotNull(
+        directions.variableOf(motor)?.takeIf { it in speeds.directionVariables }?.let { "$it = $direction" },
     )
 
     private fun speed(): String = if (speeds.areVariables) "speed" else SPEED.also { usesSpeed = true }
@@ -133,10 +133,10 @@ internal class PybricksMotors(
 
     /** [motor] goes on with the new speed that [command] has set, if it turns. */
     private fun runOn(motor: MotorPort, command: Command): List<String> {
-        if (!ways.runsOn(motor) || speeds.isFirst(command)) return emptyList()
+        if (!directions.runsOn(motor) || speeds.isFirst(command)) return emptyList()
         val speed = checkNotNull(speeds.variableOf(motor)) { "A motor whose power changes has a variable." }
-        val only = ways.onlyOf(motor)
-        val signed = if (only != null) signed(only, speed) else "${ways.variableOf(motor)} * $speed"
+        val only = directions.onlyOf(motor)
+        val signed = if (only != null) signed(only, speed) else "${directions.variableOf(motor)} * $speed"
         return listOf("${uses.use(PybricksHelper.RUN_ON)}(${devices.motor(motor)}, $signed)")
     }
 

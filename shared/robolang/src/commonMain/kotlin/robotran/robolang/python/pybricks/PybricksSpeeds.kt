@@ -43,7 +43,7 @@ internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: R
     }
 
     /** What new powers do while the wheels or a motor turn. */
-    val ways = PybricksWays(tree, robot)
+    val directions = PybricksDirections(tree, robot)
 
     private val wheels: List<MotorPort> get() = listOf(robot.left, robot.right)
 
@@ -67,10 +67,10 @@ internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: R
         get() = (wheels.filter { areApart } + motorsWithPower).distinct().mapNotNull { variableOf(it) }
 
     /** Those that hold which way something turns. */
-    val wayVariables: List<String>
+    val directionVariables: List<String>
         get() = when {
-            areVariables -> ways.variablesOfBase
-            else -> (wheels.filter { areApart } + motorsWithPower).distinct().mapNotNull { ways.variableOf(it) }
+            areVariables -> directions.variablesOfBase
+            else -> (wheels.filter { areApart } + motorsWithPower).distinct().mapNotNull { directions.variableOf(it) }
         }
 
     /** What the main program sets before it does anything else. */
@@ -91,7 +91,7 @@ internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: R
         statement is Statement.Declare && statement.value is Expression.Number
 
     /** The variables that [statement] itself changes. */
-    fun changedBy(statement: Statement): List<String> = powersOf(statement) + waysOf(statement)
+    fun changedBy(statement: Statement): List<String> = powersOf(statement) + directionsOf(statement)
 
     private fun powersOf(statement: Statement): List<String> = when {
         statement is Command.Power && areApart -> when (statement.side) {
@@ -107,15 +107,17 @@ internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: R
         else -> emptyList()
     }
 
-    private fun waysOf(statement: Statement): List<String> {
-        if (wayVariables.isEmpty() || statement !is Command) return emptyList()
+    private fun directionsOf(statement: Statement): List<String> {
+        if (directionVariables.isEmpty() || statement !is Command) return emptyList()
         return when {
-            ways.drives(statement) && areVariables -> ways.variablesOfBase
-            ways.drives(statement) -> wheels.mapNotNull { ways.variableOf(it) }
-            statement is Command.Motor && ways.isRun(statement) -> listOfNotNull(ways.variableOf(statement.port))
-            statement is Command.MotorTurn -> listOfNotNull(ways.variableOf(statement.port))
+            directions.drives(statement) && areVariables -> directions.variablesOfBase
+            directions.drives(statement) -> wheels.mapNotNull { directions.variableOf(it) }
+            statement is Command.Motor && directions.isRun(
+                statement,
+            ) -> listOfNotNull(directions.variableOf(statement.port))
+            statement is Command.MotorTurn -> listOfNotNull(directions.variableOf(statement.port))
             else -> emptyList()
-        }.filter { it in wayVariables }
+        }.filter { it in directionVariables }
     }
 
     companion object {

@@ -48,7 +48,7 @@ internal class PybricksTarget(private val robot: RobotTarget.Hub, private val co
         get() = devices.names + commands.names + (if (context.isReacting) setOf("main") else emptySet())
 
     override fun textOf(helper: PythonHelper): String =
-        (helper as PybricksHelper).textFor(robot, context.isReacting, speeds.ways)
+        (helper as PybricksHelper).textFor(robot, context.isReacting, speeds.directions)
 
     override fun linesOf(command: Command): List<String> = commands.linesOf(command)
 

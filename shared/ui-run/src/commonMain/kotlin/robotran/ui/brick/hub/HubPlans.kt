@@ -9,6 +9,8 @@ import robotran.ui.brick.front.ButtonShape
 import robotran.ui.brick.front.FrontPart
 import robotran.ui.brick.front.FrontShape
 import robotran.ui.brick.front.FrontSide
+import robotran.ui.brick.plug.portLook
+import robotran.ui.brick.plug.rowOf
 import robotran.ui.texts.HubTexts
 import robotran.ui.texts.NxtTexts
 import robotran.uikit.*

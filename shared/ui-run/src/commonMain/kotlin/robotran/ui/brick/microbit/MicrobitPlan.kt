@@ -14,8 +14,8 @@ import robotran.ui.brick.front.FrontPlan
 import robotran.ui.brick.front.FrontShape
 import robotran.ui.brick.front.FrontSide
 import robotran.ui.brick.front.StripLook
-import robotran.ui.brick.hub.portLook
-import robotran.ui.brick.hub.rowOf
+import robotran.ui.brick.plug.portLook
+import robotran.ui.brick.plug.rowOf
 import robotran.ui.texts.MicrobitTexts
 import robotran.uikit.*
 

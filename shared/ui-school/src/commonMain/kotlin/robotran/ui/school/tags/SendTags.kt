@@ -1,6 +1,6 @@
 package robotran.ui.school.tags
 
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.tower.port.TowerKind
 
 /** The tags of sending to a real brick, by which tests and the page find what is on the screen. */
@@ -50,7 +50,7 @@ object SendTags {
 
     fun board(index: Int) = "send-board-$index"
 
-    fun look(way: HubWay) = "send-look-${way.name.lowercase()}"
+    fun look(transport: HubTransport) = "send-look-${transport.name.lowercase()}"
 
     fun look(kind: TowerKind) = "send-look-${kind.name.lowercase()}"
 

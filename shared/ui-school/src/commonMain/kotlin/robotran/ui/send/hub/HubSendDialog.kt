@@ -39,7 +39,7 @@ fun HubSendCard(state: HubSendState, onEvent: (HubSendEvent) -> Unit, modifier: 
 @Composable
 private fun saidOf(state: HubSendState): String {
     val progress = (state.step as? HubSendStep.Sending)?.progress
-    val quarters = (partOf(progress) * QUARTERS).toInt()
+    val quarters = ((partOf(progress)?.share ?: 0f) * QUARTERS).toInt()
     return if (quarters == 0) sentenceOf(state) else SendTexts.saidProgress(spoken, quarters * PERCENT / QUARTERS)
 }
 

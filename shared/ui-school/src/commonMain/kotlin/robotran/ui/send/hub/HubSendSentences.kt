@@ -4,7 +4,7 @@ import androidx.compose.runtime.Composable
 import robotran.hublink.HubError
 import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.messages.HubTexts
 import robotran.hublink.sentences.sentence
 import robotran.ui.school.texts.HubSendTexts
@@ -43,7 +43,13 @@ internal fun sentenceOf(state: HubSendState): String = when (val step = state.st
 internal fun adviceOf(state: HubSendState): List<String> = when (val step = state.step) {
     is HubSendStep.HasErrors -> listOf(errorText(step.first))
     is HubSendStep.NoWay -> if (step.isRefused) listOf(HubSendTexts.notSaved(spoken)) else emptyList()
-    is HubSendStep.Choosing -> if (step.isMissing) causesOf(step.ways).map { it.sentence(spoken) } else emptyList()
+    is HubSendStep.Choosing -> if (step.isMissing) {
+        causesOf(step.transports).map {
+            it.sentence(spoken)
+        }
+    } else {
+        emptyList()
+    }
     HubSendStep.Found -> state.hub?.let { adviceOf(it) }.orEmpty()
     is HubSendStep.Sending -> listOf(HubSendTexts.keepNear(spoken))
     is HubSendStep.Ended -> listOfNotNull(step.console.error?.line?.let { HubSendTexts.atLine(spoken, it) })
@@ -91,5 +97,10 @@ private fun remainsOf(remains: Remains): List<String> =
 private fun causesOf(error: HubError): List<UnseenCause> = (error as? HubError.NotSeen)?.causes.orEmpty()
 
 /** Why a hub may not be in a list; at a cable it neither hides nor is too far. */
-private fun causesOf(ways: List<HubWay>): List<UnseenCause> =
-    if (HubWay.BLUETOOTH in ways) UnseenCause.entries else listOf(UnseenCause.OFF, UnseenCause.LEGO_FIRMWARE)
+private fun causesOf(transports: List<HubTransport>): List<UnseenCause> = if (HubTransport.BLUETOOTH in
+    transports
+) {
+    UnseenCause.entries
+} else {
+    listOf(UnseenCause.OFF, UnseenCause.LEGO_FIRMWARE)
+}

@@ -1,10 +1,7 @@
 package robotran.ui.send.hub
 
 import androidx.compose.foundation.background
-import androidx.compose.foundation.layout.Arrangement
-import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.height
 import androidx.compose.foundation.layout.padding
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
@@ -14,6 +11,10 @@ import robotran.hublink.DownloadProgress
 import robotran.hublink.output.HubConsole
 import robotran.ui.school.tags.SendTags
 import robotran.ui.school.texts.HubSendTexts
+import robotran.ui.send.Printed
+import robotran.ui.send.RUNNING_LINES
+import robotran.ui.send.SentPart
+import robotran.ui.send.SentPartView
 import robotran.uikit.*
 import robotran.workshop.event.HubSendEvent
 import robotran.workshop.state.HubSendState
@@ -29,13 +30,13 @@ internal fun HubStepWords(state: HubSendState, onEvent: (HubSendEvent) -> Unit) 
     if (step is HubSendStep.Found || step is HubSendStep.Ready) LineSwitch(state, onEvent)
     for (advice in adviceOf(state)) Explanation(advice)
     when (step) {
-        is HubSendStep.Sending -> DownloadView(step.progress)
+        is HubSendStep.Sending -> SentPartView(partOf(step.progress))
         is HubSendStep.Running -> {
             RunningLine(state, step.console.runningLine)
-            Printed(step.console, RUNNING_LINES)
+            Printed(step.console.lines, step.console.unfinished, RUNNING_LINES)
         }
 
-        is HubSendStep.Ended -> Printed(step.console, HubConsole.MAX_LINES)
+        is HubSendStep.Ended -> Printed(step.console.lines, step.console.unfinished, HubConsole.MAX_LINES)
         else -> Unit
     }
 }
@@ -71,43 +72,6 @@ private fun RunningLine(state: HubSendState, line: Int?) {
     )
 }
 
-/** How far a transfer is; null before the hub has begun. */
-@Composable
-private fun DownloadView(progress: DownloadProgress?) {
-    val colours = LocalRobotranColours.current
-    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
-        Progress(
-            { partOf(progress) },
-            Modifier.fillMaxWidth().height(8.dp).testTag(SendTags.SEND_PROGRESS),
-            ground = colours.desk,
-        )
-        val words = progress?.let { HubSendTexts.bytes(spoken, it.confirmedBytes, it.totalBytes) }
-        // An empty line, so that nothing moves when the hub begins.
-        Text(words.orEmpty(), Modifier.testTag(SendTags.SEND_BLOCK), TextStyles.body, color = colours.quiet)
-        if (progress != null && progress.attempt > 1) {
-            Explanation(HubSendTexts.repeated(spoken), Modifier.testTag(SendTags.SEND_WEAK))
-        }
-    }
-}
-
-/** The part that is through, 0 to 1. */
-internal fun partOf(progress: DownloadProgress?): Float = if (progress == null || progress.totalBytes <= 0) {
-    0f
-} else {
-    (progress.confirmedBytes.toFloat() / progress.totalBytes).coerceIn(0f, 1f)
-}
-
-/** The last [count] lines that the program has printed. */
-@Composable
-private fun Printed(console: HubConsole, count: Int) {
-    val all = console.lines + listOf(console.unfinished).filter { it.isNotEmpty() }
-    if (all.isEmpty()) return
-    val colours = LocalRobotranColours.current
-    Text(HubSendTexts.printed(spoken), style = TextStyles.body, color = colours.quiet)
-    val before = all.size - count
-    if (before > 0) Text(HubSendTexts.lineMore(spoken, before), style = TextStyles.body, color = colours.quiet)
-    Text(all.takeLast(count).joinToString("\n"), Modifier.testTag(SendTags.SEND_OUTPUT), TextStyles.code)
-}
-
-/** While a program runs, so that the last line is in sight. */
-private const val RUNNING_LINES = 6
+/** As it is shown; null before the hub has begun. */
+internal fun partOf(progress: DownloadProgress?): SentPart? =
+    progress?.let { SentPart(it.confirmedBytes, it.totalBytes, isRepeated = it.attempt > 1) }

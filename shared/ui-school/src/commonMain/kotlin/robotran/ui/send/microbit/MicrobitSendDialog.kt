@@ -39,7 +39,7 @@ fun MicrobitSendCard(state: MicrobitSendState, onEvent: (MicrobitSendEvent) -> U
 @Composable
 private fun saidOf(state: MicrobitSendState): String {
     val progress = (state.step as? MicrobitSendStep.Sending)?.progress
-    val quarters = (partOf(progress) * QUARTERS).toInt()
+    val quarters = ((partOf(progress)?.share ?: 0f) * QUARTERS).toInt()
     return if (quarters == 0) sentenceOf(state) else SendTexts.saidProgress(spoken, quarters * PERCENT / QUARTERS)
 }
 

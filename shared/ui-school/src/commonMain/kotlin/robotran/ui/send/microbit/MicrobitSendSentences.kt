@@ -13,7 +13,7 @@ import robotran.workshop.state.FoundBoard
 import robotran.workshop.state.FoundMicroPython
 import robotran.workshop.state.MicrobitSendState
 import robotran.workshop.state.MicrobitSendStep
-import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.MicrobitTransfer
 
 /** What happens in the step of [state], or what is wrong and what to do, in one sentence or two. */
 @Composable
@@ -114,7 +114,7 @@ private fun adviceOf(step: MicrobitSendStep.Running): List<String> = when {
 @Composable
 private fun adviceOf(step: MicrobitSendStep.Choosing, microPython: FoundMicroPython?): List<String> = listOfNotNull(
     MicrobitSendTexts.whereMicroPython(spoken).takeIf { microPython == null },
-    MicrobitSendTexts.orSendAtOnce(spoken).takeIf { microPython == null && MicrobitWay.USB in step.ways },
+    MicrobitSendTexts.orSendAtOnce(spoken).takeIf { microPython == null && MicrobitTransfer.USB in step.transfers },
     microPython?.let { MicrobitSendTexts.microPython(spoken, it.file, boardsOf(it)) },
 )
 

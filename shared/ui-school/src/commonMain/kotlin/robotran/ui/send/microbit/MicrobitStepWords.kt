@@ -3,7 +3,6 @@ package robotran.ui.send.microbit
 import androidx.compose.foundation.layout.Arrangement
 import androidx.compose.foundation.layout.Column
 import androidx.compose.foundation.layout.fillMaxWidth
-import androidx.compose.foundation.layout.height
 import androidx.compose.runtime.Composable
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.platform.testTag
@@ -11,8 +10,12 @@ import androidx.compose.ui.unit.dp
 import robotran.microbitlink.SendProgress
 import robotran.microbitlink.serial.BoardConsole
 import robotran.ui.school.tags.SendTags
-import robotran.ui.school.texts.HubSendTexts
 import robotran.ui.school.texts.MicrobitSendTexts
+import robotran.ui.send.Bar
+import robotran.ui.send.Printed
+import robotran.ui.send.RUNNING_LINES
+import robotran.ui.send.SentPart
+import robotran.ui.send.SentPartView
 import robotran.uikit.*
 import robotran.workshop.event.MicrobitSendEvent
 import robotran.workshop.state.ChoosingProblem
@@ -27,12 +30,16 @@ internal fun MicrobitStepWords(state: MicrobitSendState, onEvent: (MicrobitSendE
     Explanation(sentenceOf(state), Modifier.testTag(SendTags.SEND_STEP), bad = isBad(state))
     // What can be pressed stays in sight, however long the advice below is.
     if (step is MicrobitSendStep.ManyBoards) BoardChoice(step, onEvent)
-    if (step is MicrobitSendStep.Choosing) WayChoice(step, state.microPython != null, onEvent)
+    if (step is MicrobitSendStep.Choosing) TransferChoice(step, state.microPython != null, onEvent)
     for (advice in adviceOf(state)) Explanation(advice)
     when (step) {
         is MicrobitSendStep.Choosing -> state.size?.let { RoomView(it) }
-        is MicrobitSendStep.Sending -> SendingView(step.progress)
-        is MicrobitSendStep.Running -> Printed(step)
+        is MicrobitSendStep.Sending -> SentPartView(partOf(step.progress))
+        is MicrobitSendStep.Running -> {
+            val count = if (step.isGone || step.console.error != null) BoardConsole.MAX_LINES else RUNNING_LINES
+            Printed(step.console.lines, step.console.unfinished, count)
+        }
+
         is MicrobitSendStep.HexSaved -> CopySteps(step, onEvent)
         else -> Unit
     }
@@ -72,45 +79,6 @@ private fun RoomView(size: ProgramSize) {
     }
 }
 
-/** How far a program is; null before the board has begun. */
-@Composable
-private fun SendingView(progress: SendProgress?) {
-    val colours = LocalRobotranColours.current
-    Column(Modifier.fillMaxWidth(), Arrangement.spacedBy(8.dp)) {
-        Bar(Modifier.testTag(SendTags.SEND_PROGRESS)) { partOf(progress) }
-        val words = progress?.let { HubSendTexts.bytes(spoken, it.sent, it.total) }
-        // An empty line, so that nothing moves when the board begins.
-        Text(words.orEmpty(), Modifier.testTag(SendTags.SEND_BLOCK), TextStyles.body, color = colours.quiet)
-        if (progress != null && progress.attempt > 1) {
-            Explanation(HubSendTexts.repeated(spoken), Modifier.testTag(SendTags.SEND_WEAK))
-        }
-    }
-}
-
-@Composable
-private fun Bar(modifier: Modifier = Modifier, part: () -> Float) =
-    Progress(part, Modifier.fillMaxWidth().height(8.dp).then(modifier), ground = LocalRobotranColours.current.desk)
-
-/** The part that is through, 0 to 1. */
-internal fun partOf(progress: SendProgress?): Float = if (progress == null || progress.total <= 0) {
-    0f
-} else {
-    (progress.sent.toFloat() / progress.total).coerceIn(0f, 1f)
-}
-
-/** The last lines that the program has printed; all of them once nothing more comes. */
-@Composable
-private fun Printed(step: MicrobitSendStep.Running) {
-    val console = step.console
-    val all = console.lines + listOf(console.unfinished).filter { it.isNotEmpty() }
-    if (all.isEmpty()) return
-    val colours = LocalRobotranColours.current
-    Text(HubSendTexts.printed(spoken), style = TextStyles.body, color = colours.quiet)
-    val count = if (step.isGone || console.error != null) BoardConsole.MAX_LINES else RUNNING_LINES
-    val before = all.size - count
-    if (before > 0) Text(HubSendTexts.lineMore(spoken, before), style = TextStyles.body, color = colours.quiet)
-    Text(all.takeLast(count).joinToString("\n"), Modifier.testTag(SendTags.SEND_OUTPUT), TextStyles.code)
-}
-
-/** While a program may print, so that the last line is in sight. */
-private const val RUNNING_LINES = 6
+/** As it is shown; null before the board has begun. */
+internal fun partOf(progress: SendProgress?): SentPart? =
+    progress?.let { SentPart(it.sent, it.total, isRepeated = it.attempt > 1) }

@@ -14,7 +14,7 @@ import androidx.compose.ui.test.onNodeWithText
 import androidx.compose.ui.test.performClick
 import robotran.brick.kind.BrickKind
 import robotran.hublink.DownloadProgress
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.language.Language
 import robotran.ui.common.tags.CommonTags
 import robotran.ui.language.InLanguage
@@ -96,14 +96,14 @@ class HubSendDialogTest {
         }
 
     @Test
-    fun `a hub in the list is chosen by a touch, and hubs are looked for by each way`() = onSheet(411, 891) {
-        show(HubSendStep.Choosing(listOf(ADA, CABLE), HubWay.entries))
+    fun `a hub in the list is chosen by a touch, and hubs are looked for by each transport`() = onSheet(411, 891) {
+        show(HubSendStep.Choosing(listOf(ADA, CABLE), HubTransport.entries))
         onNodeWithText("Ada, by Bluetooth").assertExists()
         onNodeWithTag(SendTags.hub(1)).performClick()
-        show(HubSendStep.Choosing(emptyList(), HubWay.entries))
-        for (way in HubWay.entries) onNodeWithTag(SendTags.look(way)).performClick()
+        show(HubSendStep.Choosing(emptyList(), HubTransport.entries))
+        for (transport in HubTransport.entries) onNodeWithTag(SendTags.look(transport)).performClick()
         assertEquals(
-            listOf(HubSendEvent.HubChosen(CABLE)) + HubWay.entries.map { HubSendEvent.WayRequested(it) },
+            listOf(HubSendEvent.HubChosen(CABLE)) + HubTransport.entries.map { HubSendEvent.TransportRequested(it) },
             events,
         )
     }

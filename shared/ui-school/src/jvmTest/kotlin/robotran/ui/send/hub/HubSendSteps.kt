@@ -6,7 +6,7 @@ import robotran.hublink.HubVersion
 import robotran.hublink.Remains
 import robotran.hublink.UnseenCause
 import robotran.hublink.connection.HubDevice
-import robotran.hublink.connection.HubWay
+import robotran.hublink.connection.HubTransport
 import robotran.hublink.output.HubConsole
 import robotran.hublink.output.ProgramError
 import robotran.hublink.output.ProgramErrorKind
@@ -17,8 +17,8 @@ import robotran.workshop.state.FoundHub
 import robotran.workshop.state.HubSendState
 import robotran.workshop.state.HubSendStep
 
-internal val ADA = HubDevice("1", "Ada", HubWay.BLUETOOTH)
-internal val CABLE = HubDevice("2", "SPIKE Prime", HubWay.USB_SERIAL)
+internal val ADA = HubDevice("1", "Ada", HubTransport.BLUETOOTH)
+internal val CABLE = HubDevice("2", "SPIKE Prime", HubTransport.USB_SERIAL)
 internal val HUB = FoundHub("Ada", "SPIKE Prime", "4.0.1", room = 261_000)
 
 private val ERRORS = listOf(
@@ -56,10 +56,10 @@ internal val HUB_STEPS: Map<String, HubSendState> = buildMap {
     put("no-way-saved", HubSendStep.NoWay(savedAs = "square.py"))
     put("no-way-refused", HubSendStep.NoWay(isRefused = true))
     put("looking", HubSendStep.Looking)
-    put("choose", HubSendStep.Choosing(emptyList(), HubWay.entries))
-    put("choose-one", HubSendStep.Choosing(listOf(ADA, CABLE), listOf(HubWay.BLUETOOTH)))
-    put("choose-last", HubSendStep.Choosing(listOf(CABLE, ADA), listOf(HubWay.BLUETOOTH), last = CABLE))
-    put("choose-missing", HubSendStep.Choosing(emptyList(), listOf(HubWay.BLUETOOTH), isMissing = true))
+    put("choose", HubSendStep.Choosing(emptyList(), HubTransport.entries))
+    put("choose-one", HubSendStep.Choosing(listOf(ADA, CABLE), listOf(HubTransport.BLUETOOTH)))
+    put("choose-last", HubSendStep.Choosing(listOf(CABLE, ADA), listOf(HubTransport.BLUETOOTH), last = CABLE))
+    put("choose-missing", HubSendStep.Choosing(emptyList(), listOf(HubTransport.BLUETOOTH), isMissing = true))
     put("connecting", HubSendStep.Connecting)
     put("found", HubSendStep.Found, HUB)
     put("found-low", HubSendStep.Found, HUB.copy(isBatteryLow = true, isNewerThanKnown = true))

@@ -17,7 +17,7 @@ import robotran.workshop.state.FoundBoard
 import robotran.workshop.state.FoundMicroPython
 import robotran.workshop.state.MicrobitSendState
 import robotran.workshop.state.MicrobitSendStep
-import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.MicrobitTransfer
 import robotran.workshop.state.ProgramSize
 import robotran.workshop.state.ShownNumber
 
@@ -52,22 +52,23 @@ internal val MICROBIT_STEPS: Map<String, MicrobitSendState> = buildMap {
         board: FoundBoard? = BOARD,
     ) = put(name, MicrobitSendState("square.robo", step, SIZE, microPython, board))
 
-    fun choosing(problem: ChoosingProblem?, vararg ways: MicrobitWay) = MicrobitSendStep.Choosing(ways.toSet(), problem)
+    fun choosing(problem: ChoosingProblem?, vararg transfers: MicrobitTransfer) =
+        MicrobitSendStep.Choosing(transfers.toSet(), problem)
     put("building", MicrobitSendStep.Building)
     val mistake = Diagnostic(Severity.ERROR, "square.robo", SourceRange(12, 5, 9), "A micro:bit has no battery sensor.")
     put("mistake", MicrobitSendStep.HasErrors(mistake))
     put("compiler-failed", MicrobitSendStep.CompilerFailed)
     put("first", choosing(null), microPython = null)
-    put("first-usb", choosing(null, MicrobitWay.USB), microPython = null)
-    put("choose-save", choosing(null, MicrobitWay.SAVE))
-    put("choose-usb", choosing(null, MicrobitWay.USB, MicrobitWay.SAVE))
-    put("choose-all", choosing(null, *MicrobitWay.entries.toTypedArray()))
+    put("first-usb", choosing(null, MicrobitTransfer.USB), microPython = null)
+    put("choose-save", choosing(null, MicrobitTransfer.SAVE))
+    put("choose-usb", choosing(null, MicrobitTransfer.USB, MicrobitTransfer.SAVE))
+    put("choose-all", choosing(null, *MicrobitTransfer.entries.toTypedArray()))
     put("wrong-file", choosing(ChoosingProblem.OfFile("holiday.hex", ImageError.NoMicroPython)), microPython = null)
     put("too-large", choosing(ChoosingProblem.OfProgram(ImageError.TooLarge(31_004, 20_150))))
     put("wrong-micropython", choosing(ChoosingProblem.OfProgram(ImageError.OtherBoard(MicrobitBoard.V2))))
-    put("not-saved", choosing(ChoosingProblem.NotSaved, MicrobitWay.SAVE))
-    put("not-kept", choosing(ChoosingProblem.NotKept, MicrobitWay.SAVE))
-    put("no-board", choosing(ChoosingProblem.NoBoard, MicrobitWay.USB, MicrobitWay.SAVE))
+    put("not-saved", choosing(ChoosingProblem.NotSaved, MicrobitTransfer.SAVE))
+    put("not-kept", choosing(ChoosingProblem.NotKept, MicrobitTransfer.SAVE))
+    put("no-board", choosing(ChoosingProblem.NoBoard, MicrobitTransfer.USB, MicrobitTransfer.SAVE))
     put("looking", MicrobitSendStep.Looking)
     put("many", MicrobitSendStep.ManyBoards(BOARDS))
     put("connecting", MicrobitSendStep.Connecting)

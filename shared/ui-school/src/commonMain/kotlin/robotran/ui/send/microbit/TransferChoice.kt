@@ -9,11 +9,11 @@ import robotran.ui.school.texts.MicrobitSendTexts
 import robotran.uikit.*
 import robotran.workshop.event.MicrobitSendEvent
 import robotran.workshop.state.MicrobitSendStep
-import robotran.workshop.state.MicrobitWay
+import robotran.workshop.state.MicrobitTransfer
 
 /** A button for each way onto a board, the quickest first, and for the choice of MicroPython. */
 @Composable
-internal fun WayChoice(
+internal fun TransferChoice(
     step: MicrobitSendStep.Choosing,
     hasMicroPython: Boolean,
     onEvent: (MicrobitSendEvent) -> Unit,
@@ -27,9 +27,9 @@ internal fun WayChoice(
 
 private fun choicesOf(step: MicrobitSendStep.Choosing, hasMicroPython: Boolean): List<Choice> = listOfNotNull(
     Choice.OPEN.takeIf { !hasMicroPython },
-    Choice.USB.takeIf { MicrobitWay.USB in step.ways },
-    Choice.DRIVE.takeIf { MicrobitWay.DRIVE in step.ways },
-    Choice.SAVE_HEX.takeIf { MicrobitWay.SAVE in step.ways },
+    Choice.USB.takeIf { MicrobitTransfer.USB in step.transfers },
+    Choice.DRIVE.takeIf { MicrobitTransfer.DRIVE in step.transfers },
+    Choice.SAVE_HEX.takeIf { MicrobitTransfer.SAVE in step.transfers },
     Choice.SAVE_PYTHON,
     Choice.OTHER.takeIf { hasMicroPython },
 )

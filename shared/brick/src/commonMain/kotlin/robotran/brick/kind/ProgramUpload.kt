@@ -1,7 +1,7 @@
 package robotran.brick.kind
 
 /** How a program gets from this app to a real brick. */
-enum class ProgramWay {
+enum class ProgramUpload {
     /** As infrared light from a tower, as an image or with LEGO's firmware. */
     TOWER,
 
