@@ -10,6 +10,7 @@ import robotran.robolang.python.writer.PythonContext
 import robotran.robolang.python.writer.PythonFile
 import robotran.robolang.python.writer.PythonNotes
 import robotran.robolang.python.writer.PythonTarget
+import robotran.robolang.python.writer.WrittenNote
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.allStatements
 
@@ -40,8 +41,9 @@ fun translateToPython(
 ): PythonTranslation = translateToPython(program, messages) { MicrobitTarget(robot, it) }.let {
     val statements = allStatements(program.checked.tree)
     val room = BoardRoom.of(robot.model, statements.size, it.python)
-    val notes = it.notes + listOfNotNull(noteOfSize(robot.model, statements, room, messages))
-    PythonTranslation(it.fileName, it.python, it.lineMap, notes.sortedBy { note -> note.range.line }, room)
+    val size = noteOfSize(robot.model, statements, room, messages)?.toNote()
+    val notes = (it.notes + listOfNotNull(size)).sortedBy { note -> note.range.line }
+    PythonTranslation(it.fileName, it.python, it.lineMap, notes, room)
 }
 
 /** Translates [program] for the robot that it was compiled for; null if that runs no Python. Never throws. */
@@ -61,9 +63,11 @@ private fun translateToPython(
     val taken = PythonFile(program, targetOf, PythonNotes(messages), emptySet()).apply { write() }.names
     val notes = PythonNotes(messages)
     val writer = PythonFile(program, targetOf, notes, taken).write()
-    val all = notes.inOrder().map { PythonNote(it.range, it.message, it.isLost) }
+    val all = notes.inOrder().map { it.toNote() }
     return PythonTranslation(fileNameOf(program.name), writer.text, writer.lineMap, all)
 }
+
+private fun WrittenNote.toNote() = PythonNote(range, message, isLost)
 
 private fun fileNameOf(program: String): String =
     program.substringAfterLast('/').substringAfterLast('\\').removeSuffix(".robo").ifEmpty { "program" } + ".py"

@@ -22,7 +22,7 @@ data class BoardRoom(
     val memoryShare: Float get() = memoryBytes.toFloat() / heapBytes
 
     internal companion object {
-        /** Above so many statements a V1 may run out of memory, and will, whatever they are. */
+        /** Above so many statements a V1 may run out of memory, and does, however short they are. */
         const val MANY_STATEMENTS_V1 = 100
         const val MOST_STATEMENTS_V1 = 250
 
@@ -53,8 +53,9 @@ data class BoardRoom(
         fun of(model: MicrobitModel, statements: Int, python: String): BoardRoom {
             // The longest main.py beside nothing else.
             val mostBytes = model.fileBytes / CHUNK * CHUNK_DATA - FILE_HEAD
-            val read = python.lineSequence().map { it.substringBefore('#').trim() }.filter { it.isNotEmpty() }
-            val memory = MEMORY_AT_LEAST + (read.sumOf { it.length + 1 } * MEMORY_PER_BYTE).toInt()
+            val code = python.lineSequence().map { it.trim().substringBefore("  # ") }
+                .filter { it.isNotEmpty() && !it.startsWith('#') }
+            val memory = MEMORY_AT_LEAST + (code.sumOf { it.encodeToByteArray().size + 1 } * MEMORY_PER_BYTE).toInt()
             return BoardRoom(statements, memory, model.heapBytes, python.encodeToByteArray().size, mostBytes)
         }
     }

@@ -2,8 +2,8 @@ package robotran.robolang.python.microbit
 
 import robotran.microbit.model.MicrobitModel
 import robotran.robolang.messages.PythonTranslationMessages
-import robotran.robolang.python.PythonNote
 import robotran.robolang.python.writer.PythonContext
+import robotran.robolang.python.writer.WrittenNote
 import robotran.robolang.python.writer.withInner
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
@@ -18,7 +18,7 @@ internal fun noteOfSize(
     statements: List<Statement>,
     room: BoardRoom,
     messages: PythonTranslationMessages,
-): PythonNote? {
+): WrittenNote? {
     if (model != MicrobitModel.V1) return null
 
     /** The first statement for which there is no room any more; null if there is room for all. */
@@ -27,10 +27,10 @@ internal fun noteOfSize(
         return statements.getOrNull(room)
     }
     firstBeyond(BoardRoom.MOST_STATEMENTS_V1, BoardRoom.MOST_MEMORY)?.let {
-        return PythonNote(it.range, messages.tooLongForV1(), isLost = true)
+        return WrittenNote(it.range, messages.tooLongForV1(), isLost = true)
     }
     return firstBeyond(BoardRoom.MANY_STATEMENTS_V1, BoardRoom.MUCH_MEMORY)?.let {
-        PythonNote(it.range, messages.longForV1(), isLost = false)
+        WrittenNote(it.range, messages.longForV1(), isLost = false)
     }
 }
 

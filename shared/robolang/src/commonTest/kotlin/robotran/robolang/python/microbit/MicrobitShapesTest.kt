@@ -183,6 +183,8 @@ class MicrobitShapesTest {
         val commented = assertNotNull(boardPythonOf("// Ahead, a little way.\n\nforward 10\n", v1).room)
         assertEquals(room.memoryBytes, commented.memoryBytes)
         assertTrue(commented.bytes > room.bytes)
+        val (sign, letter) = listOf("#", "a").map { boardPythonOf("show \"1${it}2\"\n", v1).room }
+        assertEquals(letter, sign)
         assertEquals(10_240, room.heapBytes)
         assertEquals(28_214, room.mostBytes)
         val v2 = assertNotNull(boardPythonOf("forward 10\n").room)
