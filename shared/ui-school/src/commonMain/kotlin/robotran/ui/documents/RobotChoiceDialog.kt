@@ -16,6 +16,9 @@ import androidx.compose.runtime.remember
 import androidx.compose.ui.Modifier
 import androidx.compose.ui.geometry.Rect
 import androidx.compose.ui.platform.LocalDensity
+import androidx.compose.ui.semantics.clearAndSetSemantics
+import androidx.compose.ui.semantics.text
+import androidx.compose.ui.text.AnnotatedString
 import androidx.compose.ui.unit.dp
 import robotran.brick.kind.BrickKind
 import robotran.brick.kind.BuggyKind
@@ -102,7 +105,8 @@ private fun RobotCard(robot: RobotDescription, name: String, tag: String, onClic
             RobotFromAbove(robot, Modifier.fillMaxWidth().height(PICTURE_HEIGHT).background(colours.paper))
             Text(
                 breakable(name),
-                Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL),
+                Modifier.heightIn(min = WORDS_HEIGHT).padding(Space.SMALL)
+                    .clearAndSetSemantics { text = AnnotatedString(name) },
                 style = TextStyles.label,
             )
         }
