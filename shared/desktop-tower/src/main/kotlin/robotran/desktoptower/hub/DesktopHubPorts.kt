@@ -34,12 +34,8 @@ class DesktopHubPorts : HubPorts {
             .map { HubDevice(idOf(it), nameOf(it), HubTransport.USB_SERIAL) }
     }
 
-    override suspend fun choose(transport: HubTransport): ChosenHub = ChosenHub.of(
-        available().firstOrNull {
-            it.transport ==
-                transport
-        },
-    )
+    override suspend fun choose(transport: HubTransport): ChosenHub =
+        ChosenHub.of(available().firstOrNull { it.transport == transport })
 
     /** Opens any serial port of the machine, also one that [available] does not list. */
     override suspend fun open(device: HubDevice): OpenedHub = withContext(Dispatchers.IO) {

@@ -40,7 +40,7 @@ fun translateToPython(
     messages: PythonTranslationMessages,
 ): PythonTranslation = translateToPython(program, messages) { MicrobitTarget(robot, it) }.let {
     val statements = allStatements(program.checked.tree)
-    val room = BoardRoom.of(robot.model, statements.size, it.python)
+    val room = BoardRoom.of(robot.model, it.python)
     val size = noteOfSize(robot.model, statements, room, messages)?.toNote()
     val notes = (it.notes + listOfNotNull(size)).sortedBy { note -> note.range.line }
     PythonTranslation(it.fileName, it.python, it.lineMap, notes, room)

@@ -88,15 +88,8 @@ private fun Tools(file: OpenFile, state: ProgramsState, matches: List<SourceSpan
         { shown, kind -> onEvent(ProgramEvent.TranslationShown(shown, kind)) },
         { onEvent(BlockEvent.ViewChosen(it)) },
         {
-            onEvent(
-                if (state.brick.programUpload ==
-                    ProgramUpload.NONE
-                ) {
-                    DocumentEvent.KitRequested
-                } else {
-                    SendEvent.Requested
-                },
-            )
+            val canSend = state.brick.programUpload != ProgramUpload.NONE
+            onEvent(if (canSend) SendEvent.Requested else DocumentEvent.KitRequested)
         },
         { onEvent(ProgramEvent.WordsChosen(it)) },
         { onEvent(SettingsEvent.WordsChosen(it)) },

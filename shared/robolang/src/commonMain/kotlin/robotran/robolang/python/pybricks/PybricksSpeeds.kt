@@ -112,9 +112,10 @@ internal class PybricksSpeeds(private val tree: SyntaxTree, private val robot: R
         return when {
             directions.drives(statement) && areVariables -> directions.variablesOfBase
             directions.drives(statement) -> wheels.mapNotNull { directions.variableOf(it) }
-            statement is Command.Motor && directions.isRun(
-                statement,
-            ) -> listOfNotNull(directions.variableOf(statement.port))
+
+            statement is Command.Motor && directions.isRun(statement) ->
+                listOfNotNull(directions.variableOf(statement.port))
+
             statement is Command.MotorTurn -> listOfNotNull(directions.variableOf(statement.port))
             else -> emptyList()
         }.filter { it in directionVariables }

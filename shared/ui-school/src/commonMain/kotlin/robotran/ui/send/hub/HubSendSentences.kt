@@ -43,13 +43,7 @@ internal fun sentenceOf(state: HubSendState): String = when (val step = state.st
 internal fun adviceOf(state: HubSendState): List<String> = when (val step = state.step) {
     is HubSendStep.HasErrors -> listOf(errorText(step.first))
     is HubSendStep.NoWay -> if (step.isRefused) listOf(HubSendTexts.notSaved(spoken)) else emptyList()
-    is HubSendStep.Choosing -> if (step.isMissing) {
-        causesOf(step.transports).map {
-            it.sentence(spoken)
-        }
-    } else {
-        emptyList()
-    }
+    is HubSendStep.Choosing -> causesOf(step).map { it.sentence(spoken) }
     HubSendStep.Found -> state.hub?.let { adviceOf(it) }.orEmpty()
     is HubSendStep.Sending -> listOf(HubSendTexts.keepNear(spoken))
     is HubSendStep.Ended -> listOfNotNull(step.console.error?.line?.let { HubSendTexts.atLine(spoken, it) })
@@ -96,11 +90,9 @@ private fun remainsOf(remains: Remains): List<String> =
 
 private fun causesOf(error: HubError): List<UnseenCause> = (error as? HubError.NotSeen)?.causes.orEmpty()
 
-/** Why a hub may not be in a list; at a cable it neither hides nor is too far. */
-private fun causesOf(transports: List<HubTransport>): List<UnseenCause> = if (HubTransport.BLUETOOTH in
-    transports
-) {
-    UnseenCause.entries
-} else {
-    listOf(UnseenCause.OFF, UnseenCause.LEGO_FIRMWARE)
+/** Why a hub may not be in a list in which nothing was found; at a cable it neither hides nor is too far. */
+private fun causesOf(step: HubSendStep.Choosing): List<UnseenCause> = when {
+    !step.isMissing -> emptyList()
+    HubTransport.BLUETOOTH in step.transports -> UnseenCause.entries
+    else -> listOf(UnseenCause.OFF, UnseenCause.LEGO_FIRMWARE)
 }

@@ -1,9 +1,6 @@
 package robotran.robolang.python.microbit
 
-import robotran.microbit.model.MicrobitModel
-import robotran.robolang.messages.PythonTranslationMessages
 import robotran.robolang.python.writer.PythonContext
-import robotran.robolang.python.writer.WrittenNote
 import robotran.robolang.python.writer.withInner
 import robotran.robolang.robot.RobotTarget
 import robotran.robolang.syntax.Expression
@@ -11,28 +8,6 @@ import robotran.robolang.syntax.Routine
 import robotran.robolang.syntax.Statement
 import robotran.robolang.syntax.expressions
 import robotran.robolang.syntax.withParts
-
-/** What to say of a program of these [statements] that fills a V1 as [room] says; null if it fits, and on a V2. */
-internal fun noteOfSize(
-    model: MicrobitModel,
-    statements: List<Statement>,
-    room: BoardRoom,
-    messages: PythonTranslationMessages,
-): WrittenNote? {
-    if (model != MicrobitModel.V1) return null
-
-    /** The first statement for which there is no room any more; null if there is room for all. */
-    fun firstBeyond(most: Int, share: Float): Statement? {
-        val room = minOf(most, (statements.size * share / room.memoryShare).toInt())
-        return statements.getOrNull(room)
-    }
-    firstBeyond(BoardRoom.MOST_STATEMENTS_V1, BoardRoom.MOST_MEMORY)?.let {
-        return WrittenNote(it.range, messages.tooLongForV1(), isLost = true)
-    }
-    return firstBeyond(BoardRoom.MANY_STATEMENTS_V1, BoardRoom.MUCH_MEMORY)?.let {
-        WrittenNote(it.range, messages.longForV1(), isLost = false)
-    }
-}
 
 /** Tells whether a program calls itself deeper than its board can. */
 internal class DeepCallNotes(private val robot: RobotTarget.Microbit, private val context: PythonContext) {
